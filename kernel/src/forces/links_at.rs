@@ -1,0 +1,137 @@
+//! Every link of a state with its kinematics and forces, for inspection.
+
+use super::{StrongPass, WeakPass};
+use crate::geometry::{Arm, Metric, PairFrame, Vec2, overlap_factor};
+use crate::laws::{BeamLaw, NormalLaw, TangentialLaw};
+use crate::links::{ContactMemory, Pair, StrongLink, WeakLinks};
+use crate::particles::Particles;
+use crate::scalar::Real;
+
+/// Kind of a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LinkKind {
+    /// A contact.
+    Weak,
+    /// A bond.
+    Strong,
+}
+
+/// A link in the present state, signs as in the thesis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkState {
+    /// The pair.
+    pub pair: Pair,
+    /// Contact or bond.
+    pub kind: LinkKind,
+    /// Overlap factor of i.
+    pub overlap_factor: f64,
+    /// Focal point in m.
+    pub focal_point: Vec2,
+    /// Normal from i to j.
+    pub normal: Vec2,
+    /// Normal displacement in m.
+    pub normal_displacement: f64,
+    /// Adjusted normal displacement of a bond in m; zero for a contact.
+    pub adjusted_normal_displacement: f64,
+    /// Tangential displacements of both ends in m.
+    pub tangential_displacement: [f64; 2],
+    /// Rate of the normal displacement in m/s.
+    pub normal_velocity: f64,
+    /// Tangential velocities of both ends in m/s.
+    pub tangential_velocity: [f64; 2],
+    /// Normal force in N.
+    pub normal_force: f64,
+    /// Tangential force in N.
+    pub tangential_force: f64,
+    /// Torques on both ends in N m.
+    pub torque: [f64; 2],
+}
+
+fn doubles<S: Real>(pair: [S; 2]) -> [f64; 2] {
+    pair.map(Real::to_f64)
+}
+
+/// The parts of a link state that both kinds share.
+fn common<S: Real>(
+    kind: LinkKind,
+    pair: Pair,
+    particles: &Particles<S>,
+    frame: &PairFrame<S>,
+) -> LinkState {
+    let (i, j) = pair.indices();
+    let radii = [particles.radius[i], particles.radius[j]];
+    let factor = overlap_factor(radii, frame.distance);
+    let focal_point = particles.position[i] + frame.normal * (frame.distance * factor);
+    let double = |v: Vec2<S>| Vec2::new(v.x.to_f64(), v.y.to_f64());
+    LinkState {
+        pair,
+        kind,
+        overlap_factor: factor.to_f64(),
+        focal_point: double(focal_point),
+        normal: double(frame.normal),
+        normal_displacement: frame.normal_displacement(radii).to_f64(),
+        adjusted_normal_displacement: 0.0,
+        tangential_displacement: [0.0; 2],
+        normal_velocity: 0.0,
+        tangential_velocity: [0.0; 2],
+        normal_force: 0.0,
+        tangential_force: 0.0,
+        torque: [0.0; 2],
+    }
+}
+
+/// The contacts of a state.
+pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+    pass: WeakPass<M, A, N, T>,
+    particles: &Particles<S>,
+    weak: &WeakLinks<S>,
+) -> Vec<LinkState> {
+    let state = |(position, &pair): (usize, &Pair)| {
+        let (i, j) = pair.indices();
+        let frame = PairFrame::new(
+            pass.metric
+                .displacement(particles.position[i], particles.position[j]),
+        );
+        let reach = particles.radius[i] + particles.radius[j];
+        if frame.distance >= reach {
+            return None;
+        }
+        let mut memory = match weak.memory.get(position) {
+            Some(memory) if memory.touches => *memory,
+            _ => ContactMemory::begin(&frame, [particles.angle[i], particles.angle[j]]),
+        };
+        let state = pass.state(particles, (i, j), frame, &mut memory);
+        Some(LinkState {
+            tangential_displacement: doubles(state.zeta),
+            normal_velocity: state.motion.normal_velocity.to_f64(),
+            tangential_velocity: doubles(state.d_zeta),
+            normal_force: state.normal_force.to_f64(),
+            tangential_force: state.tangential_force.to_f64(),
+            torque: doubles(state.torques),
+            ..common(LinkKind::Weak, pair, particles, &frame)
+        })
+    };
+    weak.pairs.iter().enumerate().filter_map(state).collect()
+}
+
+/// The bonds of a state.
+pub(crate) fn strong<S: Real, M: Metric, B: BeamLaw>(
+    pass: StrongPass<M, B>,
+    particles: &Particles<S>,
+    links: &[StrongLink<S>],
+) -> Vec<LinkState> {
+    let state = |link: &StrongLink<S>| {
+        let state = pass.state(particles, &mut link.clone());
+        LinkState {
+            adjusted_normal_displacement: state.xi_adjusted.to_f64(),
+            tangential_displacement: doubles(state.zeta),
+            normal_velocity: state.motion.normal_velocity.to_f64(),
+            tangential_velocity: doubles(state.d_zeta),
+            normal_force: state.normal_force.to_f64(),
+            tangential_force: state.tangential_force.to_f64(),
+            torque: doubles(state.torques),
+            ..common(LinkKind::Strong, link.pair, particles, &state.frame)
+        }
+    };
+    links.iter().map(state).collect()
+}

@@ -1,0 +1,70 @@
+//! The only place that writes forces: one pass a kind of interaction, thesis eqs. (26)-(27).
+//!
+//! Each pass is generic over the laws it calls and is chosen once a step, so that no choice is made
+//! inside a loop.
+
+mod ambient;
+mod driving;
+mod external;
+pub(crate) mod links_at;
+mod strong_links;
+mod weak_links;
+
+pub use links_at::{LinkKind, LinkState};
+
+pub(crate) use ambient::ambient;
+pub(crate) use driving::{driving, measure};
+pub(crate) use external::external;
+pub(crate) use strong_links::{StrongPass, stored_in_strong_links, strong_links};
+pub(crate) use weak_links::{WeakPass, stored_in_weak_links, weak_links};
+
+use crate::geometry::Vec2;
+use crate::scalar::Real;
+
+/// Forces and torques on all particles.
+#[derive(Clone, Debug, Default)]
+pub struct Forces<S> {
+    /// Forces in N.
+    pub force: Vec<Vec2<S>>,
+    /// Torques in N m.
+    pub torque: Vec<S>,
+}
+
+impl<S: Real> Forces<S> {
+    /// No force on any of so many particles.
+    pub fn new(number: usize) -> Self {
+        Self {
+            force: vec![Vec2::zero(); number],
+            torque: vec![S::zero(); number],
+        }
+    }
+    pub(crate) fn clear(&mut self) {
+        self.force.fill(Vec2::zero());
+        self.torque.fill(S::zero());
+    }
+    /// Add a link's force on i and its reaction on j, with the torques of both ends.
+    #[inline(always)]
+    pub(crate) fn add_pair(&mut self, (i, j): (usize, usize), force: Vec2<S>, torques: [S; 2]) {
+        self.force[i] += force;
+        self.force[j] -= force;
+        self.torque[i] += torques[0];
+        self.torque[j] += torques[1];
+    }
+}
+
+/// What a pass books besides forces, in one evaluation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Tally<S> {
+    /// Power turned into heat by links, in W.
+    pub friction_rate: S,
+    /// Heat of links that appeared at once, in J.
+    pub friction: S,
+    /// Power turned into heat by the medium, in W.
+    pub ambient_rate: S,
+    /// Power of the driving force, in W.
+    pub driving_rate: S,
+    /// Stored energy lost with removed links, in J.
+    pub breaking: S,
+    /// Stored energy gained with links made under load, in J.
+    pub bonding: S,
+}

@@ -1,0 +1,61 @@
+//! Angles of vectors and of turning frames.
+
+use super::Vec2;
+use crate::scalar::Real;
+use core::f64::consts::{PI, TAU};
+use gouge_equations::rendered;
+
+/// Angle of a vector.
+///
+/// $$ \arctan (\cos x, \sin x) = x, \qquad \lvert x \rvert \le \pi $$
+///
+/// Thesis eqs. (106)-(107). Result in (-pi, pi]; the null vector, for which the thesis leaves the
+/// function undefined, gives zero.
+#[rendered]
+pub fn angle_of<S: Real>(vector: Vec2<S>) -> S {
+    vector.y.atan2(vector.x)
+}
+
+/// Angle of the opposite direction: x - pi for positive x, x + pi otherwise; thesis eq. (109).
+///
+/// At zero the thesis allows both signs; this returns +pi, the choice of [`angle_of`].
+#[doc(alias = "rev")]
+pub fn reversed<S: Real>(angle: S) -> S {
+    if angle > S::zero() {
+        angle - S::from_f64(PI)
+    } else {
+        angle + S::from_f64(PI)
+    }
+}
+
+/// The angle's representative in [-pi, pi).
+#[inline(always)]
+pub fn wrapped<S: Real>(angle: S) -> S {
+    if angle >= S::from_f64(-PI) && angle < S::from_f64(PI) {
+        angle
+    } else {
+        let turns = (angle * (1.0 / TAU) + S::from_f64(0.5)).floor();
+        angle - turns * TAU
+    }
+}
+
+/// Largest sine for which [`Real::asin_small`] is used.
+const SMALL_SINE: f64 = 0.125;
+
+/// Angle by which `reference` has to be turned to point along `direction`, and whether it is small.
+///
+/// $$ \delta = \arcsin(\vec e_0 \times \vec e), \quad \lvert \vec e_0 \times \vec e \rvert \le \tfrac18, \quad \vec e_0 \cdot \vec e > 0 $$
+///
+/// Both vectors are of unit length. A small angle costs a short polynomial instead of an arctangent;
+/// otherwise the angle is that of the vector (cosine, sine), in (-pi, pi].
+#[rendered]
+#[inline(always)]
+pub fn turn<S: Real>(reference: Vec2<S>, direction: Vec2<S>) -> (S, bool) {
+    let sine = reference.cross(direction);
+    let cosine = reference.dot(direction);
+    if sine.abs() <= S::from_f64(SMALL_SINE) && cosine > S::zero() {
+        (sine.asin_small(), true)
+    } else {
+        (sine.atan2(cosine), false)
+    }
+}

@@ -1,0 +1,62 @@
+//! Displacements between points, in the open plane and in one that is periodic in x.
+
+use super::Vec2;
+use crate::scalar::Real;
+use gouge_equations::rendered;
+
+/// A rule for the displacement from one point to another.
+pub trait Metric: Copy {
+    /// Displacement from `from` to `to`; its length is the distance.
+    fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S>;
+    /// The representative of a point.
+    fn wrap<S: Real>(self, point: Vec2<S>) -> Vec2<S>;
+}
+
+/// The Euclidean plane, thesis eq. (63).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Open;
+
+impl Metric for Open {
+    #[inline(always)]
+    fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S> {
+        to - from
+    }
+    #[inline(always)]
+    fn wrap<S: Real>(self, point: Vec2<S>) -> Vec2<S> {
+        point
+    }
+}
+
+/// The plane rolled up along x: horizontal minimum image, thesis eq. (64).
+///
+/// $$ \Delta x = (x_j - x_i) - l \left\lfloor \frac{x_j - x_i}{l} + \frac12 \right\rfloor $$
+///
+/// The thesis prints the distance only; here the displacement itself is that of the nearest image,
+/// so that normals, angles and velocities see the same neighbour (E44 of `docs/errata.md`). Points
+/// are represented in [0, l], for which one comparison replaces the floor function.
+#[rendered]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PeriodicX {
+    /// Period l in m.
+    pub length: f64,
+}
+
+impl Metric for PeriodicX {
+    #[inline(always)]
+    fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S> {
+        let mut d = to - from;
+        if d.x >= S::from_f64(0.5 * self.length) {
+            d.x -= S::from_f64(self.length);
+        } else if d.x < S::from_f64(-0.5 * self.length) {
+            d.x += S::from_f64(self.length);
+        }
+        d
+    }
+    #[inline(always)]
+    fn wrap<S: Real>(self, mut point: Vec2<S>) -> Vec2<S> {
+        if !(point.x >= S::zero() && point.x < S::from_f64(self.length)) {
+            point.x -= (point.x * (1.0 / self.length)).floor() * self.length;
+        }
+        point
+    }
+}

@@ -1,0 +1,90 @@
+//! How time advances, thesis eqs. (55)-(62).
+
+mod beeman;
+mod euler;
+mod taylor;
+mod time_step;
+mod velocity_verlet;
+mod watch;
+
+pub use time_step::{
+    Oscillator, characteristic_polynomial, crack_bound, critical_step, is_stable, wave_bound,
+};
+pub use watch::stable_step_estimate;
+
+pub(crate) use beeman::beeman;
+pub(crate) use euler::{euler, symplectic_euler};
+pub(crate) use taylor::taylor;
+pub(crate) use velocity_verlet::velocity_verlet;
+pub(crate) use watch::check;
+
+use crate::geometry::Vec2;
+use crate::scalar::Real;
+
+/// Integration method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integrator {
+    /// Explicit Euler, thesis eq. (55).
+    Euler,
+    /// Symplectic (semi-implicit) Euler.
+    SymplecticEuler,
+    /// Taylor expansion to second order, thesis eq. (56).
+    Taylor,
+    /// Velocity Verlet with predicted velocities.
+    VelocityVerlet,
+    /// Modified Beeman predictor-corrector, thesis eqs. (57)-(58).
+    Beeman,
+}
+
+impl Integrator {
+    /// Every method.
+    pub const ALL: [Self; 5] = [
+        Self::Euler,
+        Self::SymplecticEuler,
+        Self::Taylor,
+        Self::VelocityVerlet,
+        Self::Beeman,
+    ];
+
+    /// Whether a step evaluates forces before it moves, and not after.
+    pub fn evaluates_first(self) -> bool {
+        !self.needs_previous()
+    }
+    /// Whether accelerations of the previous evaluation are kept.
+    pub fn needs_previous(self) -> bool {
+        matches!(self, Self::VelocityVerlet | Self::Beeman)
+    }
+}
+
+/// Accelerations of the previous evaluation.
+#[derive(Clone, Debug)]
+pub struct Previous<S> {
+    /// Accelerations in m/s^2.
+    pub linear: Vec<Vec2<S>>,
+    /// Angular accelerations in rad/s^2.
+    pub angular: Vec<S>,
+    /// Accelerations one evaluation earlier, for the Beeman method only.
+    pub older_linear: Vec<Vec2<S>>,
+    /// Angular accelerations one evaluation earlier, for the Beeman method only.
+    pub older_angular: Vec<S>,
+    /// Whether they have been set.
+    pub is_set: bool,
+}
+
+impl<S: Real> Previous<S> {
+    /// None yet, for so many particles.
+    pub fn new(integrator: Integrator, number: usize) -> Self {
+        let older = if integrator == Integrator::Beeman {
+            number
+        } else {
+            0
+        };
+        Self {
+            linear: vec![Vec2::zero(); number],
+            angular: vec![S::zero(); number],
+            older_linear: vec![Vec2::zero(); older],
+            older_angular: vec![S::zero(); older],
+            is_set: false,
+        }
+    }
+}

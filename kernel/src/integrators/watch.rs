@@ -1,0 +1,150 @@
+//! Stops a run whose state has become senseless, and says why.
+
+use super::{Oscillator, critical_step};
+use crate::error::StepError;
+use crate::model::{ContactNormal, ContactTangential, Model};
+use crate::scalar::Real;
+use crate::world::World;
+
+/// Check every particle; see [`World::check`].
+pub(crate) fn check<S: Real>(world: &World<S>) -> Result<(), StepError> {
+    let p = &world.particles;
+    let step = world.model.time_step;
+    let cell = world
+        .weak
+        .as_ref()
+        .map_or(f64::INFINITY, |weak| weak.neighbors().cell_side());
+    for i in 0..p.len() {
+        let is_finite = p.position[i].is_finite()
+            && p.velocity[i].is_finite()
+            && p.angle[i].is_finite()
+            && p.angular_velocity[i].is_finite();
+        if !is_finite {
+            return Err(StepError::NotFinite {
+                particle: i,
+                link: most_strained_link(world, i),
+                time: world.time(),
+                steps: world.steps,
+                time_step: step,
+                bound: stable_step_estimate(world),
+            });
+        }
+        let distance = p.velocity[i].norm().to_f64() * step;
+        if distance > cell {
+            return Err(StepError::TooFast {
+                particle: i,
+                link: most_strained_link(world, i),
+                distance,
+                cell,
+                time: world.time(),
+                time_step: step,
+                bound: stable_step_estimate(world),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The link of a particle with the largest force, or one whose force is not even finite.
+fn most_strained_link<S: Real>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
+    let strain = |link: &crate::forces::LinkState| {
+        let force = link.normal_force.abs() + link.tangential_force.abs();
+        if force.is_finite() {
+            force
+        } else {
+            f64::INFINITY
+        }
+    };
+    let links = world.links();
+    let touching = links.iter().filter(|link| {
+        let (i, j) = link.pair.indices();
+        i == particle || j == particle
+    });
+    let worst = touching.max_by(|a, b| strain(a).total_cmp(&strain(b)))?;
+    let (i, j) = worst.pair.indices();
+    Some([i, j])
+}
+
+/// Estimate of the largest stable step of a world in s, on the safe side for linear forces.
+///
+/// By Gershgorin's theorem no mode is stiffer than twice the sum of the stiffnesses on one particle
+/// over its inertia; the same holds for damping. Contacts count as if every pair near enough to touch
+/// did.
+pub fn stable_step_estimate<S: Real>(world: &World<S>) -> f64 {
+    let number = world.particles.len();
+    let mut stiffness = vec![0.0; number];
+    let mut damping = vec![0.0; number];
+    let mut add = |(i, j): (usize, usize), k: f64, c: f64| {
+        for particle in [i, j] {
+            stiffness[particle] += k;
+            damping[particle] += c;
+        }
+    };
+    if let (Some(strong), Some((k, c))) = (&world.strong, bond_constants(&world.model)) {
+        strong
+            .links
+            .iter()
+            .for_each(|link| add(link.pair.indices(), k, c));
+    }
+    if let (Some(weak), Some(contact)) = (&world.weak, world.model.contact) {
+        for pair in &weak.pairs {
+            let (i, j) = pair.indices();
+            let radii = [
+                world.particles.radius[i].to_f64(),
+                world.particles.radius[j].to_f64(),
+            ];
+            let (k, c) = contact_constants(&contact.normal, &contact.tangential, radii);
+            add((i, j), k, c);
+        }
+    }
+    let of = |i: usize| {
+        let per_mass = 2.0 * world.inverse_mass[i].to_f64();
+        let oscillator = Oscillator {
+            stiffness: stiffness[i] * per_mass,
+            damping: damping[i] * per_mass,
+        };
+        critical_step(world.model.integrator, oscillator)
+    };
+    (0..number).map(of).fold(f64::INFINITY, f64::min)
+}
+
+/// Ratio of the stiffness per inertia of rolling a sphere to that of pushing it: m r^2 / J.
+const ROTATION: f64 = 2.5;
+
+/// The larger of normal and tangential constants of a bond, for the mass of a particle.
+fn bond_constants(model: &Model) -> Option<(f64, f64)> {
+    let bond = model.bond?;
+    let (k, c) = bond
+        .tangential
+        .map_or((0.0, 0.0), |beam| (beam.stiffness, beam.damping));
+    let twist = 1.0 + ROTATION;
+    Some((
+        bond.normal.stiffness.max(twist * k),
+        bond.normal.damping.max(twist * c),
+    ))
+}
+
+/// The larger of normal and tangential constants of a contact, for the mass of a particle.
+fn contact_constants(
+    normal: &ContactNormal,
+    tangential: &Option<ContactTangential>,
+    radii: [f64; 2],
+) -> (f64, f64) {
+    let (k_n, c_n) = match normal {
+        ContactNormal::KelvinVoigt(law) => (law.stiffness, law.damping),
+        ContactNormal::Bshp(law) => {
+            // Slope of the force at an overlap of a tenth of the smaller radius.
+            let xi = 0.1 * radii[0].min(radii[1]);
+            let slope = 1.5 * law.prefactor(radii) * xi.sqrt();
+            (slope, slope / 1.5 * law.dissipative_constant)
+        }
+    };
+    let (k_t, c_t) = match tangential {
+        None => (0.0, 0.0),
+        Some(ContactTangential::HaffWerner(law)) => (0.0, law.damping),
+        Some(ContactTangential::CundallStrack(law)) => (law.stiffness, 0.0),
+        Some(ContactTangential::CundallStrackTruncated(law)) => (law.stiffness, 0.0),
+    };
+    let twist = 1.0 + ROTATION;
+    (k_n.max(twist * k_t), c_n.max(twist * c_t))
+}

@@ -1,0 +1,36 @@
+//! Who interacts with whom: the only place that makes or removes a link.
+
+mod cells;
+mod neighbors;
+mod strong;
+mod weak;
+
+pub use cells::{Cells, Index, precedes};
+pub use neighbors::Neighbors;
+pub use strong::{BondStart, StrongLink, StrongLinks};
+pub use weak::{ContactMemory, ContactStart, WeakLinks};
+
+/// A pair of particles, the smaller index first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Pair {
+    /// First particle.
+    pub i: u32,
+    /// Second particle.
+    pub j: u32,
+}
+
+impl Pair {
+    /// The pair of two particles, in order.
+    pub fn new(a: usize, b: usize) -> Self {
+        let (i, j) = if a < b { (a, b) } else { (b, a) };
+        Self {
+            i: i as u32,
+            j: j as u32,
+        }
+    }
+    /// Both indices.
+    #[inline(always)]
+    pub fn indices(self) -> (usize, usize) {
+        (self.i as usize, self.j as usize)
+    }
+}

@@ -1,0 +1,176 @@
+//! Pairs that may touch soon: lists by cells, rebuilt only when they must be.
+
+use super::cells::{Cells, Index};
+use super::{Pair, precedes};
+use crate::geometry::{Metric, Vec2};
+use crate::particles::Particles;
+use crate::scalar::Real;
+use gouge_equations::rendered;
+
+/// Width of the margin around contacts, in mean radii, where the box does not ask for less.
+const MARGIN: f64 = 0.4;
+
+/// The neighbour list: every pair whose surfaces are closer than a margin.
+///
+/// A list made at one moment holds every contact for as long as no particle has moved farther than half
+/// the margin since.
+///
+/// $$ \Delta x = \frac{d^{cut}}{2} - r^{max}, \qquad d^{cut} = 2 r^{max} + \text{margin} $$
+///
+/// Thesis eqs. (98)-(99), with the cutoff distance of the list in place of the side of the cell, which
+/// would be safe only if the list held all pairs of adjacent cells (E32 of `docs/errata.md`).
+#[rendered]
+#[derive(Clone, Debug)]
+pub struct Neighbors<S> {
+    cells: Cells,
+    margin: f64,
+    built_at: Vec<Vec2<S>>,
+    rebuilds: u64,
+    members: Vec<u32>,
+    starts: Vec<u32>,
+    cell_of: Vec<Index>,
+}
+
+impl<S: Real> Neighbors<S> {
+    /// Cells for the given box; the margin is as large as the box allows, up to a fraction of the mean
+    /// radius. Returns the side of the smallest cell that a periodic box would need, if it is too
+    /// narrow.
+    pub fn new(particles: &Particles<S>, extent: [Option<f64>; 2], period: Option<f64>) -> Self {
+        let largest = 2.0 * particles.largest_radius();
+        let number = particles.len().max(1);
+        let mean = particles.radius.iter().map(|r| r.to_f64()).sum::<f64>() / number as f64;
+        let room = period.map_or(f64::INFINITY, |width| 0.5 * width - largest);
+        let margin = (MARGIN * mean).min(room).max(0.0);
+        let (low, high) = bounds(particles);
+        let side = |given: Option<f64>, low: f64, high: f64| match given {
+            Some(length) => (0.0, length),
+            None => (low, (high - low).max(largest)),
+        };
+        let (x, width) = side(extent[0], low.x, high.x);
+        let (y, height) = side(extent[1], low.y, high.y);
+        let cutoff = (largest + margin).max(f64::MIN_POSITIVE);
+        let (origin, extent) = (Vec2::new(x, y), Vec2::new(width, height));
+        Self {
+            cells: Cells::new(origin, extent, period.is_some(), cutoff, number + 16),
+            margin,
+            built_at: Vec::new(),
+            rebuilds: 0,
+            members: Vec::new(),
+            starts: Vec::new(),
+            cell_of: Vec::new(),
+        }
+    }
+
+    /// How often the list was built.
+    pub fn rebuilds(&self) -> u64 {
+        self.rebuilds
+    }
+
+    /// Side of a cell in m: how far a particle may move in one step.
+    pub fn cell_side(&self) -> f64 {
+        self.cells.smaller_side()
+    }
+
+    /// Whether some particle has moved so far that the list may miss a contact, or is not finite.
+    #[inline]
+    pub fn are_stale<M: Metric>(&self, metric: M, particles: &Particles<S>) -> bool {
+        if self.built_at.len() != particles.len() {
+            return true;
+        }
+        let safe = S::from_f64(0.25 * self.margin * self.margin);
+        let far = |(&then, &now): (&Vec2<S>, &Vec2<S>)| {
+            let moved = metric.displacement(then, now).norm_squared();
+            moved.partial_cmp(&safe).is_none_or(|order| order.is_ge())
+        };
+        self.built_at.iter().zip(&particles.position).any(far)
+    }
+
+    /// Find all pairs anew, in lexicographical order, into `pairs`.
+    pub fn rebuild<M: Metric>(
+        &mut self,
+        metric: M,
+        particles: &Particles<S>,
+        pairs: &mut Vec<Pair>,
+    ) {
+        self.rebuilds += 1;
+        self.built_at.clone_from(&particles.position);
+        self.sort_into_cells(particles);
+        pairs.clear();
+        for i in 0..particles.len() {
+            for cell in self.cells.neighbors_from(self.cell_of[i]) {
+                self.pairs_with_cell(metric, particles, i, cell, pairs);
+            }
+        }
+        pairs.sort_unstable();
+    }
+
+    fn sort_into_cells(&mut self, particles: &Particles<S>) {
+        let cells = self.cells;
+        self.cell_of.clear();
+        self.cell_of.extend(
+            particles
+                .position
+                .iter()
+                .map(|x| cells.down(Vec2::new(x.x.to_f64(), x.y.to_f64()))),
+        );
+        self.starts.clear();
+        self.starts.resize(cells.number() + 1, 0);
+        self.cell_of
+            .iter()
+            .for_each(|&cell| self.starts[cells.rank(cell) + 1] += 1);
+        for cell in 1..self.starts.len() {
+            self.starts[cell] += self.starts[cell - 1];
+        }
+        self.members.clear();
+        self.members.resize(particles.len(), 0);
+        for (i, &cell) in self.cell_of.iter().enumerate().rev() {
+            let rank = cells.rank(cell);
+            // Filled from behind: afterwards each start is again the first member of its cell.
+            self.starts[rank + 1] -= 1;
+            self.members[self.starts[rank + 1] as usize] = i as u32;
+        }
+        self.starts.rotate_left(1);
+        if let Some(last) = self.starts.last_mut() {
+            *last = particles.len() as u32;
+        }
+    }
+
+    fn pairs_with_cell<M: Metric>(
+        &self,
+        metric: M,
+        particles: &Particles<S>,
+        i: usize,
+        cell: Index,
+        pairs: &mut Vec<Pair>,
+    ) {
+        let rank = self.cells.rank(cell);
+        let members = &self.members[self.starts[rank] as usize..self.starts[rank + 1] as usize];
+        for &j in members {
+            let j = j as usize;
+            if !precedes(&self.cells, (self.cell_of[i], i), (cell, j)) {
+                continue;
+            }
+            let d = metric.displacement(particles.position[i], particles.position[j]);
+            let reach = particles.radius[i] + particles.radius[j] + S::from_f64(self.margin);
+            if d.norm_squared() <= reach * reach {
+                pairs.push(Pair::new(i, j));
+            }
+        }
+    }
+}
+
+/// Corners of the smallest box around all centres.
+fn bounds<S: Real>(particles: &Particles<S>) -> (Vec2, Vec2) {
+    let infinite = Vec2::new(f64::INFINITY, f64::INFINITY);
+    let (mut low, mut high) = (infinite, -infinite);
+    for x in &particles.position {
+        let (x, y) = (x.x.to_f64(), x.y.to_f64());
+        low = Vec2::new(low.x.min(x), low.y.min(y));
+        high = Vec2::new(high.x.max(x), high.y.max(y));
+    }
+    if particles.is_empty() {
+        (Vec2::zero(), Vec2::zero())
+    } else {
+        (low, high)
+    }
+}

@@ -1,0 +1,179 @@
+//! Strong links: made once, broken, never made again.
+
+use super::Pair;
+use crate::error::ModelError;
+use crate::geometry::{Metric, PairFrame, Vec2, angle_of, reversed, wrapped};
+use crate::particles::{Particles, Role};
+use crate::scalar::Real;
+
+/// What a scene says of a bond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BondStart {
+    /// The two particles.
+    pub between: [usize; 2],
+    /// Strength factor of thesis eq. (50).
+    pub strength_factor: f64,
+    /// Distance when the bond began in m; that of the initial state if not given.
+    pub initial_distance: Option<f64>,
+    /// Angles of both ends in the pair frame when the bond began, thesis eq. (30), in rad.
+    pub initial_angles: Option<[f64; 2]>,
+}
+
+/// A bond between two particles.
+#[doc(alias = "bond")]
+#[doc(alias = "beam")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrongLink<S> {
+    /// The pair.
+    pub pair: Pair,
+    /// Direction of the pair frame from which its turn is measured.
+    pub reference: Vec2<S>,
+    /// Angles of both particles at which the ends are unbent, while the frame points along `reference`.
+    pub rest_angles: [S; 2],
+    /// Distance when the bond began, in m.
+    pub rest_distance: S,
+    /// Strength factor; infinite where the bond never breaks.
+    pub strength_factor: S,
+}
+
+/// All bonds, in the order of their pairs.
+#[derive(Clone, Debug, Default)]
+pub struct StrongLinks<S> {
+    /// The bonds that hold.
+    pub links: Vec<StrongLink<S>>,
+    /// Positions of the links that broke in the latest evaluation, before they are removed.
+    pub(crate) broken: Vec<u32>,
+}
+
+impl<S: Real> StrongLinks<S> {
+    /// Make the bonds of a scene.
+    ///
+    /// # Errors
+    /// Pairs that do not exist, repeat, or are longer than half the period.
+    pub fn new<M: Metric>(
+        metric: M,
+        particles: &Particles<S>,
+        starts: &[BondStart],
+        unbreakable_edges: bool,
+        period: Option<f64>,
+    ) -> Result<Self, ModelError> {
+        check_pairs(particles.len(), starts.iter().map(|start| start.between))?;
+        let mut links = Vec::with_capacity(starts.len());
+        for (position, start) in starts.iter().enumerate() {
+            let link = begin(metric, particles, start, unbreakable_edges);
+            let length = link.rest_distance.to_f64();
+            if let Some(width) = period
+                && length > 0.5 * width
+            {
+                return Err(ModelError::LongBond {
+                    link: position,
+                    length,
+                    width,
+                });
+            }
+            links.push(link);
+        }
+        links.sort_by_key(|link| link.pair);
+        let broken = Vec::with_capacity(links.len());
+        Ok(Self { links, broken })
+    }
+
+    /// Whether the pair is bonded.
+    pub fn contains(&self, pair: Pair) -> bool {
+        self.links
+            .binary_search_by_key(&pair, |link| link.pair)
+            .is_ok()
+    }
+
+    /// Whether the bond of the pair broke in the latest evaluation.
+    pub(crate) fn breaks_now(&self, pair: Pair) -> bool {
+        self.broken
+            .binary_search_by_key(&pair, |&position| self.links[position as usize].pair)
+            .is_ok()
+    }
+
+    /// Remove the links that broke.
+    pub(crate) fn remove_broken(&mut self) {
+        let mut broken = self.broken.iter().copied().peekable();
+        let mut position = 0;
+        self.links.retain(|_| {
+            let breaks = broken.next_if_eq(&position).is_some();
+            position += 1;
+            !breaks
+        });
+        self.broken.clear();
+    }
+}
+
+fn begin<S: Real, M: Metric>(
+    metric: M,
+    particles: &Particles<S>,
+    start: &BondStart,
+    unbreakable_edges: bool,
+) -> StrongLink<S> {
+    let pair = Pair::new(start.between[0], start.between[1]);
+    let (i, j) = pair.indices();
+    let frame = PairFrame::new(metric.displacement(particles.position[i], particles.position[j]));
+    let angles = start.initial_angles.map(|a| {
+        if start.between[0] == i {
+            a
+        } else {
+            [a[1], a[0]]
+        }
+    });
+    let at_edge = particles.role[i] != Role::Free || particles.role[j] != Role::Free;
+    let strength = if unbreakable_edges && at_edge {
+        f64::INFINITY
+    } else {
+        start.strength_factor
+    };
+    StrongLink {
+        pair,
+        reference: frame.normal,
+        rest_angles: rest_angles(&frame, [particles.angle[i], particles.angle[j]], angles),
+        rest_distance: start.initial_distance.map_or(frame.distance, S::from_f64),
+        strength_factor: S::from_f64(strength),
+    }
+}
+
+/// Angles of the particles at which a link is unbent in the present frame: the present ones, or, if the
+/// link began earlier with the given angles in its frame, those by which it has turned since.
+pub(crate) fn rest_angles<S: Real>(
+    frame: &PairFrame<S>,
+    angles: [S; 2],
+    initial: Option<[f64; 2]>,
+) -> [S; 2] {
+    let Some(initial) = initial else {
+        return angles;
+    };
+    let lambda = angle_of(frame.normal);
+    let frames = [lambda, reversed(lambda)];
+    [0, 1].map(|end| {
+        let psi = angles[end] - frames[end];
+        angles[end] - wrapped(psi - S::from_f64(initial[end]))
+    })
+}
+
+/// Check that every pair exists and none repeats.
+pub(crate) fn check_pairs(
+    particles: usize,
+    pairs: impl Iterator<Item = [usize; 2]>,
+) -> Result<(), ModelError> {
+    let mut seen = std::collections::HashSet::new();
+    for (link, [i, j]) in pairs.enumerate() {
+        if let Some(particle) = [i, j].into_iter().find(|&p| p >= particles) {
+            return Err(ModelError::NoSuchParticle {
+                link,
+                particle,
+                particles,
+            });
+        }
+        if i == j {
+            return Err(ModelError::SelfLink { link, particle: i });
+        }
+        if !seen.insert(Pair::new(i, j)) {
+            return Err(ModelError::DuplicateLink { link, i, j });
+        }
+    }
+    Ok(())
+}

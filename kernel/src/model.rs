@@ -1,0 +1,146 @@
+//! The model of a scene: chosen laws and their parameters, as plain data.
+
+use crate::geometry::ContactDistance;
+use crate::integrators::Integrator;
+use crate::laws::{
+    AdjustedKelvinVoigt, Bshp, CorrelationDrag, CreepingDrag, CundallStrack,
+    CundallStrackTruncated, Driving, EulerBernoulli, Gravity, HaffWerner, HarmonicWell,
+    KelvinVoigt, ZhangEckert,
+};
+
+/// Which form is used of what `docs/errata.md` lists as changing forces or motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// What the errata decide.
+    Corrected,
+    /// What the thesis author computed.
+    Thesis,
+}
+
+/// Normal law of weak links.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactNormal {
+    /// Truncated Kelvin-Voigt.
+    KelvinVoigt(KelvinVoigt),
+    /// Viscoelastic spheres.
+    Bshp(Bshp),
+}
+
+/// Tangential law of weak links.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactTangential {
+    /// Haff-Werner.
+    HaffWerner(HaffWerner),
+    /// Cundall-Strack as printed.
+    CundallStrack(CundallStrack),
+    /// Cundall-Strack with the spring cut back while sliding.
+    CundallStrackTruncated(CundallStrackTruncated),
+}
+
+/// Laws of weak links.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Lever arms.
+    pub distance: ContactDistance,
+    /// Normal law.
+    pub normal: ContactNormal,
+    /// Tangential law; none without friction.
+    pub tangential: Option<ContactTangential>,
+}
+
+impl Contact {
+    /// Whether a contact must remember its beginning.
+    pub fn remembers(&self) -> bool {
+        matches!(
+            self.tangential,
+            Some(
+                ContactTangential::CundallStrack(_) | ContactTangential::CundallStrackTruncated(_)
+            )
+        )
+    }
+}
+
+/// When strong links break.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Yielding {
+    /// The criterion.
+    pub law: ZhangEckert,
+    /// Whether bonds of driven and fixed particles never break.
+    pub unbreakable_edges: bool,
+}
+
+/// Laws of strong links.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bond {
+    /// Normal law.
+    pub normal: AdjustedKelvinVoigt,
+    /// Bending and shearing; none for a bar.
+    pub tangential: Option<EulerBernoulli>,
+    /// Breaking; none for unbreakable bonds.
+    pub yielding: Option<Yielding>,
+}
+
+/// Drag of the medium.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ambient {
+    /// Creeping flow.
+    Creeping(CreepingDrag),
+    /// Correlation for all Reynolds numbers.
+    Correlation(CorrelationDrag),
+}
+
+/// External potential.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum External {
+    /// Gravity.
+    Gravity(Gravity),
+    /// Harmonic well.
+    HarmonicWell(HarmonicWell),
+}
+
+/// The box: its boundary and, where known, its sides in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    /// Horizontal side in m.
+    pub width: Option<f64>,
+    /// Vertical side in m.
+    pub height: Option<f64>,
+    /// Whether x is periodic with the width.
+    pub periodic: bool,
+}
+
+/// Everything a scene chooses, except its particles. What is `None` is not there: no array, no pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Model {
+    /// Form of the disputed equations.
+    pub reading: Reading,
+    /// Integration method.
+    pub integrator: Integrator,
+    /// Time step in s.
+    pub time_step: f64,
+    /// The box.
+    pub domain: Domain,
+    /// Weak links.
+    pub contact: Option<Contact>,
+    /// Strong links.
+    pub bond: Option<Bond>,
+    /// Drag.
+    pub ambient: Option<Ambient>,
+    /// External potential.
+    pub external: Option<External>,
+    /// Driving force.
+    pub driving: Option<Driving>,
+    /// Whether dissipation and work are booked.
+    pub ledger: bool,
+}
+
+impl Model {
+    /// The periodic width in m, if x is periodic.
+    pub fn period(&self) -> Option<f64> {
+        if self.domain.periodic {
+            self.domain.width
+        } else {
+            None
+        }
+    }
+}

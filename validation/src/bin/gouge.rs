@@ -1,0 +1,2 @@
+//! The `gouge` command.
+fn main() {}

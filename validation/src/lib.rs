@@ -1,0 +1,1 @@
+//! Scenes, runs, checks and reports around the kernel.
