@@ -17,6 +17,7 @@ pub mod particles;
 pub mod scalar;
 pub mod setup;
 mod world;
+mod world_record;
 
 pub use error::{ModelError, StepError};
 pub use world::{Drive, Start, World};

@@ -121,6 +121,44 @@ impl<S: Real> FromIterator<Particle> for Particles<S> {
     }
 }
 
+impl Particles {
+    /// Give every particle a role; fixed ones stop.
+    pub fn assign(&mut self, roles: Vec<Role>) {
+        for (i, role) in roles.iter().enumerate() {
+            if *role == Role::Fixed {
+                self.velocity[i] = Vec2::zero();
+                self.angular_velocity[i] = 0.0;
+            }
+        }
+        self.role = roles;
+    }
+
+    /// Multiply all masses and moments of inertia by a factor.
+    pub fn scale_mass(&mut self, factor: f64) {
+        self.mass.iter_mut().for_each(|mass| *mass *= factor);
+        self.moment_of_inertia.iter_mut().for_each(|inertia| *inertia *= factor);
+    }
+
+    /// The particles for which a condition on the position holds, in the same order.
+    pub fn select(&self, keeps: impl Fn(Vec2) -> bool) -> Self {
+        let kept: Vec<usize> =
+            (0..self.len()).filter(|&i| keeps(self.position[i])).collect();
+        fn pick<T: Copy>(column: &[T], kept: &[usize]) -> Vec<T> {
+            kept.iter().map(|&i| column[i]).collect()
+        }
+        Self {
+            position: pick(&self.position, &kept),
+            velocity: pick(&self.velocity, &kept),
+            angle: pick(&self.angle, &kept),
+            angular_velocity: pick(&self.angular_velocity, &kept),
+            radius: pick(&self.radius, &kept),
+            mass: pick(&self.mass, &kept),
+            moment_of_inertia: pick(&self.moment_of_inertia, &kept),
+            role: pick(&self.role, &kept),
+        }
+    }
+}
+
 /// Mass of a homogeneous sphere in kg.
 ///
 /// $$ m = \tfrac43 \pi \rho\, r^3 $$

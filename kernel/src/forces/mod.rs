@@ -68,3 +68,22 @@ pub(crate) struct Tally<S> {
     /// Stored energy gained with links made under load, in J.
     pub bonding: S,
 }
+
+impl Tally<f64> {
+    /// All entries, for a record of the state.
+    pub(crate) fn numbers(&self) -> [f64; 6] {
+        [
+            self.friction_rate,
+            self.friction,
+            self.ambient_rate,
+            self.driving_rate,
+            self.breaking,
+            self.bonding,
+        ]
+    }
+    /// The tally with the given entries.
+    pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
+        let [friction_rate, friction, ambient_rate, driving_rate, breaking, bonding] = numbers;
+        Self { friction_rate, friction, ambient_rate, driving_rate, breaking, bonding }
+    }
+}

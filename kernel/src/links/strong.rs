@@ -78,6 +78,12 @@ impl<S: Real> StrongLinks<S> {
         Ok(Self { links, broken })
     }
 
+    /// Links as they were recorded, in the order of their pairs.
+    pub(crate) fn from_links(links: Vec<StrongLink<S>>) -> Self {
+        let broken = Vec::with_capacity(links.len());
+        Self { links, broken }
+    }
+
     /// Whether the pair is bonded.
     pub fn contains(&self, pair: Pair) -> bool {
         self.links

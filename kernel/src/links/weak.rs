@@ -170,7 +170,9 @@ impl<S: Real> WeakLinks<S> {
 
     /// Restore memories, in the order of [`remembered`](Self::remembered), as a checkpoint holds them.
     pub fn restore(&mut self, memories: Vec<(Pair, ContactMemory<S>)>) {
-        (self.pairs, self.memory) = memories.into_iter().unzip();
+        if self.remembers {
+            (self.pairs, self.memory) = memories.into_iter().unzip();
+        }
     }
 }
 

@@ -1,0 +1,42 @@
+//! Bonds between nearest neighbours, thesis sections 3.5.2 and 3.7.5.
+
+use crate::geometry::Vec2;
+use crate::links::{Neighbors, Pair};
+use crate::model::Domain;
+use crate::particles::Particles;
+
+/// Reach of bonds in sums of radii that the thesis author used: the root of 3/2.
+pub const REACH: f64 = 1.224_744_871_391_589;
+
+/// All pairs whose distance is at most `reach` times the sum of their radii, in order.
+pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<Pair> {
+    use crate::geometry::{Metric, Open, PeriodicX};
+    let period = if domain.periodic { domain.width } else { None };
+    let displacement = |from: Vec2, to: Vec2| match period {
+        Some(length) => PeriodicX { length }.displacement(from, to),
+        None => Open.displacement(from, to),
+    };
+    let mut reaching = particles.clone();
+    reaching.radius.iter_mut().for_each(|r| *r *= reach);
+    let mut neighbors = Neighbors::new(&reaching, [domain.width, domain.height], period);
+    let mut pairs = Vec::new();
+    match period {
+        Some(length) => neighbors.rebuild(PeriodicX { length }, &reaching, &mut pairs),
+        None => neighbors.rebuild(Open, &reaching, &mut pairs),
+    }
+    pairs.retain(|pair| {
+        let (i, j) = pair.indices();
+        let distance = displacement(particles.position[i], particles.position[j]).norm();
+        distance <= reach * (particles.radius[i] + particles.radius[j])
+    });
+    pairs
+}
+
+/// So many independent strength factors, uniform in [1 - spread, 1 + spread).
+pub fn strength_factors(
+    number: usize,
+    spread: f64,
+    mut uniform: impl FnMut() -> f64,
+) -> Vec<f64> {
+    (0..number).map(|_| 1.0 + spread * (2.0 * uniform() - 1.0)).collect()
+}
