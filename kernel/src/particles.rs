@@ -133,28 +133,26 @@ impl Particles {
         self.role = roles;
     }
 
-    /// Multiply all masses and moments of inertia by a factor.
-    pub fn scale_mass(&mut self, factor: f64) {
-        self.mass.iter_mut().for_each(|mass| *mass *= factor);
-        self.moment_of_inertia.iter_mut().for_each(|inertia| *inertia *= factor);
+    /// Multiply masses and moments of inertia of the first `number` particles by a factor.
+    pub fn scale_mass(&mut self, number: usize, factor: f64) {
+        self.mass.iter_mut().take(number).for_each(|mass| *mass *= factor);
+        self.moment_of_inertia.iter_mut().take(number).for_each(|inertia| *inertia *= factor);
     }
 
-    /// The particles for which a condition on the position holds, in the same order.
-    pub fn select(&self, keeps: impl Fn(Vec2) -> bool) -> Self {
-        let kept: Vec<usize> =
-            (0..self.len()).filter(|&i| keeps(self.position[i])).collect();
+    /// The particles of the given indices, in their order.
+    pub fn select(&self, kept: &[usize]) -> Self {
         fn pick<T: Copy>(column: &[T], kept: &[usize]) -> Vec<T> {
             kept.iter().map(|&i| column[i]).collect()
         }
         Self {
-            position: pick(&self.position, &kept),
-            velocity: pick(&self.velocity, &kept),
-            angle: pick(&self.angle, &kept),
-            angular_velocity: pick(&self.angular_velocity, &kept),
-            radius: pick(&self.radius, &kept),
-            mass: pick(&self.mass, &kept),
-            moment_of_inertia: pick(&self.moment_of_inertia, &kept),
-            role: pick(&self.role, &kept),
+            position: pick(&self.position, kept),
+            velocity: pick(&self.velocity, kept),
+            angle: pick(&self.angle, kept),
+            angular_velocity: pick(&self.angular_velocity, kept),
+            radius: pick(&self.radius, kept),
+            mass: pick(&self.mass, kept),
+            moment_of_inertia: pick(&self.moment_of_inertia, kept),
+            role: pick(&self.role, kept),
         }
     }
 }

@@ -254,6 +254,22 @@ impl<S: Real> World<S> {
     pub fn forces(&self) -> &Forces<S> {
         &self.forces
     }
+    /// Number of pairs that overlap without being bonded.
+    pub fn contacts(&self) -> usize {
+        let Some(weak) = &self.weak else { return 0 };
+        let p = &self.particles;
+        let overlaps = |pair: &&Pair| {
+            let (i, j) = pair.indices();
+            let d = with_metric!(self.model, metric => metric.displacement(p.position[i], p.position[j]));
+            let reach = p.radius[i] + p.radius[j];
+            d.norm_squared() < reach * reach
+        };
+        weak.pairs.iter().filter(overlaps).count()
+    }
+    /// How often the neighbour list was built.
+    pub fn rebuilds(&self) -> u64 {
+        self.weak.as_ref().map_or(0, |weak| weak.neighbors().rebuilds())
+    }
     /// Completed steps.
     pub fn steps(&self) -> u64 {
         self.steps

@@ -172,8 +172,8 @@ impl TangentialLaw for CundallStrack {
 /// $$ F = -k^t (\zeta - s), \qquad \lvert \zeta - s \rvert \le \mu \lvert F^n \rvert / k^t $$
 ///
 /// The slip s, remembered by the link, follows the displacement so that the spring never exceeds the
-/// Coulomb limit. This is what LAMMPS, YADE and most of the field call Cundall-Strack. Passive: every
-/// cut turns stored energy into heat.
+/// Coulomb limit. This is what LAMMPS, YADE and most of the field call Cundall-Strack. Passive: each
+/// advance of the slip turns its work against the limiting force into heat.
 ///
 /// # Example
 /// ```
@@ -209,7 +209,7 @@ impl TangentialLaw for CundallStrackTruncated {
         }
         let capped = spring.signum_or_zero() * limit;
         *slip = slide.displacement - capped * (1.0 / self.stiffness);
-        let heat = (spring - capped) * (spring + capped) * (0.5 / self.stiffness);
+        let heat = capped * (spring - capped) * (1.0 / self.stiffness);
         Friction {
             force: -capped,
             heat_rate: S::zero(),

@@ -10,7 +10,8 @@ use gouge_equations::rendered;
 /// Width of the margin around contacts, in mean radii, where the box does not ask for less.
 const MARGIN: f64 = 0.4;
 
-/// The neighbour list: every pair whose surfaces are closer than a margin.
+/// The neighbour list: every pair whose surfaces are closer than a margin, but for pairs of fixed
+/// particles, whose forces move nothing.
 ///
 /// A list made at one moment holds every contact for as long as no particle has moved farther than half
 /// the margin since.
@@ -147,7 +148,8 @@ impl<S: Real> Neighbors<S> {
         let members = &self.members[self.starts[rank] as usize..self.starts[rank + 1] as usize];
         for &j in members {
             let j = j as usize;
-            if !precedes(&self.cells, (self.cell_of[i], i), (cell, j)) {
+            let both_fixed = particles.is_fixed(i) && particles.is_fixed(j);
+            if both_fixed || !precedes(&self.cells, (self.cell_of[i], i), (cell, j)) {
                 continue;
             }
             let d = metric.displacement(particles.position[i], particles.position[j]);

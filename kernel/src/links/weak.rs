@@ -92,20 +92,21 @@ impl<S: Real> WeakLinks<S> {
         }
     }
 
+    /// Give the new pairs the memory of the old ones; a touching pair is kept even if it has left the
+    /// margin, so that its end is seen whenever the list happens to be rebuilt.
     fn carry_memory_over(&mut self) {
         self.memory.clear();
-        self.memory
-            .resize(self.pairs.len(), ContactMemory::default());
-        let mut new = 0;
+        self.memory.resize(self.pairs.len(), ContactMemory::default());
         for (pair, memory) in self.old_pairs.iter().zip(&self.old_memory) {
             if !memory.touches {
                 continue;
             }
-            while new < self.pairs.len() && self.pairs[new] < *pair {
-                new += 1;
-            }
-            if new < self.pairs.len() && self.pairs[new] == *pair {
-                self.memory[new] = *memory;
+            match self.pairs.binary_search(pair) {
+                Ok(at) => self.memory[at] = *memory,
+                Err(at) => {
+                    self.pairs.insert(at, *pair);
+                    self.memory.insert(at, *memory);
+                }
             }
         }
     }

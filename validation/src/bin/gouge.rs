@@ -1,2 +1,74 @@
 //! The `gouge` command.
-fn main() {}
+
+use clap::{Parser, Subcommand};
+use gouge_validation::error::Error;
+use gouge_validation::scene::Scene;
+use gouge_validation::{commands, run};
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// A verified discrete element model of shearing brittle surfaces.
+#[derive(Parser)]
+#[command(version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a scene and write its outputs
+    Run {
+        /// A scene file, or the name of a built-in scene
+        scene: String,
+        /// Folder for the outputs
+        #[arg(long)]
+        out: PathBuf,
+        /// Continue a run that was stopped
+        #[arg(long)]
+        resume: bool,
+        /// Show no progress
+        #[arg(long, short)]
+        quiet: bool,
+    },
+    /// Print every pair that interacts at t = 0, as CSV
+    Links {
+        /// A scene file, or the name of a built-in scene
+        scene: String,
+    },
+    /// Print the time-step bounds of a scene, as JSON
+    Stability {
+        /// A scene file, or the name of a built-in scene
+        scene: String,
+    },
+    /// List the built-in scenes, or print one
+    Scenes {
+        /// Name of a built-in scene
+        name: Option<String>,
+    },
+}
+
+fn execute(command: Command) -> Result<(), Error> {
+    let text = match command {
+        Command::Run { scene, out, resume, quiet } => {
+            return run::run(&Scene::load(&scene)?, &out, resume, quiet);
+        }
+        Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,
+        Command::Stability { scene } => commands::stability(&Scene::load(&scene)?)?,
+        Command::Scenes { name } => commands::scenes(name.as_deref())?,
+    };
+    // A closed pipe is how `head` says that it has seen enough.
+    let _ = std::io::stdout().write_all(text.as_bytes());
+    Ok(())
+}
+
+fn main() -> ExitCode {
+    match execute(Arguments::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("gouge: {error}");
+            ExitCode::from(error.status())
+        }
+    }
+}

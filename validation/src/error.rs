@@ -1,0 +1,93 @@
+//! What can go wrong outside the kernel, worded for the user.
+
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// A scene file that cannot be used: file, line, key, value and what is accepted.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub struct SceneError {
+    /// The file.
+    pub file: String,
+    /// The line, counted from one; zero where no single line is at fault.
+    pub line: usize,
+    /// The key, as a dotted path.
+    pub key: String,
+    /// The value found.
+    pub value: String,
+    /// What would be accepted.
+    pub accepted: String,
+}
+
+impl std::fmt::Display for SceneError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.file)?;
+        if self.line > 0 {
+            write!(f, ":{}", self.line)?;
+        }
+        if !self.key.is_empty() {
+            write!(f, ": {}", self.key)?;
+        }
+        if !self.value.is_empty() {
+            write!(f, " = {}", self.value)?;
+        }
+        write!(f, ": {}", self.accepted)
+    }
+}
+
+/// Any failure of a command.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// The input is unusable.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+    /// An argument of the command is unusable.
+    #[error("{0}")]
+    Argument(String),
+    /// A file cannot be read or written.
+    #[error("cannot {action} {}: {source}", path.display())]
+    File {
+        /// What was tried.
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// Why it failed.
+        source: std::io::Error,
+    },
+    /// A checkpoint is not one of this scene, or is damaged.
+    #[error("cannot resume from {}: {reason}", path.display())]
+    Checkpoint {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The run stopped.
+    #[error("the run stopped in phase '{phase}': {source}")]
+    Step {
+        /// The phase of the run.
+        phase: String,
+        /// Why.
+        source: gouge_kernel::StepError,
+    },
+    /// The model refused a state that the set-up made.
+    #[error("the set-up made an impossible state: {0}")]
+    Setup(#[from] gouge_kernel::ModelError),
+    /// Some checks failed.
+    #[error("{0} of {1} checks failed")]
+    Checks(usize, usize),
+}
+
+impl Error {
+    /// Exit status: 2 where the input was unusable, 1 otherwise.
+    pub fn status(&self) -> u8 {
+        match self {
+            Self::Scene(_) | Self::Argument(_) => 2,
+            _ => 1,
+        }
+    }
+
+    /// A failure to handle a file.
+    pub fn file(action: &'static str, path: &std::path::Path, source: std::io::Error) -> Self {
+        Self::File { action, path: path.to_owned(), source }
+    }
+}

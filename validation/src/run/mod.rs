@@ -1,0 +1,296 @@
+//! Running a scene: phases, samples, checkpoints, outputs.
+
+mod checkpoint;
+mod output;
+mod picture;
+mod plan;
+mod progress;
+mod stub;
+mod trajectory;
+
+pub use plan::{Kind, Phase, enter, phases};
+
+use crate::error::Error;
+use crate::scene::Scene;
+use checkpoint::Checkpoint;
+use gouge_kernel::World;
+use output::{Series, Summary};
+use progress::Progress;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Steps between looks at the clock.
+const CHUNK: u64 = 256;
+/// Seconds between checkpoints.
+const CHECKPOINT_SECONDS: f64 = 5.0;
+
+/// A scene on its way.
+struct Run<'a> {
+    scene: &'a Scene,
+    folder: PathBuf,
+    fingerprint: [u8; 32],
+    phases: Vec<Phase>,
+    phase: usize,
+    world: World,
+    series: Option<Series>,
+    samples: u64,
+    bonds_initial: usize,
+    link_steps: f64,
+    earlier: [f64; 2],
+    began: Instant,
+    main_began: Instant,
+    saved: Instant,
+    good: World,
+    progress: Progress,
+}
+
+/// Run a scene and write its outputs into a folder.
+///
+/// # Errors
+/// Folders that cannot be written, checkpoints that do not fit, states that become senseless. What
+/// was written before stays.
+pub fn run(scene: &Scene, folder: &Path, resume: bool, quiet: bool) -> Result<(), Error> {
+    std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
+    let path = folder.join("checkpoint");
+    let is_unfinished = path.exists() && !folder.join("summary.json").exists();
+    if is_unfinished && !resume {
+        return Err(Error::Argument(format!(
+            "{} holds an unfinished run: continue it with --resume, or remove it first",
+            folder.display()
+        )));
+    }
+    let mut run = if resume && path.exists() {
+        Run::resume(scene, folder, quiet)?
+    } else {
+        Run::begin(scene, folder, quiet)?
+    };
+    match run.go() {
+        Ok(()) => run.finish("done"),
+        Err(error) => {
+            if let Error::Step { .. } = &error {
+                run.world = run.good.clone();
+                run.finish(&format!("failed: {error}"))?;
+            }
+            Err(error)
+        }
+    }
+}
+
+impl<'a> Run<'a> {
+    fn begin(scene: &'a Scene, folder: &Path, quiet: bool) -> Result<Self, Error> {
+        remove_outputs(folder)?;
+        let phases = phases(scene);
+        let world = enter(scene, &phases, 0, None)?;
+        let mut run = Self::new(scene, folder, quiet, phases, 0, world);
+        run.enter_main()?;
+        run.save()?;
+        Ok(run)
+    }
+
+    fn resume(scene: &'a Scene, folder: &Path, quiet: bool) -> Result<Self, Error> {
+        let path = folder.join("checkpoint");
+        let saved = Checkpoint::read(&path, &checkpoint::fingerprint(scene))?;
+        let phases = phases(scene);
+        let phase = (saved.phase as usize).min(phases.len() - 1);
+        // The area of driving depends on the radii, which only the state knows.
+        let bare = plan::model(scene, phases[phase].kind, &[0.0]);
+        let radii = saved.world(&path, bare)?.particles().radius.clone();
+        let world = saved.world(&path, plan::model(scene, phases[phase].kind, &radii))?;
+        let mut run = Self::new(scene, folder, quiet, phases, phase, world);
+        run.samples = saved.samples;
+        run.bonds_initial = saved.bonds_initial as usize;
+        run.link_steps = saved.link_steps;
+        run.earlier = saved.seconds;
+        if run.is_main() {
+            run.series = Some(Series::open(scene, folder, Some(saved.series_bytes))?);
+        }
+        let _ = std::fs::remove_file(folder.join("summary.json"));
+        Ok(run)
+    }
+
+    fn new(
+        scene: &'a Scene,
+        folder: &Path,
+        quiet: bool,
+        phases: Vec<Phase>,
+        phase: usize,
+        world: World,
+    ) -> Self {
+        let now = Instant::now();
+        Self {
+            scene,
+            folder: folder.to_owned(),
+            fingerprint: checkpoint::fingerprint(scene),
+            progress: Progress::new(&phases, quiet),
+            phases,
+            phase,
+            good: world.clone(),
+            world,
+            series: None,
+            samples: 0,
+            bonds_initial: 0,
+            link_steps: 0.0,
+            earlier: [0.0; 2],
+            began: now,
+            main_began: now,
+            saved: now,
+        }
+    }
+
+    fn is_main(&self) -> bool {
+        self.phase + 1 == self.phases.len()
+    }
+
+    /// All phases from the present one.
+    fn go(&mut self) -> Result<(), Error> {
+        while !self.is_main() {
+            self.advance_to(self.phases[self.phase].steps)?;
+            self.next_phase()?;
+        }
+        self.main_began = Instant::now();
+        let last = self.phases[self.phase].steps;
+        loop {
+            let due = self.sample_step(self.samples).min(last);
+            self.advance_to(due)?;
+            // The last step is a sample too, once.
+            let is_extra = due == last && self.samples > 0 && self.sample_step(self.samples - 1) >= last;
+            if !is_extra {
+                self.sample()?;
+            }
+            if due == last {
+                return Ok(());
+            }
+        }
+    }
+
+    fn next_phase(&mut self) -> Result<(), Error> {
+        self.phase += 1;
+        let before = self.world.clone();
+        self.world = enter(self.scene, &self.phases, self.phase, Some(before))?;
+        self.good = self.world.clone();
+        self.enter_main()?;
+        self.save()
+    }
+
+    /// Begin the series if the scene proper begins.
+    fn enter_main(&mut self) -> Result<(), Error> {
+        if self.is_main() {
+            self.bonds_initial = bonds(&self.world);
+            self.series = Some(Series::open(self.scene, &self.folder, None)?);
+        }
+        Ok(())
+    }
+
+    /// Step at which a sample is due.
+    fn sample_step(&self, sample: u64) -> u64 {
+        let exact = sample as f64 * self.scene.output.interval / self.scene.step;
+        (exact.round() as u64).max(sample)
+    }
+
+    fn advance_to(&mut self, last: u64) -> Result<(), Error> {
+        while self.world.steps() < last {
+            let until = last.min(self.world.steps() + CHUNK);
+            while self.world.steps() < until {
+                if let Err(source) = self.world.step() {
+                    return Err(self.step_error(source));
+                }
+            }
+            self.progress.show(self.phase, self.world.steps());
+            if self.saved.elapsed().as_secs_f64() > CHECKPOINT_SECONDS {
+                self.world.check().map_err(|source| self.step_error(source))?;
+                self.good = self.world.clone();
+                self.save()?;
+            }
+        }
+        Ok(())
+    }
+
+    fn step_error(&self, source: gouge_kernel::StepError) -> Error {
+        Error::Step { phase: self.phases[self.phase].name.clone(), source }
+    }
+
+    fn sample(&mut self) -> Result<(), Error> {
+        let pending = self.world.evaluate_if_pending().and_then(|()| self.world.check());
+        pending.map_err(|source| self.step_error(source))?;
+        self.good = self.world.clone();
+        if let Some(series) = &mut self.series {
+            series.sample(self.scene, &self.world)?;
+        }
+        trajectory::write_frame(self.scene, &self.folder, self.samples, &self.world)?;
+        let steps = self.sample_step(self.samples + 1).min(self.phases[self.phase].steps);
+        let links = bonds(&self.world) + self.world.contacts();
+        self.link_steps += links as f64 * (steps - self.world.steps()) as f64;
+        self.samples += 1;
+        Ok(())
+    }
+
+    fn seconds(&self) -> [f64; 2] {
+        let main = if self.is_main() { self.main_began.elapsed().as_secs_f64() } else { 0.0 };
+        [self.earlier[0] + self.began.elapsed().as_secs_f64(), self.earlier[1] + main]
+    }
+
+    fn save(&mut self) -> Result<(), Error> {
+        let checkpoint = Checkpoint {
+            phase: self.phase as u64,
+            samples: self.samples,
+            series_bytes: self.series.as_ref().map_or(0, Series::bytes),
+            bonds_initial: self.bonds_initial as u64,
+            seconds: self.seconds(),
+            link_steps: self.link_steps,
+            world: self.world.to_words(),
+        };
+        checkpoint.write(&self.folder.join("checkpoint"), &self.fingerprint)?;
+        self.saved = Instant::now();
+        Ok(())
+    }
+
+    /// Write what a finished or failed run leaves.
+    fn finish(&mut self, status: &str) -> Result<(), Error> {
+        self.progress.finish();
+        let [wall, main] = self.seconds();
+        if status == "done" {
+            self.save()?;
+        }
+        output::write_particles(&self.folder, self.world.particles())?;
+        picture::write(&self.folder, self.scene, &self.world)?;
+        let steps = if self.is_main() { self.world.steps() } else { 0 };
+        let number = self.world.particles().len();
+        let rate = |amount: f64| if main > 0.0 { amount / main } else { 0.0 };
+        let summary = Summary {
+            status: status.to_owned(),
+            steps,
+            time: if self.is_main() { self.world.time() } else { 0.0 },
+            particles: number,
+            bonds_initial: self.bonds_initial,
+            bonds_broken: self.bonds_initial.saturating_sub(bonds(&self.world)),
+            wall_seconds: wall,
+            particle_steps_per_second: rate(number as f64 * steps as f64),
+            link_steps_per_second: rate(self.link_steps),
+            version: env!("CARGO_PKG_VERSION"),
+            scene_sha256: self.scene.sha256.clone(),
+            energy: self.scene.output.energy.then(|| output::energies(&self.world)),
+            series_columns: output::columns(self.scene),
+            neighbor_rebuilds: self.world.rebuilds(),
+        };
+        output::write_summary(&self.folder, &summary)
+    }
+}
+
+fn bonds(world: &World) -> usize {
+    world.strong_links().map_or(0, |strong| strong.links.len())
+}
+
+/// Remove what an earlier, finished run left, so that no mixture remains.
+fn remove_outputs(folder: &Path) -> Result<(), Error> {
+    for name in ["summary.json", "checkpoint", "series.csv", "particles.csv", "picture.svg"] {
+        let path = folder.join(name);
+        if path.exists() {
+            std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;
+        }
+    }
+    let frames = folder.join("trajectory");
+    if frames.exists() {
+        std::fs::remove_dir_all(&frames).map_err(|error| Error::file("replace", &frames, error))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,52 @@
+//! The scenes that come with the program.
+
+/// Name, purpose and text of every built-in scene.
+pub const SCENES: [(&str, &str, &str); 9] = [
+    (
+        "granite-fault",
+        "two blocks of granite, 100 mm, sheared under pressure for 50 ms (thesis section 4.2)",
+        include_str!("../scenes/granite-fault.toml"),
+    ),
+    (
+        "granite-fault-small",
+        "the same protocol on 25 mm, in about half a minute",
+        include_str!("../scenes/granite-fault-small.toml"),
+    ),
+    ("head-on", "two spheres meet head on", include_str!("../scenes/head-on.toml")),
+    (
+        "oblique",
+        "two spheres of different size meet off centre and begin to spin",
+        include_str!("../scenes/oblique.toml"),
+    ),
+    (
+        "rolling",
+        "a spinning sphere slides, then rolls, along a row of fixed ones",
+        include_str!("../scenes/rolling.toml"),
+    ),
+    ("pile", "a column of grains collapses to its angle of repose", include_str!("../scenes/pile.toml")),
+    (
+        "cantilever",
+        "a beam of bonded grains sags under gravity",
+        include_str!("../scenes/cantilever.toml"),
+    ),
+    (
+        "three-point-bend",
+        "a beam of bonded grains on two supports is pushed until it breaks",
+        include_str!("../scenes/three-point-bend.toml"),
+    ),
+    (
+        "packing",
+        "grains settle in a harmonic well: the packing of the granite fault alone",
+        include_str!("../scenes/packing.toml"),
+    ),
+];
+
+/// Text of a built-in scene.
+pub fn text(name: &str) -> Option<&'static str> {
+    SCENES.iter().find(|(scene, _, _)| *scene == name).map(|(_, _, text)| *text)
+}
+
+/// Names of all built-in scenes.
+pub fn names() -> Vec<&'static str> {
+    SCENES.iter().map(|(name, _, _)| *name).collect()
+}

@@ -1,0 +1,331 @@
+//! A table of a scene file that knows where it stands and accounts for every key.
+
+use crate::error::SceneError;
+use std::collections::BTreeMap;
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue};
+
+type Result<T> = std::result::Result<T, SceneError>;
+
+/// The text of a file, to turn positions into lines.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// Name of the file.
+    pub file: &'a str,
+    /// Its text.
+    pub text: &'a str,
+}
+
+impl Source<'_> {
+    /// Line of a byte, counted from one.
+    pub fn line(&self, byte: usize) -> usize {
+        1 + self.text.as_bytes().iter().take(byte).filter(|&&b| b == b'\n').count()
+    }
+
+    /// An error at a byte of the file.
+    pub fn error(&self, byte: usize, key: &str, value: &str, accepted: &str) -> SceneError {
+        SceneError {
+            file: self.file.to_owned(),
+            line: self.line(byte),
+            key: key.to_owned(),
+            value: value.to_owned(),
+            accepted: accepted.to_owned(),
+        }
+    }
+}
+
+/// A value with its place.
+#[derive(Clone, Copy)]
+pub struct Value<'a> {
+    source: Source<'a>,
+    value: &'a Spanned<DeValue<'a>>,
+}
+
+/// A table, its place and its keys.
+pub struct Table<'a> {
+    source: Source<'a>,
+    path: String,
+    at: usize,
+    keys: BTreeMap<&'a str, (usize, &'a Spanned<DeValue<'a>>)>,
+}
+
+/// The interval in which a number must lie.
+#[derive(Clone, Copy, Debug)]
+pub enum Range {
+    /// Any finite number.
+    Finite,
+    /// Greater than zero.
+    Positive,
+    /// Zero or greater.
+    NonNegative,
+    /// Strictly between two numbers.
+    Between(f64, f64),
+}
+
+impl Range {
+    /// Whether the range contains a number.
+    pub fn contains(self, number: f64) -> bool {
+        number.is_finite()
+            && match self {
+                Self::Finite => true,
+                Self::Positive => number > 0.0,
+                Self::NonNegative => number >= 0.0,
+                Self::Between(low, high) => number > low && number < high,
+            }
+    }
+    /// What the range accepts, in words.
+    pub fn text(self) -> String {
+        match self {
+            Self::Finite => "must be a finite number".to_owned(),
+            Self::Positive => "must be a finite number greater than zero".to_owned(),
+            Self::NonNegative => "must be a finite number, zero or greater".to_owned(),
+            Self::Between(low, high) => format!("must be a number between {low} and {high}"),
+        }
+    }
+}
+
+/// A value as it would be written, shortened.
+fn shown(value: &DeValue) -> String {
+    match value {
+        DeValue::String(text) => shortened(&format!("{text:?}")),
+        DeValue::Integer(number) => number.as_str().to_owned(),
+        DeValue::Float(number) => number.as_str().to_owned(),
+        DeValue::Boolean(truth) => truth.to_string(),
+        DeValue::Datetime(when) => when.to_string(),
+        DeValue::Array(array) => format!("[array of {}]", array.len()),
+        DeValue::Table(_) => "{table}".to_owned(),
+    }
+}
+
+/// At most sixty characters of a text.
+pub fn shortened(text: &str) -> String {
+    if text.chars().count() <= 60 {
+        text.to_owned()
+    } else {
+        text.chars().take(57).chain("...".chars()).collect()
+    }
+}
+
+/// The number that a value is, whole or not.
+fn number_of(value: &DeValue) -> Option<f64> {
+    match value {
+        DeValue::Float(number) => number.as_str().replace('_', "").parse().ok(),
+        DeValue::Integer(_) => integer_of(value).map(|n| n as f64),
+        _ => None,
+    }
+}
+
+fn integer_of(value: &DeValue) -> Option<i64> {
+    match value {
+        DeValue::Integer(number) => i64::from_str_radix(number.as_str(), number.radix()).ok(),
+        _ => None,
+    }
+}
+
+impl<'a> Table<'a> {
+    /// The table of a whole file.
+    pub fn root(source: Source<'a>, table: &'a DeTable<'a>) -> Self {
+        Self::new(source, String::new(), 0, table)
+    }
+
+    fn new(source: Source<'a>, path: String, at: usize, table: &'a DeTable<'a>) -> Self {
+        let keys = table
+            .iter()
+            .map(|(key, value)| (key.get_ref().as_ref(), (key.span().start, value)))
+            .collect();
+        Self { source, path, at, keys }
+    }
+
+    /// Dotted path of a key of this table.
+    pub fn key(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// Whether the key is there.
+    pub fn has(&self, key: &str) -> bool {
+        self.keys.contains_key(key)
+    }
+
+    /// The file.
+    pub fn source(&self) -> Source<'a> {
+        self.source
+    }
+
+    /// Check that there is no other key.
+    pub fn allow(&self, known: &[&str]) -> Result<()> {
+        for (key, (at, value)) in &self.keys {
+            if !known.contains(key) {
+                let accepted = format!("unknown key; accepted here: {}", known.join(", "));
+                let path = self.key(&shortened(key));
+                return Err(self.source.error(*at, &path, &shown(value.get_ref()), &accepted));
+            }
+        }
+        Ok(())
+    }
+
+    /// An error about a key of this table, at its line if it is there.
+    pub fn error(&self, key: &str, accepted: &str) -> SceneError {
+        let (at, value) = match self.keys.get(key) {
+            Some((at, value)) => (*at, shown(value.get_ref())),
+            None => (self.at, String::new()),
+        };
+        self.source.error(at, &self.key(key), &value, accepted)
+    }
+
+    fn missing(&self, key: &str, accepted: &str) -> SceneError {
+        self.error(key, &format!("missing; {accepted}"))
+    }
+
+    fn value(&self, key: &str) -> Option<Value<'a>> {
+        self.keys.get(key).map(|(_, value)| Value { source: self.source, value })
+    }
+
+    /// A number, if the key is there.
+    pub fn optional_number(&self, key: &str, range: Range) -> Result<Option<f64>> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        match number_of(value.value.get_ref()) {
+            Some(number) if range.contains(number) => Ok(Some(number)),
+            _ => Err(self.error(key, &range.text())),
+        }
+    }
+
+    /// A number.
+    pub fn number(&self, key: &str, range: Range) -> Result<f64> {
+        self.optional_number(key, range)?.ok_or_else(|| self.missing(key, &range.text()))
+    }
+
+    /// A whole number that is not negative, if the key is there.
+    pub fn optional_whole(&self, key: &str) -> Result<Option<u64>> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        match integer_of(value.value.get_ref()).and_then(|n| u64::try_from(n).ok()) {
+            Some(number) => Ok(Some(number)),
+            None => Err(self.error(key, "must be a whole number, zero or greater")),
+        }
+    }
+
+    /// A truth value, if the key is there.
+    pub fn optional_truth(&self, key: &str) -> Result<Option<bool>> {
+        match self.value(key).map(|value| value.value.get_ref()) {
+            None => Ok(None),
+            Some(DeValue::Boolean(truth)) => Ok(Some(*truth)),
+            Some(_) => Err(self.error(key, "must be true or false")),
+        }
+    }
+
+    /// A text, if the key is there.
+    pub fn optional_text(&self, key: &str) -> Result<Option<&'a str>> {
+        match self.value(key).map(|value| value.value.get_ref()) {
+            None => Ok(None),
+            Some(DeValue::String(text)) => Ok(Some(text.as_ref())),
+            Some(_) => Err(self.error(key, "must be a text")),
+        }
+    }
+
+    /// One of several names, if the key is there.
+    pub fn optional_choice<T: Copy>(&self, key: &str, names: &[(&str, T)]) -> Result<Option<T>> {
+        if !self.has(key) {
+            return Ok(None);
+        }
+        let list: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+        let accepted = format!("must be one of: {}", list.join(", "));
+        let found = match self.value(key).map(|value| value.value.get_ref()) {
+            Some(DeValue::String(text)) => names.iter().find(|(name, _)| *name == text.as_ref()),
+            _ => None,
+        };
+        found.map(|(_, choice)| Some(*choice)).ok_or_else(|| self.error(key, &accepted))
+    }
+
+    /// One of several names.
+    pub fn choice<T: Copy>(&self, key: &str, names: &[(&str, T)]) -> Result<T> {
+        let list: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+        self.optional_choice(key, names)?
+            .ok_or_else(|| self.missing(key, &format!("must be one of: {}", list.join(", "))))
+    }
+
+    /// A pair of finite numbers, if the key is there.
+    pub fn optional_pair(&self, key: &str) -> Result<Option<[f64; 2]>> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        let accepted = "must be an array of two finite numbers";
+        let pair = value.array().and_then(|array| match array {
+            [a, b] => Some([number_of(a.get_ref())?, number_of(b.get_ref())?]),
+            _ => None,
+        });
+        match pair {
+            Some(pair) if pair.iter().all(|x| x.is_finite()) => Ok(Some(pair)),
+            _ => Err(self.array_error(key, accepted)),
+        }
+    }
+
+    /// A pair of finite numbers.
+    pub fn pair(&self, key: &str) -> Result<[f64; 2]> {
+        self.optional_pair(key)?
+            .ok_or_else(|| self.missing(key, "must be an array of two finite numbers"))
+    }
+
+    /// A pair of indices.
+    pub fn index_pair(&self, key: &str) -> Result<[usize; 2]> {
+        let accepted = "must be an array of two particle indices, counted from 0";
+        let Some(value) = self.value(key) else { return Err(self.missing(key, accepted)) };
+        let index = |v: &Spanned<DeValue>| usize::try_from(integer_of(v.get_ref())?).ok();
+        let pair = value.array().and_then(|array| match array {
+            [a, b] => Some([index(a)?, index(b)?]),
+            _ => None,
+        });
+        pair.ok_or_else(|| self.array_error(key, accepted))
+    }
+
+    /// An error about an array, which shows its elements.
+    fn array_error(&self, key: &str, accepted: &str) -> SceneError {
+        let mut error = self.error(key, accepted);
+        if let Some(array) = self.value(key).and_then(|value| value.array()) {
+            let elements: Vec<String> = array.iter().map(|v| shown(v.get_ref())).collect();
+            error.value = shortened(&format!("[{}]", elements.join(", ")));
+        }
+        error
+    }
+
+    /// A table below this one, if the key is there.
+    pub fn optional_table(&self, key: &str) -> Result<Option<Table<'a>>> {
+        let Some((at, value)) = self.keys.get(key) else { return Ok(None) };
+        match value.get_ref() {
+            DeValue::Table(table) => {
+                Ok(Some(Table::new(self.source, self.key(key), *at, table)))
+            }
+            _ => Err(self.error(key, "must be a table")),
+        }
+    }
+
+    /// A table below this one.
+    pub fn table(&self, key: &str) -> Result<Table<'a>> {
+        self.optional_table(key)?.ok_or_else(|| self.missing(key, "a table is needed here"))
+    }
+
+    /// An array of tables; empty where the key is not there.
+    pub fn tables(&self, key: &str) -> Result<Vec<Table<'a>>> {
+        let Some(value) = self.value(key) else { return Ok(Vec::new()) };
+        let accepted = "must be an array of tables";
+        let Some(array) = value.array() else { return Err(self.error(key, accepted)) };
+        let item = |(i, value): (usize, &'a Spanned<DeValue<'a>>)| match value.get_ref() {
+            DeValue::Table(table) => {
+                let path = format!("{}[{i}]", self.key(key));
+                Ok(Table::new(self.source, path, value.span().start, table))
+            }
+            _ => Err(self.error(key, accepted)),
+        };
+        array.iter().enumerate().map(item).collect()
+    }
+}
+
+impl<'a> Value<'a> {
+    fn array(&self) -> Option<&'a [Spanned<DeValue<'a>>]> {
+        let _ = self.source;
+        match self.value.get_ref() {
+            DeValue::Array(array) => Some(as_slice(array)),
+            _ => None,
+        }
+    }
+}
+
+fn as_slice<'a>(array: &'a DeArray<'a>) -> &'a [Spanned<DeValue<'a>>] {
+    array
+}
