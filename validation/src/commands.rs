@@ -139,8 +139,9 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
         let law = bond.normal;
         bounds.push(bound("bond axial", "stretching of a two-particle beam", push * law.stiffness, push * law.damping));
         if let Some(beam) = bond.tangential {
-            bounds.push(bound("bond shear", "both ends turning alike", roll * beam.stiffness, roll * beam.damping));
-            let turn = 2.5 / lightest;
+            // Alike 7/2 k / m, oppositely 5/2 k / m, for equal spheres in touch.
+            let (shear, turn) = (3.5 / lightest, 2.5 / lightest);
+            bounds.push(bound("bond shear", "both ends turning alike", shear * beam.stiffness, shear * beam.damping));
             bounds.push(bound("bond bending", "both ends turning oppositely", turn * beam.stiffness, turn * beam.damping));
         }
     }

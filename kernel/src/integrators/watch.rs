@@ -45,6 +45,16 @@ pub(crate) fn check<S: Real>(world: &World<S>) -> Result<(), StepError> {
     Ok(())
 }
 
+/// How far a particle may move in one step in m: a cell, where there are contacts; with bonds alone
+/// the largest diameter, which no bond survives; without links any distance.
+fn farthest<S: Real>(world: &World<S>) -> f64 {
+    match (&world.weak, &world.strong) {
+        (Some(weak), _) => weak.neighbors().cell_side(),
+        (None, Some(_)) => 2.0 * world.particles.largest_radius(),
+        (None, None) => f64::INFINITY,
+    }
+}
+
 /// The link of a particle with the largest force, or one whose force is not even finite.
 fn most_strained_link<S: Real>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
     let strain = |link: &crate::forces::LinkState| {
@@ -108,8 +118,12 @@ pub fn stable_step_estimate<S: Real>(world: &World<S>) -> f64 {
     (0..number).map(of).fold(f64::INFINITY, f64::min)
 }
 
-/// Ratio of the stiffness per inertia of rolling a sphere to that of pushing it: m r^2 / J.
-const ROTATION: f64 = 2.5;
+/// How much stiffer than k the tangential spring of a contact acts on a pair: its mode of rolling has
+/// the squared frequency 7 k / m, its normal mode 2 k / m.
+const ROLLING: f64 = 3.5;
+/// The same for a beam, whose ends are springs of their own: at most 9/2 k / m for any ratio of radii
+/// (7/2 for equal ones).
+const SHEARING: f64 = 2.25;
 
 /// The larger of normal and tangential constants of a bond, for the mass of a particle.
 fn bond_constants(model: &Model) -> Option<(f64, f64)> {
@@ -145,6 +159,5 @@ fn contact_constants(
         Some(ContactTangential::CundallStrack(law)) => (law.stiffness, 0.0),
         Some(ContactTangential::CundallStrackTruncated(law)) => (law.stiffness, 0.0),
     };
-    let twist = 1.0 + ROTATION;
-    (k_n.max(twist * k_t), c_n.max(twist * c_t))
+    (k_n.max(ROLLING * k_t), c_n.max(ROLLING * c_t))
 }

@@ -88,8 +88,19 @@ fn colour(label: usize, size: usize, role: Role) -> String {
         Role::Fixed => "#777".to_owned(),
         Role::Driven => "#aaa".to_owned(),
         Role::Free if size == 1 => "#fff".to_owned(),
-        Role::Free => format!("hsl({:.0}, 65%, 70%)", (label as f64 * HUE) % 360.0),
+        Role::Free => pastel((label as f64 * HUE) % 360.0),
     }
+}
+
+/// A light colour of the given hue in degrees, as six digits, which every viewer understands.
+fn pastel(hue: f64) -> String {
+    let channel = |offset: f64| {
+        let place = (hue / 60.0 + offset) % 6.0;
+        let share = (2.0 - (place - 3.0).abs()).clamp(0.0, 1.0);
+        (255.0 * (0.91 - 0.42 * share)).round()
+    };
+    let [red, green, blue] = [0.0, 4.0, 2.0].map(channel);
+    format!("#{:02x}{:02x}{:02x}", red as u8, green as u8, blue as u8)
 }
 
 fn bonds(view: &View, scene: &Scene, world: &World) -> Group {
