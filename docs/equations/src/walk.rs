@@ -39,7 +39,7 @@ impl Walk {
     }
 
     fn attribute(&mut self, group: Group, fences: &mut Fences) -> TokenTree {
-        let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+        let tokens = flat(group.stream());
         if let [name, equals, TokenTree::Literal(text)] = tokens.as_slice()
             && name.to_string() == "doc"
             && let Some(text) = self.documentation(text, fences)
@@ -90,6 +90,15 @@ impl Walk {
     }
 }
 
+/// The tokens without the invisible groups which come from the variables of declarative macros.
+fn flat(stream: TokenStream) -> Vec<TokenTree> {
+    let step = |token| match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::None => flat(group.stream()),
+        token => vec![token],
+    };
+    stream.into_iter().flat_map(step).collect()
+}
+
 fn is_bracket(token: &TokenTree) -> bool {
     matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket)
 }
@@ -111,7 +120,7 @@ fn regroup(group: &Group, stream: TokenStream) -> TokenTree {
 #[cfg(test)]
 mod tests {
     use super::render;
-    use proc_macro2::TokenStream;
+    use proc_macro2::{Delimiter, Group, TokenStream};
     use quote::quote;
 
     const X: &str = " <math><mi>x</mi></math>";
@@ -177,6 +186,12 @@ mod tests {
             ),
             expected,
         );
+    }
+
+    #[test]
+    fn invisible_groups_are_looked_through() {
+        let meta = Group::new(Delimiter::None, quote!(doc = " $x$"));
+        assert_renders(quote!(#[#meta] struct A;), quote!(#[doc = #X] struct A;));
     }
 
     #[test]
