@@ -15,9 +15,10 @@ use gouge_equations::rendered;
 ///
 /// $$ \vec v' = \vec v^* + \tfrac13 (\vec a' - 2 \vec a + \vec a^-) \Delta t, \qquad \vec x' = \vec x^* + \tfrac16 (\vec a' - 2 \vec a + \vec a^-) \Delta t^2 $$
 ///
-/// Third order on smooth motion, one evaluation a step (the forces are not evaluated again after the
-/// correction). The first step takes the earlier acceleration equal to the present one. Weakly unstable
-/// without damping: the amplitude grows by about (w dt)^4 / 12 a step.
+/// Second order: the corrected velocity misses a'' dt^3 / 12 a step. One evaluation a step, at the
+/// prediction; the forces are not evaluated again after the correction. The first step takes the
+/// earlier acceleration equal to the present one. Weakly unstable without damping: the amplitude grows
+/// by about (w dt)^4 / 12 a step.
 #[rendered]
 pub(crate) fn beeman<S: Real>(world: &mut World<S>, step: f64) -> Result<(), StepError> {
     let Some(mut previous) = world.previous.take() else {

@@ -19,18 +19,14 @@ pub struct Oscillator {
 /// Coefficients, from the highest power, of the polynomial whose roots are the factors by which one
 /// step multiplies the modes of an oscillator, with k = w^2 dt^2 and c = 2 zeta w dt.
 ///
-/// They follow from writing one step of each method as a linear map of position and velocity (Beeman:
-/// and two accelerations) and expanding the determinant.
+/// They follow from writing one step of each method as a linear map of position and velocity (velocity
+/// Verlet: and the acceleration; Beeman: and two of them) and expanding the determinant.
 pub fn characteristic_polynomial(integrator: Integrator, k: f64, c: f64) -> Vec<f64> {
     match integrator {
         Integrator::Euler => vec![1.0, c - 2.0, 1.0 - c + k],
         Integrator::SymplecticEuler => vec![1.0, c + k - 2.0, 1.0 - c],
         Integrator::Taylor => vec![1.0, c + 0.5 * k - 2.0, 1.0 - c + 0.5 * k],
-        Integrator::VelocityVerlet => {
-            let trace = 2.0 - k - c + 0.5 * c * c + 0.25 * c * k;
-            let determinant = 1.0 - c + 0.5 * c * c - 0.25 * c * k;
-            vec![1.0, -trace, determinant]
-        }
+        Integrator::VelocityVerlet => vec![1.0, k + 1.5 * c - 2.0, 1.0 - 2.0 * c, 0.5 * c],
         Integrator::Beeman => vec![
             1.0,
             7.0 * k / 6.0 + 11.0 * c / 6.0 - 2.0,

@@ -11,8 +11,10 @@ use gouge_equations::rendered;
 ///
 /// Not in the thesis. Second order also with damping, because the forces a' are evaluated at the
 /// predicted velocity v + a dt, whose error is of second order; from the velocity at half step, as
-/// some programs do, damping makes it first order. One evaluation a step; symplectic without damping
-/// and stable up to w dt = 2.
+/// some programs do, damping makes it first order. One evaluation a step: the acceleration at the
+/// predicted velocity also begins the next step. Symplectic without damping; stable up to
+///
+/// $$ \omega \Delta t = \sqrt{16 \zeta^2 + 4} - 4 \zeta $$
 #[rendered]
 pub(crate) fn velocity_verlet<S: Real>(world: &mut World<S>, step: f64) -> Result<(), StepError> {
     let Some(mut previous) = world.previous.take() else {

@@ -1,0 +1,125 @@
+//! The pairs that are found are those that there are.
+
+use gouge_kernel::geometry::{Metric, Open, PeriodicX, Vec2};
+use gouge_kernel::links::{Cells, Neighbors, Pair, precedes};
+use gouge_kernel::particles::{Particle, Particles, Role};
+use proptest::prelude::*;
+
+fn particles(points: &[(f64, f64, f64)]) -> Particles {
+    points
+        .iter()
+        .map(|&(x, y, radius)| Particle {
+            position: Vec2::new(x, y),
+            velocity: Vec2::zero(),
+            angle: 0.0,
+            angular_velocity: 0.0,
+            radius,
+            density: 1.0,
+            role: Role::Free,
+        })
+        .collect()
+}
+
+/// Every overlapping pair, by looking at all of them.
+fn overlapping(metric: impl Metric, p: &Particles) -> Vec<Pair> {
+    let mut pairs = Vec::new();
+    for i in 0..p.len() {
+        for j in i + 1..p.len() {
+            let d = metric.displacement(p.position[i], p.position[j]).norm();
+            if d < p.radius[i] + p.radius[j] {
+                pairs.push(Pair::new(i, j));
+            }
+        }
+    }
+    pairs
+}
+
+fn found(metric: impl Metric, p: &Particles, neighbors: &mut Neighbors<f64>) -> Vec<Pair> {
+    let mut pairs = Vec::new();
+    neighbors.rebuild(metric, p, &mut pairs);
+    assert!(pairs.windows(2).all(|two| two[0] < two[1]), "each pair once and in order");
+    pairs.retain(|pair| {
+        let (i, j) = pair.indices();
+        metric.displacement(p.position[i], p.position[j]).norm() < p.radius[i] + p.radius[j]
+    });
+    pairs
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn open_box_equals_brute_force(
+        points in prop::collection::vec((-3.0..5.0, -2.0..9.0, 0.05..0.5), 0..60),
+        given in any::<bool>(),
+    ) {
+        let p = particles(&points);
+        let extent = if given { [Some(2.0), Some(3.0)] } else { [None, None] };
+        let mut neighbors = Neighbors::new(&p, extent, None);
+        prop_assert_eq!(found(Open, &p, &mut neighbors), overlapping(Open, &p));
+    }
+
+    #[test]
+    fn periodic_box_equals_brute_force(
+        columns in 2.0..9.0,
+        points in prop::collection::vec((0.0..1.0, -1.0..4.0, 0.1..0.5), 1..60),
+    ) {
+        // From the narrowest box that is allowed, two cells, upwards.
+        let length = columns * 1.0;
+        let points: Vec<_> = points.iter().map(|&(x, y, r)| (x * length, y, r)).collect();
+        let p = particles(&points);
+        let metric = PeriodicX { length };
+        let mut neighbors = Neighbors::new(&p, [Some(length), Some(3.0)], Some(length));
+        prop_assert_eq!(found(metric, &p, &mut neighbors), overlapping(metric, &p));
+    }
+
+    #[test]
+    fn a_list_that_is_not_stale_misses_no_contact(
+        points in prop::collection::vec((0.0..4.0, 0.0..4.0, 0.1..0.3), 2..40),
+        moves in prop::collection::vec((-1.0..1.0, -1.0..1.0), 40),
+        size in 0.0..0.2,
+    ) {
+        let mut p = particles(&points);
+        let metric = PeriodicX { length: 4.0 };
+        let mut neighbors = Neighbors::new(&p, [Some(4.0), Some(4.0)], Some(4.0));
+        let mut pairs = Vec::new();
+        neighbors.rebuild(metric, &p, &mut pairs);
+        for (x, (dx, dy)) in p.position.iter_mut().zip(&moves) {
+            *x = metric.wrap(*x + Vec2::new(dx * size, dy * size));
+        }
+        if !neighbors.are_stale(metric, &p) {
+            for pair in overlapping(metric, &p) {
+                prop_assert!(pairs.binary_search(&pair).is_ok(), "missed {pair:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn index_space_is_a_generalised_inverse(x in -9.0..9.0, y in -9.0..9.0) {
+        let extent = Vec2::new(4.0, 3.0);
+        let cells = Cells::new(Vec2::zero(), extent, false, 0.3, 1000);
+        let index = cells.down(Vec2::new(x, y));
+        prop_assert_eq!(cells.down(cells.up(index)), index);
+        prop_assert_eq!(cells.up(cells.down(cells.up(index))), cells.up(index));
+    }
+
+    #[test]
+    fn the_order_of_particles_is_total(
+        a in (0.0..4.0, 0.0..3.0), b in (0.0..4.0, 0.0..3.0), i in 0_usize..3, j in 0_usize..3,
+    ) {
+        let cells = Cells::new(Vec2::zero(), Vec2::new(4.0, 3.0), true, 0.9, 1000);
+        let place = |(x, y): (f64, f64)| cells.down(Vec2::new(x, y));
+        let (a, b) = ((place(a), i), (place(b), j));
+        let before = [precedes(&cells, a, b), precedes(&cells, b, a), a == b];
+        prop_assert_eq!(before.iter().filter(|&&holds| holds).count(), 1);
+    }
+}
+
+#[test]
+fn chebyshev_distance_goes_the_short_way_round() {
+    let cells = Cells::new(Vec2::zero(), Vec2::new(10.0, 10.0), true, 1.0, 1000);
+    let at = |x: f64, y: f64| cells.down(Vec2::new(x, y));
+    assert_eq!(cells.distance(at(0.5, 0.5), at(9.5, 0.5)), 1);
+    assert_eq!(cells.distance(at(0.5, 0.5), at(5.5, 0.5)), 5);
+    assert_eq!(cells.distance(at(9.5, 7.5), at(0.5, 2.5)), 5);
+}

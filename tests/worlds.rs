@@ -1,0 +1,50 @@
+//! Worlds from the text of scenes.
+
+use gouge_kernel::World;
+use gouge_validation::scene::Scene;
+use std::path::Path;
+
+/// The scene of a text.
+pub fn scene(text: &str) -> Scene {
+    match Scene::parse("scene.toml", text.as_bytes(), Path::new(".")) {
+        Ok(scene) => scene,
+        Err(error) => panic!("{error}\n{text}"),
+    }
+}
+
+/// The world at t = 0 of a scene.
+pub fn world(text: &str) -> World {
+    scene(text).initial_world().expect("the kernel takes the scene")
+}
+
+/// Take so many steps.
+pub fn advance(world: &mut World, steps: u64) {
+    for _ in 0..steps {
+        world.step().expect("the state stays finite");
+    }
+}
+
+/// Head of a scene in an open box: integrator, step and density 2700.
+pub fn head(integrator: &str, step: f64) -> String {
+    format!(
+        "[time]\nstep = {step:e}\nend = 1.0\nintegrator = \"{integrator}\"\n\
+         [material]\ndensity = 2700.0\n"
+    )
+}
+
+/// One particle of a scene.
+pub fn particle(position: [f64; 2], velocity: [f64; 2], spin: f64, radius: f64) -> String {
+    format!(
+        "[[particles]]\nposition = [{:e}, {:e}]\nvelocity = [{:e}, {:e}]\n\
+         angular_velocity = {spin:e}\nradius = {radius:e}\n",
+        position[0], position[1], velocity[0], velocity[1]
+    )
+}
+
+/// Bits of everything that moves.
+pub fn bits(world: &World) -> Vec<u64> {
+    let p = world.particles();
+    let vectors = p.position.iter().chain(&p.velocity).flat_map(|v| [v.x, v.y]);
+    let numbers = p.angle.iter().chain(&p.angular_velocity).copied();
+    vectors.chain(numbers).map(f64::to_bits).collect()
+}
