@@ -71,7 +71,10 @@ fn grows(name: &str, step: f64, zeta: f64) -> bool {
 fn stability_ends_where_the_amplification_matrix_says() {
     for (name, integrator) in NAMES {
         for zeta in [0.1, 0.3, 0.5, 0.6649, 1.0, 2.0] {
-            let oscillator = Oscillator { stiffness: 1.0, damping: 2.0 * zeta };
+            let oscillator = Oscillator {
+                stiffness: 1.0,
+                damping: 2.0 * zeta,
+            };
             let critical = critical_step(integrator, oscillator);
             for (factor, expected) in [(0.995, false), (1.005, true)] {
                 let step = critical * factor;
@@ -85,11 +88,21 @@ fn stability_ends_where_the_amplification_matrix_says() {
 #[test]
 fn critical_steps_have_their_closed_forms() {
     let critical = |integrator, zeta: f64| {
-        critical_step(integrator, Oscillator { stiffness: 1.0, damping: 2.0 * zeta })
+        critical_step(
+            integrator,
+            Oscillator {
+                stiffness: 1.0,
+                damping: 2.0 * zeta,
+            },
+        )
     };
     for zeta in [0.05, 0.2, 0.5, 0.9, 1.5, 4.0_f64] {
         let root = (1.0 + zeta * zeta).sqrt();
-        let euler = if zeta <= 1.0 { 2.0 * zeta } else { 2.0 * (zeta - (zeta * zeta - 1.0).sqrt()) };
+        let euler = if zeta <= 1.0 {
+            2.0 * zeta
+        } else {
+            2.0 * (zeta - (zeta * zeta - 1.0).sqrt())
+        };
         let verlet = (16.0 * zeta * zeta + 4.0).sqrt() - 4.0 * zeta;
         let beeman = ((400.0 * zeta * zeta + 84.0).sqrt() - 20.0 * zeta) / 7.0;
         let forms = [
@@ -101,7 +114,10 @@ fn critical_steps_have_their_closed_forms() {
         ];
         for (integrator, form) in forms {
             let found = critical(integrator, zeta);
-            assert!((found / form - 1.0).abs() < 1e-6, "{integrator:?} {zeta}: {found}, {form}");
+            assert!(
+                (found / form - 1.0).abs() < 1e-6,
+                "{integrator:?} {zeta}: {found}, {form}"
+            );
         }
     }
     for integrator in [Integrator::SymplecticEuler, Integrator::VelocityVerlet] {

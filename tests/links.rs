@@ -37,7 +37,10 @@ fn overlapping(metric: impl Metric, p: &Particles) -> Vec<Pair> {
 fn found(metric: impl Metric, p: &Particles, neighbors: &mut Neighbors<f64>) -> Vec<Pair> {
     let mut pairs = Vec::new();
     neighbors.rebuild(metric, p, &mut pairs);
-    assert!(pairs.windows(2).all(|two| two[0] < two[1]), "each pair once and in order");
+    assert!(
+        pairs.windows(2).all(|two| two[0] < two[1]),
+        "each pair once and in order"
+    );
     pairs.retain(|pair| {
         let (i, j) = pair.indices();
         metric.displacement(p.position[i], p.position[j]).norm() < p.radius[i] + p.radius[j]

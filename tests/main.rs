@@ -1,7 +1,10 @@
 //! The verification gate: one test binary, a module a subject.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod program;
-mod worlds;
-mod links;
+mod collisions;
 mod integrators;
+mod links;
+mod pay_for_use;
+mod program;
+mod readings;
+mod worlds;

@@ -10,7 +10,10 @@ pub fn gouge() -> Command {
 
 /// Run the program to its end.
 pub fn run(arguments: &[&str]) -> Output {
-    gouge().args(arguments).output().expect("the program starts")
+    gouge()
+        .args(arguments)
+        .output()
+        .expect("the program starts")
 }
 
 /// Standard error of a finished program.

@@ -14,7 +14,9 @@ pub fn scene(text: &str) -> Scene {
 
 /// The world at t = 0 of a scene.
 pub fn world(text: &str) -> World {
-    scene(text).initial_world().expect("the kernel takes the scene")
+    scene(text)
+        .initial_world()
+        .expect("the kernel takes the scene")
 }
 
 /// Take so many steps.
@@ -44,7 +46,11 @@ pub fn particle(position: [f64; 2], velocity: [f64; 2], spin: f64, radius: f64) 
 /// Bits of everything that moves.
 pub fn bits(world: &World) -> Vec<u64> {
     let p = world.particles();
-    let vectors = p.position.iter().chain(&p.velocity).flat_map(|v| [v.x, v.y]);
+    let vectors = p
+        .position
+        .iter()
+        .chain(&p.velocity)
+        .flat_map(|v| [v.x, v.y]);
     let numbers = p.angle.iter().chain(&p.angular_velocity).copied();
     vectors.chain(numbers).map(f64::to_bits).collect()
 }

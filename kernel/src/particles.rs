@@ -135,8 +135,14 @@ impl Particles {
 
     /// Multiply masses and moments of inertia of the first `number` particles by a factor.
     pub fn scale_mass(&mut self, number: usize, factor: f64) {
-        self.mass.iter_mut().take(number).for_each(|mass| *mass *= factor);
-        self.moment_of_inertia.iter_mut().take(number).for_each(|inertia| *inertia *= factor);
+        self.mass
+            .iter_mut()
+            .take(number)
+            .for_each(|mass| *mass *= factor);
+        self.moment_of_inertia
+            .iter_mut()
+            .take(number)
+            .for_each(|inertia| *inertia *= factor);
     }
 
     /// The particles of the given indices, in their order.

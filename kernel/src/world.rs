@@ -220,7 +220,7 @@ impl<S: Real> World<S> {
         if let Some(contact) = model.contact {
             let Domain { width, height, .. } = model.domain;
             let neighbors = Neighbors::new(particles, [width, height], model.period());
-            let mut weak = WeakLinks::new(neighbors, contact.remembers());
+            let mut weak = WeakLinks::new(neighbors, particles.len(), contact.remembers());
             with_metric!(model, metric => {
                 weak.rebuild(metric, particles, self.strong.as_ref());
                 weak.remember(metric, particles, &start.contacts)
@@ -268,7 +268,9 @@ impl<S: Real> World<S> {
     }
     /// How often the neighbour list was built.
     pub fn rebuilds(&self) -> u64 {
-        self.weak.as_ref().map_or(0, |weak| weak.neighbors().rebuilds())
+        self.weak
+            .as_ref()
+            .map_or(0, |weak| weak.neighbors().rebuilds())
     }
     /// Completed steps.
     pub fn steps(&self) -> u64 {
@@ -484,7 +486,13 @@ impl<S: Real> World<S> {
 
     /// Find all pairs that may touch anew.
     pub(crate) fn find_neighbors(&mut self) {
-        let Self { model, particles, weak, strong, .. } = self;
+        let Self {
+            model,
+            particles,
+            weak,
+            strong,
+            ..
+        } = self;
         if let Some(weak) = weak {
             with_metric!(model, metric => weak.rebuild(metric, particles, strong.as_ref()));
         }
@@ -565,15 +573,24 @@ impl World {
     ///
     /// # Errors
     /// As [`World::new`].
-    pub fn continue_with(mut self, model: Model, roles: Option<Vec<Role>>) -> Result<Self, ModelError> {
+    pub fn continue_with(
+        mut self,
+        model: Model,
+        roles: Option<Vec<Role>>,
+    ) -> Result<Self, ModelError> {
         if let Some(roles) = roles {
             self.particles.assign(roles);
         }
         let links = self.strong.map_or_else(Vec::new, |strong| strong.links);
         let contacts = self.weak.map_or_else(Vec::new, |weak| {
-            weak.remembered().map(|(pair, memory)| (pair, *memory)).collect()
+            weak.remembered()
+                .map(|(pair, memory)| (pair, *memory))
+                .collect()
         });
-        let start = Start { drive_force: self.drive.force, ..Start::default() };
+        let start = Start {
+            drive_force: self.drive.force,
+            ..Start::default()
+        };
         let mut world = Self::new(model, self.particles, &start)?;
         world.adopt_links(links, contacts);
         world.strengthen_edges();

@@ -28,7 +28,10 @@ impl Reader<'_> {
     }
     fn pair(&mut self) -> Option<Pair> {
         let word = self.word()?;
-        Some(Pair { i: (word >> 32) as u32, j: word as u32 })
+        Some(Pair {
+            i: (word >> 32) as u32,
+            j: word as u32,
+        })
     }
     /// A list that is preceded by its length.
     fn list<T>(&mut self, read: impl Fn(&mut Self) -> Option<T>) -> Option<Vec<T>> {
@@ -69,9 +72,13 @@ impl Writer {
 fn write_particles(writer: &mut Writer, p: &Particles) {
     writer.list(&p.position, |w, &x| w.vector(x));
     writer.list(&p.velocity, |w, &v| w.vector(v));
-    for column in
-        [&p.angle, &p.angular_velocity, &p.radius, &p.mass, &p.moment_of_inertia]
-    {
+    for column in [
+        &p.angle,
+        &p.angular_velocity,
+        &p.radius,
+        &p.mass,
+        &p.moment_of_inertia,
+    ] {
         writer.list(column, |w, &x| w.number(x));
     }
     writer.list(&p.role, |w, &role| w.word(role as u64));
@@ -104,13 +111,18 @@ fn read_particles(reader: &mut Reader) -> Option<Particles> {
         particles.moment_of_inertia.len(),
         particles.role.len(),
     ];
-    lengths.iter().all(|&length| length == number).then_some(particles)
+    lengths
+        .iter()
+        .all(|&length| length == number)
+        .then_some(particles)
 }
 
 fn write_strong_link(writer: &mut Writer, link: &StrongLink<f64>) {
     writer.pair(link.pair);
     writer.vector(link.reference);
-    link.rest_angles.iter().for_each(|&angle| writer.number(angle));
+    link.rest_angles
+        .iter()
+        .for_each(|&angle| writer.number(angle));
     writer.number(link.rest_distance);
     writer.number(link.strength_factor);
 }
@@ -128,7 +140,10 @@ fn read_strong_link(reader: &mut Reader) -> Option<StrongLink<f64>> {
 fn write_contact(writer: &mut Writer, (pair, memory): &(Pair, ContactMemory<f64>)) {
     writer.pair(*pair);
     writer.vector(memory.reference);
-    memory.rest_angles.iter().for_each(|&angle| writer.number(angle));
+    memory
+        .rest_angles
+        .iter()
+        .for_each(|&angle| writer.number(angle));
     writer.number(memory.state);
 }
 
@@ -152,14 +167,22 @@ impl World {
         write_particles(&mut writer, &self.particles);
         writer.list(&self.forces.force, |w, &force| w.vector(force));
         writer.list(&self.forces.torque, |w, &torque| w.number(torque));
-        [self.drive.force, self.drive.applied, self.drive.reaction].iter().for_each(|&v| writer.vector(v));
+        [self.drive.force, self.drive.applied, self.drive.reaction]
+            .iter()
+            .for_each(|&v| writer.vector(v));
         let strong = self.strong.as_ref().map_or(&[][..], |strong| &strong.links);
         writer.list(strong, write_strong_link);
         let contacts: Vec<_> = self.weak.as_ref().map_or_else(Vec::new, |weak| {
-            weak.remembered().map(|(pair, memory)| (pair, *memory)).collect()
+            weak.remembered()
+                .map(|(pair, memory)| (pair, *memory))
+                .collect()
         });
         writer.list(&contacts, write_contact);
-        self.ledger.unwrap_or_default().numbers().iter().for_each(|&x| writer.number(x));
+        self.ledger
+            .unwrap_or_default()
+            .numbers()
+            .iter()
+            .for_each(|&x| writer.number(x));
         self.tally.numbers().iter().for_each(|&x| writer.number(x));
         if let Some(previous) = &self.previous {
             writer.word(u64::from(previous.is_set));
@@ -180,8 +203,10 @@ impl World {
         let is_evaluated = reader.word()? == 1;
         let particles = read_particles(&mut reader)?;
         let number = particles.len();
-        let forces =
-            Forces { force: reader.list(Reader::vector)?, torque: reader.list(Reader::number)? };
+        let forces = Forces {
+            force: reader.list(Reader::vector)?,
+            torque: reader.list(Reader::number)?,
+        };
         if forces.force.len() != number || forces.torque.len() != number {
             return None;
         }

@@ -17,7 +17,12 @@ const MACH_NUMBER: f64 = 15.0;
 
 /// The world of a scene at t = 0. Scenes with a set-up show it at the beginning of its first phase.
 fn world_of(scene: &Scene) -> Result<World, Error> {
-    Ok(crate::run::enter(scene, &crate::run::phases(scene), 0, None)?)
+    Ok(crate::run::enter(
+        scene,
+        &crate::run::phases(scene),
+        0,
+        None,
+    )?)
 }
 
 /// Every pair that interacts at t = 0, as CSV.
@@ -78,7 +83,10 @@ pub fn stability(scene: &Scene) -> Result<String, Error> {
         "step": finite(estimate),
         "satisfied": scene.step <= estimate,
     }));
-    let name = INTEGRATORS.iter().find(|(_, i)| *i == scene.integrator).map_or("", |(n, _)| n);
+    let name = INTEGRATORS
+        .iter()
+        .find(|(_, i)| *i == scene.integrator)
+        .map_or("", |(n, _)| n);
     let steps = bounds.iter().filter_map(|bound| bound["step"].as_f64());
     let smallest = steps.fold(f64::INFINITY, f64::min);
     let text = serde_json::to_string_pretty(&json!({
@@ -93,7 +101,11 @@ pub fn stability(scene: &Scene) -> Result<String, Error> {
 
 /// JSON has no infinity: no bound is null.
 fn finite(number: f64) -> Value {
-    if number.is_finite() { json!(number) } else { Value::Null }
+    if number.is_finite() {
+        json!(number)
+    } else {
+        Value::Null
+    }
 }
 
 /// Bounds of the oscillations of a pair of the lightest particles.
@@ -104,7 +116,13 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     // Reduced mass of two equal particles; rolling adds the inertia: 7/2 for spheres.
     let (push, roll) = (2.0 / lightest, 7.0 / lightest);
     let bound = |name: &str, meaning: &str, k: f64, c: f64| {
-        let step = critical_step(scene.integrator, Oscillator { stiffness: k, damping: c });
+        let step = critical_step(
+            scene.integrator,
+            Oscillator {
+                stiffness: k,
+                damping: c,
+            },
+        );
         json!({
             "name": name,
             "meaning": meaning,
@@ -124,7 +142,12 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
                 (slope, slope / 1.5 * law.dissipative_constant)
             }
         };
-        bounds.push(bound("contact normal", "collision of the two lightest particles", push * k, push * c));
+        bounds.push(bound(
+            "contact normal",
+            "collision of the two lightest particles",
+            push * k,
+            push * c,
+        ));
         let (k, c) = match contact.tangential {
             None => (0.0, 0.0),
             Some(ContactTangential::HaffWerner(law)) => (0.0, law.damping),
@@ -132,17 +155,37 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
             Some(ContactTangential::CundallStrackTruncated(law)) => (law.stiffness, 0.0),
         };
         if contact.tangential.is_some() {
-            bounds.push(bound("contact tangential", "sticking or viscous slip of the same pair", roll * k, roll * c));
+            bounds.push(bound(
+                "contact tangential",
+                "sticking or viscous slip of the same pair",
+                roll * k,
+                roll * c,
+            ));
         }
     }
     if let Some(bond) = &scene.bond {
         let law = bond.normal;
-        bounds.push(bound("bond axial", "stretching of a two-particle beam", push * law.stiffness, push * law.damping));
+        bounds.push(bound(
+            "bond axial",
+            "stretching of a two-particle beam",
+            push * law.stiffness,
+            push * law.damping,
+        ));
         if let Some(beam) = bond.tangential {
             // Alike 7/2 k / m, oppositely 5/2 k / m, for equal spheres in touch.
             let (shear, turn) = (3.5 / lightest, 2.5 / lightest);
-            bounds.push(bound("bond shear", "both ends turning alike", shear * beam.stiffness, shear * beam.damping));
-            bounds.push(bound("bond bending", "both ends turning oppositely", turn * beam.stiffness, turn * beam.damping));
+            bounds.push(bound(
+                "bond shear",
+                "both ends turning alike",
+                shear * beam.stiffness,
+                shear * beam.damping,
+            ));
+            bounds.push(bound(
+                "bond bending",
+                "both ends turning oppositely",
+                turn * beam.stiffness,
+                turn * beam.damping,
+            ));
         }
     }
     bounds
@@ -153,14 +196,23 @@ fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     let Some(ContactNormal::Bshp(law)) = scene.contact.map(|contact| contact.normal) else {
         return Vec::new();
     };
-    let elastic =
-        Elastic { youngs_modulus: law.youngs_modulus, poissons_ratio: law.poissons_ratio };
-    let radius = world.particles().radius.iter().copied().fold(f64::INFINITY, f64::min);
-    let bound = |name: &str, meaning: &str, step: f64| {
-        json!({ "name": name, "meaning": meaning, "step": finite(step), "satisfied": scene.step <= step })
+    let elastic = Elastic {
+        youngs_modulus: law.youngs_modulus,
+        poissons_ratio: law.poissons_ratio,
     };
+    let radius = world
+        .particles()
+        .radius
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    let bound = |name: &str, meaning: &str, step: f64| json!({ "name": name, "meaning": meaning, "step": finite(step), "satisfied": scene.step <= step });
     vec![
-        bound("wave", "a primary wave crosses the smallest particle (61)", wave_bound(elastic, scene.density, radius)),
+        bound(
+            "wave",
+            "a primary wave crosses the smallest particle (61)",
+            wave_bound(elastic, scene.density, radius),
+        ),
         bound(
             "crack",
             "a crack at Mach 15 crosses the smallest particle (62)",

@@ -88,6 +88,10 @@ impl Error {
 
     /// A failure to handle a file.
     pub fn file(action: &'static str, path: &std::path::Path, source: std::io::Error) -> Self {
-        Self::File { action, path: path.to_owned(), source }
+        Self::File {
+            action,
+            path: path.to_owned(),
+            source,
+        }
     }
 }

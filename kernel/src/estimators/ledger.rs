@@ -57,11 +57,25 @@ impl<S: Real> Ledger<S> {
 impl Ledger<f64> {
     /// All entries, for a record of the state.
     pub(crate) fn numbers(&self) -> [f64; 6] {
-        [self.initial, self.ambient, self.friction, self.breaking, self.bonding, self.driving]
+        [
+            self.initial,
+            self.ambient,
+            self.friction,
+            self.breaking,
+            self.bonding,
+            self.driving,
+        ]
     }
     /// The ledger with the given entries.
     pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
         let [initial, ambient, friction, breaking, bonding, driving] = numbers;
-        Self { initial, ambient, friction, breaking, bonding, driving }
+        Self {
+            initial,
+            ambient,
+            friction,
+            breaking,
+            bonding,
+            driving,
+        }
     }
 }

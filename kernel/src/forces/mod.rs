@@ -83,7 +83,21 @@ impl Tally<f64> {
     }
     /// The tally with the given entries.
     pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
-        let [friction_rate, friction, ambient_rate, driving_rate, breaking, bonding] = numbers;
-        Self { friction_rate, friction, ambient_rate, driving_rate, breaking, bonding }
+        let [
+            friction_rate,
+            friction,
+            ambient_rate,
+            driving_rate,
+            breaking,
+            bonding,
+        ] = numbers;
+        Self {
+            friction_rate,
+            friction,
+            ambient_rate,
+            driving_rate,
+            breaking,
+            bonding,
+        }
     }
 }

@@ -131,7 +131,10 @@ fn bond_constants(model: &Model) -> Option<(f64, f64)> {
     let (k, c) = bond
         .tangential
         .map_or((0.0, 0.0), |beam| (beam.stiffness, beam.damping));
-    Some((bond.normal.stiffness.max(SHEARING * k), bond.normal.damping.max(SHEARING * c)))
+    Some((
+        bond.normal.stiffness.max(SHEARING * k),
+        bond.normal.damping.max(SHEARING * c),
+    ))
 }
 
 /// The larger of normal and tangential constants of a contact, for the mass of a particle.

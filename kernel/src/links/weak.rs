@@ -43,6 +43,10 @@ impl<S: Real> ContactMemory<S> {
     }
 }
 
+/// Room for pairs a particle, so that rebuilding allocates nothing: three contacts, half of the
+/// kissing number, and some within the margin.
+const PAIRS_A_PARTICLE: usize = 5;
+
 /// The pairs that may touch, in order, and their memory where a law asks for it.
 #[derive(Clone, Debug)]
 pub struct WeakLinks<S> {
@@ -58,14 +62,16 @@ pub struct WeakLinks<S> {
 
 impl<S: Real> WeakLinks<S> {
     /// An empty list, to be filled by the first [`rebuild`](Self::rebuild).
-    pub fn new(neighbors: Neighbors<S>, remembers: bool) -> Self {
+    pub fn new(neighbors: Neighbors<S>, particles: usize, remembers: bool) -> Self {
+        let pairs = PAIRS_A_PARTICLE * particles;
+        let memories = if remembers { pairs } else { 0 };
         Self {
-            pairs: Vec::new(),
-            memory: Vec::new(),
+            pairs: Vec::with_capacity(pairs),
+            memory: Vec::with_capacity(memories),
             remembers,
             neighbors,
-            old_pairs: Vec::new(),
-            old_memory: Vec::new(),
+            old_pairs: Vec::with_capacity(pairs),
+            old_memory: Vec::with_capacity(memories),
         }
     }
 
@@ -96,7 +102,8 @@ impl<S: Real> WeakLinks<S> {
     /// margin, so that its end is seen whenever the list happens to be rebuilt.
     fn carry_memory_over(&mut self) {
         self.memory.clear();
-        self.memory.resize(self.pairs.len(), ContactMemory::default());
+        self.memory
+            .resize(self.pairs.len(), ContactMemory::default());
         for (pair, memory) in self.old_pairs.iter().zip(&self.old_memory) {
             if !memory.touches {
                 continue;

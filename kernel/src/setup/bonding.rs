@@ -33,10 +33,8 @@ pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<P
 }
 
 /// So many independent strength factors, uniform in [1 - spread, 1 + spread).
-pub fn strength_factors(
-    number: usize,
-    spread: f64,
-    mut uniform: impl FnMut() -> f64,
-) -> Vec<f64> {
-    (0..number).map(|_| 1.0 + spread * (2.0 * uniform() - 1.0)).collect()
+pub fn strength_factors(number: usize, spread: f64, mut uniform: impl FnMut() -> f64) -> Vec<f64> {
+    (0..number)
+        .map(|_| 1.0 + spread * (2.0 * uniform() - 1.0))
+        .collect()
 }

@@ -21,7 +21,10 @@ impl SizeRange {
     /// Thesis eq. (66). The relative standard deviation is 0.09906, just inside the ordering region of
     /// (65), not outside (E36 of `docs/errata.md`).
     pub fn around(mean: f64) -> Self {
-        Self { minimum: 2.0 / (1.0 + SQRT_2) * mean, maximum: 4.0 / (2.0 + SQRT_2) * mean }
+        Self {
+            minimum: 2.0 / (1.0 + SQRT_2) * mean,
+            maximum: 4.0 / (2.0 + SQRT_2) * mean,
+        }
     }
 
     /// The radius at a fraction of the interval.

@@ -51,7 +51,12 @@ enum Command {
 
 fn execute(command: Command) -> Result<(), Error> {
     let text = match command {
-        Command::Run { scene, out, resume, quiet } => {
+        Command::Run {
+            scene,
+            out,
+            resume,
+            quiet,
+        } => {
             return run::run(&Scene::load(&scene)?, &out, resume, quiet);
         }
         Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,

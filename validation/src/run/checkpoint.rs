@@ -38,8 +38,14 @@ pub fn fingerprint(scene: &Scene) -> [u8; 32] {
         sha256: String::new(),
         ..scene.clone()
     };
-    anonymous.bonds.iter_mut().for_each(|(_, place)| place.file.clear());
-    anonymous.contacts.iter_mut().for_each(|(_, place)| place.file.clear());
+    anonymous
+        .bonds
+        .iter_mut()
+        .for_each(|(_, place)| place.file.clear());
+    anonymous
+        .contacts
+        .iter_mut()
+        .for_each(|(_, place)| place.file.clear());
     let text = format!("{anonymous:?} {}", env!("CARGO_PKG_VERSION"));
     Sha256::digest(text.as_bytes()).into()
 }
@@ -85,14 +91,23 @@ impl Checkpoint {
         }
         let (content, digest) = bytes.split_at(bytes.len() - 32);
         if Sha256::digest(content)[..] != *digest {
-            return Err(wrong("it is damaged: its checksum does not match its content"));
+            return Err(wrong(
+                "it is damaged: its checksum does not match its content",
+            ));
         }
         if &content[16..48] != fingerprint {
-            return Err(wrong("it belongs to another scene, or to another version of the program"));
+            return Err(wrong(
+                "it belongs to another scene, or to another version of the program",
+            ));
         }
         let words: Vec<u64> = content[48..]
             .chunks_exact(8)
-            .map(|chunk| chunk.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte)))
+            .map(|chunk| {
+                chunk
+                    .iter()
+                    .rev()
+                    .fold(0, |word, &byte| word << 8 | u64::from(byte))
+            })
             .collect();
         if words[0] != VERSION {
             return Err(wrong("its format has another version"));

@@ -153,7 +153,8 @@ impl<'a> Run<'a> {
             let due = self.sample_step(self.samples).min(last);
             self.advance_to(due)?;
             // The last step is a sample too, once.
-            let is_extra = due == last && self.samples > 0 && self.sample_step(self.samples - 1) >= last;
+            let is_extra =
+                due == last && self.samples > 0 && self.sample_step(self.samples - 1) >= last;
             if !is_extra {
                 self.sample()?;
             }
@@ -197,7 +198,9 @@ impl<'a> Run<'a> {
             }
             self.progress.show(self.phase, self.world.steps());
             if self.saved.elapsed().as_secs_f64() > CHECKPOINT_SECONDS {
-                self.world.check().map_err(|source| self.step_error(source))?;
+                self.world
+                    .check()
+                    .map_err(|source| self.step_error(source))?;
                 self.good = self.world.clone();
                 self.save()?;
             }
@@ -206,18 +209,26 @@ impl<'a> Run<'a> {
     }
 
     fn step_error(&self, source: gouge_kernel::StepError) -> Error {
-        Error::Step { phase: self.phases[self.phase].name.clone(), source }
+        Error::Step {
+            phase: self.phases[self.phase].name.clone(),
+            source,
+        }
     }
 
     fn sample(&mut self) -> Result<(), Error> {
-        let pending = self.world.evaluate_if_pending().and_then(|()| self.world.check());
+        let pending = self
+            .world
+            .evaluate_if_pending()
+            .and_then(|()| self.world.check());
         pending.map_err(|source| self.step_error(source))?;
         self.good = self.world.clone();
         if let Some(series) = &mut self.series {
             series.sample(self.scene, &self.world)?;
         }
         trajectory::write_frame(self.scene, &self.folder, self.samples, &self.world)?;
-        let steps = self.sample_step(self.samples + 1).min(self.phases[self.phase].steps);
+        let steps = self
+            .sample_step(self.samples + 1)
+            .min(self.phases[self.phase].steps);
         let links = bonds(&self.world) + self.world.contacts();
         self.link_steps += links as f64 * (steps - self.world.steps()) as f64;
         self.samples += 1;
@@ -225,8 +236,15 @@ impl<'a> Run<'a> {
     }
 
     fn seconds(&self) -> [f64; 2] {
-        let main = if self.is_main() { self.main_began.elapsed().as_secs_f64() } else { 0.0 };
-        [self.earlier[0] + self.began.elapsed().as_secs_f64(), self.earlier[1] + main]
+        let main = if self.is_main() {
+            self.main_began.elapsed().as_secs_f64()
+        } else {
+            0.0
+        };
+        [
+            self.earlier[0] + self.began.elapsed().as_secs_f64(),
+            self.earlier[1] + main,
+        ]
     }
 
     fn save(&mut self) -> Result<(), Error> {
@@ -253,13 +271,21 @@ impl<'a> Run<'a> {
         }
         output::write_particles(&self.folder, self.world.particles())?;
         picture::write(&self.folder, self.scene, &self.world)?;
-        let steps = if self.is_main() { self.world.steps() } else { 0 };
+        let steps = if self.is_main() {
+            self.world.steps()
+        } else {
+            0
+        };
         let number = self.world.particles().len();
         let rate = |amount: f64| if main > 0.0 { amount / main } else { 0.0 };
         let summary = Summary {
             status: status.to_owned(),
             steps,
-            time: if self.is_main() { self.world.time() } else { 0.0 },
+            time: if self.is_main() {
+                self.world.time()
+            } else {
+                0.0
+            },
             particles: number,
             bonds_initial: self.bonds_initial,
             bonds_broken: self.bonds_initial.saturating_sub(bonds(&self.world)),
@@ -268,7 +294,11 @@ impl<'a> Run<'a> {
             link_steps_per_second: rate(self.link_steps),
             version: env!("CARGO_PKG_VERSION"),
             scene_sha256: self.scene.sha256.clone(),
-            energy: self.scene.output.energy.then(|| output::energies(&self.world)),
+            energy: self
+                .scene
+                .output
+                .energy
+                .then(|| output::energies(&self.world)),
             series_columns: output::columns(self.scene),
             neighbor_rebuilds: self.world.rebuilds(),
         };
@@ -282,7 +312,13 @@ fn bonds(world: &World) -> usize {
 
 /// Remove what an earlier, finished run left, so that no mixture remains.
 fn remove_outputs(folder: &Path) -> Result<(), Error> {
-    for name in ["summary.json", "checkpoint", "series.csv", "particles.csv", "picture.svg"] {
+    for name in [
+        "summary.json",
+        "checkpoint",
+        "series.csv",
+        "particles.csv",
+        "picture.svg",
+    ] {
         let path = folder.join(name);
         if path.exists() {
             std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;

@@ -1,11 +1,11 @@
 //! The files that a run leaves: series, summary and final particles.
 
 use super::checkpoint::write_whole;
+use super::stub::fragments;
 use crate::error::Error;
 use crate::scene::{Scene, role_name};
 use gouge_kernel::World;
 use gouge_kernel::estimators::{Energy, friction_feedback, friction_load};
-use super::stub::fragments;
 use gouge_kernel::particles::Particles;
 use serde::Serialize;
 use std::fs::File;
@@ -19,7 +19,12 @@ pub fn columns(scene: &Scene) -> Vec<&'static str> {
         columns.extend(Energy::<f64>::NAMES);
     }
     if scene.driving.is_some() {
-        columns.extend(["friction_load", "friction_feedback", "drive_force_x", "drive_force_y"]);
+        columns.extend([
+            "friction_load",
+            "friction_feedback",
+            "drive_force_x",
+            "drive_force_y",
+        ]);
     }
     if scene.bond.is_some() {
         columns.extend(["bonds", "fragments"]);
@@ -35,8 +40,12 @@ fn row(scene: &Scene, world: &World) -> String {
     }
     if scene.driving.is_some() {
         let drive = world.drive();
-        let numbers =
-            [friction_load(drive), friction_feedback(drive), drive.applied.x, drive.applied.y];
+        let numbers = [
+            friction_load(drive),
+            friction_feedback(drive),
+            drive.applied.x,
+            drive.applied.y,
+        ];
         cells.extend(numbers.map(|value| format!("{value:?}")));
     }
     if let Some(strong) = world.strong_links() {
@@ -61,10 +70,14 @@ impl Series {
     pub fn open(scene: &Scene, folder: &Path, bytes: Option<u64>) -> Result<Self, Error> {
         let path = folder.join("series.csv");
         let open = || -> std::io::Result<(File, u64)> {
-            let Some(bytes) = bytes else { return Ok((File::create(&path)?, 0)) };
+            let Some(bytes) = bytes else {
+                return Ok((File::create(&path)?, 0));
+            };
             let mut file = File::options().write(true).open(&path)?;
             if file.metadata()?.len() < bytes {
-                return Err(std::io::Error::other("it is shorter than when it was last written"));
+                return Err(std::io::Error::other(
+                    "it is shorter than when it was last written",
+                ));
             }
             file.set_len(bytes)?;
             file.seek(SeekFrom::End(0))?;

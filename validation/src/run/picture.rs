@@ -1,10 +1,10 @@
 //! One picture of the final state, fragments coloured, after thesis figure 11.
 
 use super::checkpoint::write_whole;
+use super::stub::fragments;
 use crate::error::Error;
 use crate::scene::Scene;
 use gouge_kernel::World;
-use super::stub::fragments;
 use gouge_kernel::particles::{Particles, Role};
 use std::path::Path;
 use svg::Document;
@@ -23,8 +23,10 @@ struct View {
 
 impl View {
     fn of(scene: &Scene, particles: &Particles) -> Self {
-        let mut view =
-            Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
+        let mut view = Self {
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+        };
         for (x, &r) in particles.position.iter().zip(&particles.radius) {
             for (axis, x) in [x.x, x.y].into_iter().enumerate() {
                 view.low[axis] = view.low[axis].min(x - r);
@@ -56,8 +58,17 @@ pub fn write(folder: &Path, scene: &Scene, world: &World) -> Result<(), Error> {
         .set("viewBox", (0.0, 0.0, width.round(), height.round()))
         .set("width", width.round())
         .set("height", height.round())
-        .add(svg::node::element::Title::new(format!("{}, t = {:.6e} s", scene.title, world.time())))
-        .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", "white"))
+        .add(svg::node::element::Title::new(format!(
+            "{}, t = {:.6e} s",
+            scene.title,
+            world.time()
+        )))
+        .add(
+            Rectangle::new()
+                .set("width", "100%")
+                .set("height", "100%")
+                .set("fill", "white"),
+        )
         .add(grains(&view, world))
         .add(bonds(&view, scene, world));
     write_whole(&folder.join("picture.svg"), document.to_string().as_bytes())

@@ -40,7 +40,11 @@ pub fn phases(scene: &Scene) -> Vec<Phase> {
     let mut add = |name: &str, tables: &[PhaseTable], kind: fn(PhaseTable) -> Kind| {
         for (i, &table) in tables.iter().enumerate() {
             phases.push(Phase {
-                name: if tables.len() > 1 { format!("{name} {}", i + 1) } else { name.to_owned() },
+                name: if tables.len() > 1 {
+                    format!("{name} {}", i + 1)
+                } else {
+                    name.to_owned()
+                },
                 kind: kind(table),
                 steps: steps_for(table.duration, table.step),
             });
@@ -51,7 +55,11 @@ pub fn phases(scene: &Scene) -> Vec<Phase> {
         add("relax", &setup.relax, Kind::Relax);
         add("press", &setup.press, Kind::Press);
     }
-    phases.push(Phase { name: "run".to_owned(), kind: Kind::Main, steps: scene.steps() });
+    phases.push(Phase {
+        name: "run".to_owned(),
+        kind: Kind::Main,
+        steps: scene.steps(),
+    });
     phases
 }
 
@@ -64,7 +72,10 @@ pub fn model(scene: &Scene, kind: Kind, radii: &[f64]) -> Model {
         external: table.external,
         driving: None,
         ledger: false,
-        bond: full.bond.map(|bond| Bond { yielding: None, ..bond }),
+        bond: full.bond.map(|bond| Bond {
+            yielding: None,
+            ..bond
+        }),
         ..full
     };
     match kind {
@@ -75,11 +86,17 @@ pub fn model(scene: &Scene, kind: Kind, radii: &[f64]) -> Model {
             if let Some(driving) = &mut driving {
                 driving.speed = table.speed;
             }
-            Model { driving, ..quiet(table) }
+            Model {
+                driving,
+                ..quiet(table)
+            }
         }
         Kind::Settle(table) => Model {
             bond: None,
-            contact: full.contact.map(|contact| Contact { tangential: None, ..contact }),
+            contact: full.contact.map(|contact| Contact {
+                tangential: None,
+                ..contact
+            }),
             ..quiet(table)
         },
     }
@@ -95,7 +112,9 @@ pub fn enter(
     index: usize,
     before: Option<World>,
 ) -> Result<World, ModelError> {
-    let Some(setup) = &scene.setup else { return scene.initial_world() };
+    let Some(setup) = &scene.setup else {
+        return scene.initial_world();
+    };
     let kind = phases[index].kind;
     let world = match before {
         None => loose(scene, setup, kind)?,
@@ -132,7 +151,13 @@ fn loose(scene: &Scene, setup: &Setup, kind: Kind) -> Result<World, ModelError> 
     };
     let mut particles = Particles::default();
     let mut covered = 0.0;
-    while wants_more(&table.amount, table.columns, scene, particles.len(), covered) {
+    while wants_more(
+        &table.amount,
+        table.columns,
+        scene,
+        particles.len(),
+        covered,
+    ) {
         let radius = setup.sizes.at(sizes());
         covered += core::f64::consts::PI * radius * radius;
         particles.push(&Particle {
@@ -148,11 +173,21 @@ fn loose(scene: &Scene, setup: &Setup, kind: Kind) -> Result<World, ModelError> 
     if matches!(table.amount, Amount::Filling(_)) {
         centre(scene, &mut particles);
     }
-    scene.particles.iter().for_each(|particle| particles.push(particle));
+    scene
+        .particles
+        .iter()
+        .for_each(|particle| particles.push(particle));
     wrap(&scene.domain, &mut particles);
-    let start = Start { drive_force: scene.initial_force(), ..Start::default() };
+    let start = Start {
+        drive_force: scene.initial_force(),
+        ..Start::default()
+    };
     let radii = particles.radius.clone();
-    let model = Model { driving: None, ledger: false, ..model(scene, kind, &radii) };
+    let model = Model {
+        driving: None,
+        ledger: false,
+        ..model(scene, kind, &radii)
+    };
     World::new(model, particles, &start)
 }
 
@@ -179,8 +214,10 @@ fn block(scene: &Scene, setup: &Setup, world: World, kind: Kind) -> Result<World
     let listed = scene.particles.len();
     let mut all = world.into_particles();
     let made = all.len() - listed;
-    let (width, height) =
-        (scene.domain.width.unwrap_or(0.0), scene.domain.height.unwrap_or(0.0));
+    let (width, height) = (
+        scene.domain.width.unwrap_or(0.0),
+        scene.domain.height.unwrap_or(0.0),
+    );
     let mut number = made;
     if setup.clip {
         let inside = |i: usize| i >= made || (0.0..height).contains(&all.position[i].y);
@@ -191,26 +228,47 @@ fn block(scene: &Scene, setup: &Setup, world: World, kind: Kind) -> Result<World
     let grains = all.select(&(0..number).collect::<Vec<usize>>());
     let bonds = bonds(scene, setup, &grains);
     if setup.correct_density {
-        let covered: f64 =
-            grains.radius.iter().map(|r| core::f64::consts::PI * r * r).sum();
+        let covered: f64 = grains
+            .radius
+            .iter()
+            .map(|r| core::f64::consts::PI * r * r)
+            .sum();
         all.scale_mass(number, width * height / covered);
     }
-    let start = Start { bonds, drive_force, ..Start::default() };
+    let start = Start {
+        bonds,
+        drive_force,
+        ..Start::default()
+    };
     let radii = all.radius.clone();
-    let model = Model { driving: None, ledger: false, ..model(scene, kind, &radii) };
+    let model = Model {
+        driving: None,
+        ledger: false,
+        ..model(scene, kind, &radii)
+    };
     World::new(model, all, &start)
 }
 
 /// Bonds between neighbouring grains, without those that the fault cuts.
 fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
-    let Some(bonding) = setup.bonding else { return Vec::new() };
+    let Some(bonding) = setup.bonding else {
+        return Vec::new();
+    };
     let pairs = bonds_within(grains, &scene.domain, bonding.reach);
     let factors = strength_factors(pairs.len(), bonding.strength_spread, random(setup, 3));
     let side = |i: usize| match setup.fault {
         Some(table) => {
             let width = scene.domain.width.unwrap_or(1.0);
             let (level, height, jags) = (table.level, table.height, table.jags);
-            is_above(&Fault { level, height, jags, width }, grains.position[i])
+            is_above(
+                &Fault {
+                    level,
+                    height,
+                    jags,
+                    width,
+                },
+                grains.position[i],
+            )
         }
         None => true,
     };

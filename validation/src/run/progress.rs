@@ -27,7 +27,11 @@ impl Progress {
             }
             bar
         });
-        Self { bar, names: phases.iter().map(|phase| phase.name.clone()).collect(), starts }
+        Self {
+            bar,
+            names: phases.iter().map(|phase| phase.name.clone()).collect(),
+            starts,
+        }
     }
 
     /// Show how far a phase is.

@@ -1,10 +1,10 @@
 //! Frames of a trajectory, for ParaView (VTK) and OVITO (extended XYZ).
 
 use super::checkpoint::write_whole;
+use super::stub::fragments;
 use crate::error::Error;
 use crate::scene::{Scene, Trajectory, role_name};
 use gouge_kernel::World;
-use super::stub::fragments;
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::particles::Role;
 use std::fmt::Write;
@@ -25,7 +25,10 @@ pub fn write_frame(scene: &Scene, folder: &Path, sample: u64, world: &World) -> 
     };
     let frames = folder.join("trajectory");
     std::fs::create_dir_all(&frames).map_err(|error| Error::file("create", &frames, error))?;
-    write_whole(&frames.join(format!("frame_{sample:06}.{ending}")), text.as_bytes())?;
+    write_whole(
+        &frames.join(format!("frame_{sample:06}.{ending}")),
+        text.as_bytes(),
+    )?;
     if scene.output.trajectory == Trajectory::Vtk {
         write_series(scene, &frames, sample)?;
     }
@@ -52,7 +55,10 @@ fn extxyz(scene: &Scene, world: &World) -> String {
     let mut text = format!("{}\n", p.len());
     if let (Some(width), Some(height)) = (scene.domain.width, scene.domain.height) {
         let depth = 2.0 * p.largest_radius();
-        let _ = write!(text, "Lattice=\"{width:?} 0 0 0 {height:?} 0 0 0 {depth:?}\" ");
+        let _ = write!(
+            text,
+            "Lattice=\"{width:?} 0 0 0 {height:?} 0 0 0 {depth:?}\" "
+        );
     }
     let periodic = if scene.domain.periodic { "T" } else { "F" };
     let _ = writeln!(
@@ -83,8 +89,17 @@ fn extxyz(scene: &Scene, world: &World) -> String {
 /// A legacy VTK file: a vertex a particle, a line a bond.
 fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
     let p = world.particles();
-    let flat = |column: &[Vec2]| column.iter().flat_map(|v| [v.x, v.y, 0.0]).collect::<Vec<f64>>();
-    let fragments: Vec<i32> = fragments(world).label.iter().map(|&label| label as i32).collect();
+    let flat = |column: &[Vec2]| {
+        column
+            .iter()
+            .flat_map(|v| [v.x, v.y, 0.0])
+            .collect::<Vec<f64>>()
+    };
+    let fragments: Vec<i32> = fragments(world)
+        .label
+        .iter()
+        .map(|&label| label as i32)
+        .collect();
     let roles: Vec<i32> = p
         .role
         .iter()
@@ -98,7 +113,10 @@ fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
     let bonds = bonds(scene, world);
     let piece = PolyDataPiece {
         points: flat(&p.position).into(),
-        verts: Some(VertexNumbers::Legacy { num_cells: p.len() as u32, vertices }),
+        verts: Some(VertexNumbers::Legacy {
+            num_cells: p.len() as u32,
+            vertices,
+        }),
         lines: (!bonds.is_empty()).then(|| VertexNumbers::Legacy {
             num_cells: bonds.len() as u32 / 3,
             vertices: bonds,
@@ -122,11 +140,18 @@ fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
         title: format!("t = {:?} s", world.time()),
         byte_order: ByteOrder::BigEndian,
         file_path: None,
-        data: DataSet::PolyData { meta: None, pieces: vec![Piece::Inline(Box::new(piece))] },
+        data: DataSet::PolyData {
+            meta: None,
+            pieces: vec![Piece::Inline(Box::new(piece))],
+        },
     };
     let mut text = String::new();
     file.write_legacy_ascii(&mut text).map_err(|error| {
-        Error::file("write", Path::new("trajectory"), std::io::Error::other(error.to_string()))
+        Error::file(
+            "write",
+            Path::new("trajectory"),
+            std::io::Error::other(error.to_string()),
+        )
     })?;
     Ok(text)
 }

@@ -12,7 +12,11 @@ pub const SCENES: [(&str, &str, &str); 9] = [
         "the same protocol on 25 mm, in about half a minute",
         include_str!("../scenes/granite-fault-small.toml"),
     ),
-    ("head-on", "two spheres meet head on", include_str!("../scenes/head-on.toml")),
+    (
+        "head-on",
+        "two spheres meet head on",
+        include_str!("../scenes/head-on.toml"),
+    ),
     (
         "oblique",
         "two spheres of different size meet off centre and begin to spin",
@@ -23,7 +27,11 @@ pub const SCENES: [(&str, &str, &str); 9] = [
         "a spinning sphere slides, then rolls, along a row of fixed ones",
         include_str!("../scenes/rolling.toml"),
     ),
-    ("pile", "a column of grains collapses to its angle of repose", include_str!("../scenes/pile.toml")),
+    (
+        "pile",
+        "a column of grains collapses to its angle of repose",
+        include_str!("../scenes/pile.toml"),
+    ),
     (
         "cantilever",
         "a beam of bonded grains sags under gravity",
@@ -43,7 +51,10 @@ pub const SCENES: [(&str, &str, &str); 9] = [
 
 /// Text of a built-in scene.
 pub fn text(name: &str) -> Option<&'static str> {
-    SCENES.iter().find(|(scene, _, _)| *scene == name).map(|(_, _, text)| *text)
+    SCENES
+        .iter()
+        .find(|(scene, _, _)| *scene == name)
+        .map(|(_, _, text)| *text)
 }
 
 /// Names of all built-in scenes.

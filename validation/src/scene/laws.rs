@@ -29,25 +29,35 @@ enum Tangential {
 
 /// `[contact]`.
 pub fn contact(root: &Table, reading: Reading) -> Result<Option<Contact>> {
-    let Some(table) = root.optional_table("contact")? else { return Ok(None) };
+    let Some(table) = root.optional_table("contact")? else {
+        return Ok(None);
+    };
     table.allow(&["distance", "normal", "tangential"])?;
     let distances = [
         ("radius", ContactDistance::Radius),
         ("focal", ContactDistance::Focal),
         ("mean", ContactDistance::Mean),
     ];
-    let distance =
-        table.optional_choice("distance", &distances)?.unwrap_or(ContactDistance::Radius);
+    let distance = table
+        .optional_choice("distance", &distances)?
+        .unwrap_or(ContactDistance::Radius);
     let normal = contact_normal(&table.table("normal")?)?;
     let tangential = match table.optional_table("tangential")? {
         Some(table) => Some(contact_tangential(&table, reading)?),
         None => None,
     };
-    Ok(Some(Contact { distance, normal, tangential }))
+    Ok(Some(Contact {
+        distance,
+        normal,
+        tangential,
+    }))
 }
 
 fn contact_normal(table: &Table) -> Result<ContactNormal> {
-    let laws = [("kelvin-voigt", Normal::KelvinVoigt), ("bshp", Normal::Bshp)];
+    let laws = [
+        ("kelvin-voigt", Normal::KelvinVoigt),
+        ("bshp", Normal::Bshp),
+    ];
     match table.choice("law", &laws)? {
         Normal::KelvinVoigt => {
             table.allow(&["law", "stiffness", "damping"])?;
@@ -57,7 +67,12 @@ fn contact_normal(table: &Table) -> Result<ContactNormal> {
             }))
         }
         Normal::Bshp => {
-            table.allow(&["law", "youngs_modulus", "poissons_ratio", "dissipative_constant"])?;
+            table.allow(&[
+                "law",
+                "youngs_modulus",
+                "poissons_ratio",
+                "dissipative_constant",
+            ])?;
             Ok(ContactNormal::Bshp(Bshp {
                 youngs_modulus: table.number("youngs_modulus", Range::NonNegative)?,
                 poissons_ratio: table.number("poissons_ratio", Range::Between(-1.0, 1.0))?,
@@ -71,17 +86,25 @@ fn contact_tangential(table: &Table, reading: Reading) -> Result<ContactTangenti
     let laws = [
         ("haff-werner", Tangential::HaffWerner),
         ("cundall-strack", Tangential::CundallStrack),
-        ("cundall-strack-truncated", Tangential::CundallStrackTruncated),
+        (
+            "cundall-strack-truncated",
+            Tangential::CundallStrackTruncated,
+        ),
     ];
     let law = table.choice("law", &laws)?;
-    let constant = if matches!(law, Tangential::HaffWerner) { "damping" } else { "stiffness" };
+    let constant = if matches!(law, Tangential::HaffWerner) {
+        "damping"
+    } else {
+        "stiffness"
+    };
     table.allow(&["law", "friction", constant])?;
     let friction = table.number("friction", Range::NonNegative)?;
     let constant = table.number(constant, Range::NonNegative)?;
     Ok(match law {
-        Tangential::HaffWerner => {
-            ContactTangential::HaffWerner(HaffWerner { friction, damping: constant })
-        }
+        Tangential::HaffWerner => ContactTangential::HaffWerner(HaffWerner {
+            friction,
+            damping: constant,
+        }),
         Tangential::CundallStrack => ContactTangential::CundallStrack(CundallStrack {
             friction,
             stiffness: constant,
@@ -98,7 +121,9 @@ fn contact_tangential(table: &Table, reading: Reading) -> Result<ContactTangenti
 
 /// `[bond]`.
 pub fn bond(root: &Table) -> Result<Option<Bond>> {
-    let Some(table) = root.optional_table("bond")? else { return Ok(None) };
+    let Some(table) = root.optional_table("bond")? else {
+        return Ok(None);
+    };
     table.allow(&["normal", "tangential", "yielding"])?;
     let normal = table.table("normal")?;
     normal.allow(&["stiffness", "damping"])?;
@@ -114,7 +139,11 @@ pub fn bond(root: &Table) -> Result<Option<Bond>> {
         Some(table) => Some(yielding(&table)?),
         None => None,
     };
-    Ok(Some(Bond { normal, tangential, yielding }))
+    Ok(Some(Bond {
+        normal,
+        tangential,
+        yielding,
+    }))
 }
 
 fn beam(table: &Table) -> Result<EulerBernoulli> {
@@ -128,7 +157,12 @@ fn beam(table: &Table) -> Result<EulerBernoulli> {
 
 fn yielding(table: &Table) -> Result<Yielding> {
     table.choice("law", &[("zhang-eckert", ())])?;
-    table.allow(&["law", "normal_strength", "tangential_strength", "unbreakable_edges"])?;
+    table.allow(&[
+        "law",
+        "normal_strength",
+        "tangential_strength",
+        "unbreakable_edges",
+    ])?;
     Ok(Yielding {
         law: ZhangEckert {
             normal_strength: table.number("normal_strength", Range::Positive)?,
@@ -140,7 +174,9 @@ fn yielding(table: &Table) -> Result<Yielding> {
 
 /// `[ambient]`, of the scene or of a phase.
 pub fn ambient(parent: &Table, reading: Reading) -> Result<Option<Ambient>> {
-    let Some(table) = parent.optional_table("ambient")? else { return Ok(None) };
+    let Some(table) = parent.optional_table("ambient")? else {
+        return Ok(None);
+    };
     if table.choice("law", &[("creeping", true), ("correlation", false)])? {
         table.allow(&["law", "viscosity"])?;
         let viscosity = table.number("viscosity", Range::NonNegative)?;
@@ -159,7 +195,9 @@ pub fn ambient(parent: &Table, reading: Reading) -> Result<Option<Ambient>> {
 
 /// `[external]`, of the scene or of a phase.
 pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
-    let Some(table) = parent.optional_table("external")? else { return Ok(None) };
+    let Some(table) = parent.optional_table("external")? else {
+        return Ok(None);
+    };
     if table.choice("law", &[("gravity", true), ("harmonic-well", false)])? {
         table.allow(&["law", "acceleration"])?;
         let acceleration = table.number("acceleration", Range::Finite)?;
@@ -171,12 +209,17 @@ pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
         return Err(table.error("law", accepted));
     };
     let stiffness = table.number("stiffness", Range::NonNegative)?;
-    Ok(Some(External::HarmonicWell(HarmonicWell { stiffness, centre: 0.5 * height })))
+    Ok(Some(External::HarmonicWell(HarmonicWell {
+        stiffness,
+        centre: 0.5 * height,
+    })))
 }
 
 /// `[driving]`, with the initial force; the area may have to wait until the particles are known.
 pub fn driving(root: &Table) -> Result<Option<DrivingTable>> {
-    let Some(table) = root.optional_table("driving")? else { return Ok(None) };
+    let Some(table) = root.optional_table("driving")? else {
+        return Ok(None);
+    };
     let is_limited = table.choice("controller", &[("rate-limited", true), ("exact", false)])?;
     let mut known = vec!["controller", "speed", "pressure", "area", "initial_force"];
     if is_limited {
@@ -184,7 +227,9 @@ pub fn driving(root: &Table) -> Result<Option<DrivingTable>> {
     }
     table.allow(&known)?;
     let controller = if is_limited {
-        Controller::RateLimited { force_rate: table.number("force_rate", Range::NonNegative)? }
+        Controller::RateLimited {
+            force_rate: table.number("force_rate", Range::NonNegative)?,
+        }
     } else {
         Controller::Exact
     };

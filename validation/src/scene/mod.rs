@@ -91,9 +91,24 @@ pub enum Trajectory {
 }
 
 const KEYS: [&str; 18] = [
-    "title", "reading", "time", "box", "material", "contact", "bond", "ambient", "external",
-    "driving", "particles", "particles_file", "bonds", "bonds_file", "contacts", "contacts_file",
-    "setup", "output",
+    "title",
+    "reading",
+    "time",
+    "box",
+    "material",
+    "contact",
+    "bond",
+    "ambient",
+    "external",
+    "driving",
+    "particles",
+    "particles_file",
+    "bonds",
+    "bonds_file",
+    "contacts",
+    "contacts_file",
+    "setup",
+    "output",
 ];
 
 /// Names of the integrators.
@@ -146,8 +161,13 @@ impl Scene {
 
     fn from_table(root: &Table, folder: &Path) -> Result<Self> {
         root.allow(&KEYS)?;
-        let readings = [("corrected", Reading::Corrected), ("thesis", Reading::Thesis)];
-        let reading = root.optional_choice("reading", &readings)?.unwrap_or(Reading::Corrected);
+        let readings = [
+            ("corrected", Reading::Corrected),
+            ("thesis", Reading::Thesis),
+        ];
+        let reading = root
+            .optional_choice("reading", &readings)?
+            .unwrap_or(Reading::Corrected);
         let domain = domain(root)?;
         let time = root.table("time")?;
         time.allow(&["step", "end", "integrator"])?;
@@ -186,9 +206,15 @@ impl Scene {
             let accepted = "missing; a scene needs [[particles]], particles_file or [setup]";
             return Err(root.error("particles", accepted));
         }
-        let bonds_made = self.setup.as_ref().is_some_and(|setup| setup.bonding.is_some());
+        let bonds_made = self
+            .setup
+            .as_ref()
+            .is_some_and(|setup| setup.bonding.is_some());
         if self.bond.is_none() && (!self.bonds.is_empty() || bonds_made) {
-            return Err(root.error("bond", "missing; a scene with bonds needs the laws in [bond]"));
+            return Err(root.error(
+                "bond",
+                "missing; a scene with bonds needs the laws in [bond]",
+            ));
         }
         let yields = self.bond.is_some_and(|bond| bond.yielding.is_some());
         if yields && self.bonds.is_empty() && !bonds_made {
@@ -196,13 +222,17 @@ impl Scene {
             return Err(root.table("bond")?.error("yielding", accepted));
         }
         if self.contact.is_none() && !self.contacts.is_empty() {
-            return Err(root.error("contact", "missing; [[contacts]] need the laws in [contact]"));
+            return Err(root.error(
+                "contact",
+                "missing; [[contacts]] need the laws in [contact]",
+            ));
         }
         self.check_pairs()?;
         self.check_driving(root)?;
         self.check_box(root)?;
         if self.setup.is_none() {
-            self.initial_world().map_err(|error| self.placed(root, &error))?;
+            self.initial_world()
+                .map_err(|error| self.placed(root, &error))?;
         }
         Ok(())
     }
@@ -220,12 +250,22 @@ impl Scene {
             };
         }
         let number = self.particles.len();
-        check_pairs(number, self.bonds.iter().map(|(bond, place)| (bond.between, place)))?;
-        check_pairs(number, self.contacts.iter().map(|(contact, place)| (contact.between, place)))
+        check_pairs(
+            number,
+            self.bonds.iter().map(|(bond, place)| (bond.between, place)),
+        )?;
+        check_pairs(
+            number,
+            self.contacts
+                .iter()
+                .map(|(contact, place)| (contact.between, place)),
+        )
     }
 
     fn check_driving(&self, root: &Table) -> Result<()> {
-        let Some(driving) = self.driving else { return Ok(()) };
+        let Some(driving) = self.driving else {
+            return Ok(());
+        };
         let table = root.table("driving")?;
         let listed = self.particles.iter().any(|p| p.role == Role::Driven);
         let roles = self.setup.as_ref().and_then(|setup| setup.roles);
@@ -241,7 +281,9 @@ impl Scene {
     }
 
     fn check_box(&self, root: &Table) -> Result<()> {
-        let (true, Some(width)) = (self.domain.periodic, self.domain.width) else { return Ok(()) };
+        let (true, Some(width)) = (self.domain.periodic, self.domain.width) else {
+            return Ok(());
+        };
         let listed = self.particles.iter().map(|p| p.radius).fold(0.0, f64::max);
         let made = self.setup.as_ref().map_or(0.0, |setup| setup.sizes.maximum);
         let cell = 2.0 * listed.max(made);
@@ -280,7 +322,9 @@ impl Scene {
             bond: self.bond,
             ambient: self.ambient,
             external: self.external,
-            driving: self.driving.map(|table| table.law(width, characteristic_length(radii))),
+            driving: self
+                .driving
+                .map(|table| table.law(width, characteristic_length(radii))),
             ledger: self.output.energy,
         }
     }
@@ -318,7 +362,11 @@ impl Scene {
 pub fn steps_for(duration: f64, step: f64) -> u64 {
     let exact = duration / step;
     let nearest = exact.round();
-    let steps = if (exact - nearest).abs() < 1e-6 { nearest } else { exact.ceil() };
+    let steps = if (exact - nearest).abs() < 1e-6 {
+        nearest
+    } else {
+        exact.ceil()
+    };
     steps as u64
 }
 
@@ -326,7 +374,10 @@ pub fn steps_for(duration: f64, step: f64) -> u64 {
 pub fn wrap(domain: &Domain, particles: &mut Particles) {
     use gouge_kernel::geometry::{Metric, PeriodicX};
     if let (true, Some(length)) = (domain.periodic, domain.width) {
-        particles.position.iter_mut().for_each(|x| *x = PeriodicX { length }.wrap(*x));
+        particles
+            .position
+            .iter_mut()
+            .for_each(|x| *x = PeriodicX { length }.wrap(*x));
     }
 }
 
@@ -338,7 +389,9 @@ fn check_pairs<'a>(
     for ([i, j], place) in pairs {
         let problem = if i >= particles || j >= particles {
             let last = particles.saturating_sub(1);
-            Some(format!("names a particle that does not exist; indices go from 0 to {last}"))
+            Some(format!(
+                "names a particle that does not exist; indices go from 0 to {last}"
+            ))
         } else if i == j {
             Some("connects a particle with itself; two different ones are needed".to_owned())
         } else if !seen.insert(Pair::new(i, j)) {
@@ -355,16 +408,26 @@ fn check_pairs<'a>(
 
 fn domain(root: &Table) -> Result<Domain> {
     let Some(table) = root.optional_table("box")? else {
-        return Ok(Domain { width: None, height: None, periodic: false });
+        return Ok(Domain {
+            width: None,
+            height: None,
+            periodic: false,
+        });
     };
     table.allow(&["width", "height", "boundary"])?;
     let width = table.optional_number("width", Range::Positive)?;
     let boundaries = [("open", false), ("periodic-x", true)];
-    let periodic = table.optional_choice("boundary", &boundaries)?.unwrap_or(false);
+    let periodic = table
+        .optional_choice("boundary", &boundaries)?
+        .unwrap_or(false);
     if periodic && width.is_none() {
         return Err(table.error("width", "missing; a periodic box needs its width in m"));
     }
-    Ok(Domain { width, height: table.optional_number("height", Range::Positive)?, periodic })
+    Ok(Domain {
+        width,
+        height: table.optional_number("height", Range::Positive)?,
+        periodic,
+    })
 }
 
 fn density(root: &Table) -> Result<f64> {
@@ -376,7 +439,11 @@ fn density(root: &Table) -> Result<f64> {
 fn output(root: &Table, end: f64) -> Result<Output> {
     let default = if end > 0.0 { end / 200.0 } else { 1.0 };
     let Some(table) = root.optional_table("output")? else {
-        return Ok(Output { interval: default, trajectory: Trajectory::None, energy: true });
+        return Ok(Output {
+            interval: default,
+            trajectory: Trajectory::None,
+            energy: true,
+        });
     };
     table.allow(&["interval", "trajectory", "energy"])?;
     let formats = [
@@ -385,8 +452,12 @@ fn output(root: &Table, end: f64) -> Result<Output> {
         ("extxyz", Trajectory::Extxyz),
     ];
     Ok(Output {
-        interval: table.optional_number("interval", Range::Positive)?.unwrap_or(default),
-        trajectory: table.optional_choice("trajectory", &formats)?.unwrap_or(Trajectory::None),
+        interval: table
+            .optional_number("interval", Range::Positive)?
+            .unwrap_or(default),
+        trajectory: table
+            .optional_choice("trajectory", &formats)?
+            .unwrap_or(Trajectory::None),
         energy: table.optional_truth("energy")?.unwrap_or(true),
     })
 }
@@ -406,7 +477,11 @@ fn text_of<'a>(file: &str, bytes: &'a [u8]) -> Result<&'a str> {
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
     let at = error.span().map_or(0, |span| span.start);
-    let line = source.text.lines().nth(source.line(at) - 1).unwrap_or_default();
+    let line = source
+        .text
+        .lines()
+        .nth(source.line(at) - 1)
+        .unwrap_or_default();
     let (key, value) = line.split_once('=').unwrap_or(("", line));
     source.error(
         at,

@@ -10,12 +10,18 @@ use std::path::Path;
 type Result<T> = std::result::Result<T, SceneError>;
 
 /// Names of roles.
-pub const ROLES: [(&str, Role); 3] =
-    [("free", Role::Free), ("driven", Role::Driven), ("fixed", Role::Fixed)];
+pub const ROLES: [(&str, Role); 3] = [
+    ("free", Role::Free),
+    ("driven", Role::Driven),
+    ("fixed", Role::Fixed),
+];
 
 /// Name of a role.
 pub fn role_name(role: Role) -> &'static str {
-    ROLES.iter().find(|(_, r)| *r == role).map_or("free", |(name, _)| name)
+    ROLES
+        .iter()
+        .find(|(_, r)| *r == role)
+        .map_or("free", |(name, _)| name)
 }
 
 /// Where a particle or link stands, for errors found later.
@@ -56,7 +62,10 @@ pub fn particles(root: &Table, folder: &Path, density: f64) -> Result<Vec<Partic
             |row| particle_row(row, density),
         );
     }
-    root.tables("particles")?.iter().map(|table| particle(table, density)).collect()
+    root.tables("particles")?
+        .iter()
+        .map(|table| particle(table, density))
+        .collect()
 }
 
 fn particle(table: &Table, density: f64) -> Result<Particle> {
@@ -71,8 +80,9 @@ fn particle(table: &Table, density: f64) -> Result<Particle> {
     ])?;
     let role = table.optional_choice("role", &ROLES)?.unwrap_or(Role::Free);
     let velocity = table.optional_pair("velocity")?.unwrap_or([0.0; 2]);
-    let angular_velocity =
-        table.optional_number("angular_velocity", Range::Finite)?.unwrap_or(0.0);
+    let angular_velocity = table
+        .optional_number("angular_velocity", Range::Finite)?
+        .unwrap_or(0.0);
     if role == Role::Fixed && velocity != [0.0; 2] {
         return Err(table.error("velocity", FIXED_MOVES));
     }
@@ -83,10 +93,14 @@ fn particle(table: &Table, density: f64) -> Result<Particle> {
     Ok(Particle {
         position: Vec2::new(x, y),
         velocity: Vec2::new(velocity[0], velocity[1]),
-        angle: table.optional_number("angle", Range::Finite)?.unwrap_or(0.0),
+        angle: table
+            .optional_number("angle", Range::Finite)?
+            .unwrap_or(0.0),
         angular_velocity,
         radius: table.number("radius", Range::Positive)?,
-        density: table.optional_number("density", Range::Positive)?.unwrap_or(density),
+        density: table
+            .optional_number("density", Range::Positive)?
+            .unwrap_or(density),
         role,
     })
 }
@@ -94,17 +108,26 @@ fn particle(table: &Table, density: f64) -> Result<Particle> {
 fn particle_row(row: &Row, density: f64) -> Result<Particle> {
     let number = |key: &str, range, default| row.optional_number(key, range, default);
     let role = row.role()?;
-    let velocity =
-        Vec2::new(number("vx", Range::Finite, 0.0)?, number("vy", Range::Finite, 0.0)?);
+    let velocity = Vec2::new(
+        number("vx", Range::Finite, 0.0)?,
+        number("vy", Range::Finite, 0.0)?,
+    );
     let angular_velocity = number("angular_velocity", Range::Finite, 0.0)?;
-    let moving = [("vx", velocity.x), ("vy", velocity.y), ("angular_velocity", angular_velocity)];
+    let moving = [
+        ("vx", velocity.x),
+        ("vy", velocity.y),
+        ("angular_velocity", angular_velocity),
+    ];
     if role == Role::Fixed
         && let Some((key, _)) = moving.iter().find(|(_, value)| *value != 0.0)
     {
         return Err(row.error(key, FIXED_MOVES));
     }
     Ok(Particle {
-        position: Vec2::new(row.number("x", Range::Finite)?, row.number("y", Range::Finite)?),
+        position: Vec2::new(
+            row.number("x", Range::Finite)?,
+            row.number("y", Range::Finite)?,
+        ),
         velocity,
         angle: number("angle", Range::Finite, 0.0)?,
         angular_velocity,
@@ -117,12 +140,23 @@ fn particle_row(row: &Row, density: f64) -> Result<Particle> {
 /// `[[bonds]]` or `bonds_file`.
 pub fn bonds(root: &Table, folder: &Path) -> Result<Placed<BondStart>> {
     if let Some(rows) = side_file(root, "bonds", folder)? {
-        let optional =
-            ["strength_factor", "initial_distance", "initial_angle_i", "initial_angle_j"];
-        return rows.read(&["i", "j"], &optional, |row| Ok((bond_row(row)?, row.place())));
+        let optional = [
+            "strength_factor",
+            "initial_distance",
+            "initial_angle_i",
+            "initial_angle_j",
+        ];
+        return rows.read(&["i", "j"], &optional, |row| {
+            Ok((bond_row(row)?, row.place()))
+        });
     }
     let read = |table: &Table| {
-        table.allow(&["between", "strength_factor", "initial_distance", "initial_angles"])?;
+        table.allow(&[
+            "between",
+            "strength_factor",
+            "initial_distance",
+            "initial_angles",
+        ])?;
         let start = BondStart {
             between: table.index_pair("between")?,
             strength_factor: table
@@ -160,13 +194,23 @@ fn bond_row(row: &Row) -> Result<BondStart> {
 /// `[[contacts]]` or `contacts_file`.
 pub fn contacts(root: &Table, folder: &Path) -> Result<Placed<ContactStart>> {
     if let Some(rows) = side_file(root, "contacts", folder)? {
-        return rows.read(&["i", "j", "initial_angle_i", "initial_angle_j"], &[], |row| {
-            let initial_angles = [
-                row.number("initial_angle_i", Range::Finite)?,
-                row.number("initial_angle_j", Range::Finite)?,
-            ];
-            Ok((ContactStart { between: row.pair()?, initial_angles }, row.place()))
-        });
+        return rows.read(
+            &["i", "j", "initial_angle_i", "initial_angle_j"],
+            &[],
+            |row| {
+                let initial_angles = [
+                    row.number("initial_angle_i", Range::Finite)?,
+                    row.number("initial_angle_j", Range::Finite)?,
+                ];
+                Ok((
+                    ContactStart {
+                        between: row.pair()?,
+                        initial_angles,
+                    },
+                    row.place(),
+                ))
+            },
+        );
     }
     let read = |table: &Table| {
         table.allow(&["between", "initial_angles"])?;
@@ -181,23 +225,33 @@ pub fn contacts(root: &Table, folder: &Path) -> Result<Placed<ContactStart>> {
 
 fn place(table: &Table) -> Place {
     let error = table.error("between", "");
-    Place { file: error.file, line: error.line, key: error.key }
+    Place {
+        file: error.file,
+        line: error.line,
+        key: error.key,
+    }
 }
 
 /// The file that stands instead of a list, if the scene names one.
 fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>> {
     let key = format!("{list}_file");
-    let Some(name) = root.optional_text(&key)? else { return Ok(None) };
+    let Some(name) = root.optional_text(&key)? else {
+        return Ok(None);
+    };
     if root.has(list) {
         let accepted = format!("stands instead of [[{list}]]; only one of them may be given");
         return Err(root.error(&key, &accepted));
     }
     let path = folder.join(name);
     match std::fs::read(&path) {
-        Ok(bytes) => Ok(Some(Rows { file: path.display().to_string(), bytes })),
-        Err(error) => {
-            Err(root.error(&key, &format!("must be the name of a readable CSV file: {error}")))
-        }
+        Ok(bytes) => Ok(Some(Rows {
+            file: path.display().to_string(),
+            bytes,
+        })),
+        Err(error) => Err(root.error(
+            &key,
+            &format!("must be the name of a readable CSV file: {error}"),
+        )),
     }
 }
 
@@ -222,15 +276,26 @@ impl Rows {
         optional: &[&str],
         read: impl Fn(&Row) -> Result<T>,
     ) -> Result<Vec<T>> {
-        let mut reader =
-            csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(&self.bytes[..]);
-        let header = reader.headers().map_err(|error| self.broken(&error))?.clone();
+        let mut reader = csv::ReaderBuilder::new()
+            .trim(csv::Trim::All)
+            .from_reader(&self.bytes[..]);
+        let header = reader
+            .headers()
+            .map_err(|error| self.broken(&error))?
+            .clone();
         self.check_header(&header, required, optional)?;
         let mut items = Vec::new();
         for record in reader.records() {
             let record = record.map_err(|error| self.broken(&error))?;
-            let line = record.position().map_or(0, |position| position.line() as usize);
-            items.push(read(&Row { file: &self.file, line, header: &header, record: &record })?);
+            let line = record
+                .position()
+                .map_or(0, |position| position.line() as usize);
+            items.push(read(&Row {
+                file: &self.file,
+                line,
+                header: &header,
+                record: &record,
+            })?);
         }
         Ok(items)
     }
@@ -241,7 +306,10 @@ impl Rows {
         required: &[&str],
         optional: &[&str],
     ) -> Result<()> {
-        let source = Source { file: &self.file, text: "" };
+        let source = Source {
+            file: &self.file,
+            text: "",
+        };
         let known = [required, optional].concat().join(", ");
         let accepted = format!("must be one of the columns: {known}");
         let mut seen = std::collections::HashSet::new();
@@ -265,7 +333,9 @@ impl Rows {
     fn broken(&self, error: &csv::Error) -> SceneError {
         SceneError {
             file: self.file.clone(),
-            line: error.position().map_or(1, |position| position.line() as usize),
+            line: error
+                .position()
+                .map_or(1, |position| position.line() as usize),
             key: String::new(),
             value: String::new(),
             accepted: format!("must be a CSV file in UTF-8 with equally long rows: {error}"),
@@ -280,7 +350,11 @@ impl Row<'_> {
     }
 
     fn place(&self) -> Place {
-        Place { file: self.file.to_owned(), line: self.line, key: "i,j".to_owned() }
+        Place {
+            file: self.file.to_owned(),
+            line: self.line,
+            key: "i,j".to_owned(),
+        }
     }
 
     fn error(&self, key: &str, accepted: &str) -> SceneError {
@@ -302,7 +376,11 @@ impl Row<'_> {
     }
 
     fn optional_number(&self, key: &str, range: Range, default: f64) -> Result<f64> {
-        if self.cell(key).is_none() { Ok(default) } else { self.number(key, range) }
+        if self.cell(key).is_none() {
+            Ok(default)
+        } else {
+            self.number(key, range)
+        }
     }
 
     fn index(&self, key: &str) -> Result<usize> {
@@ -315,7 +393,9 @@ impl Row<'_> {
     }
 
     fn role(&self) -> Result<Role> {
-        let Some(cell) = self.cell("role") else { return Ok(Role::Free) };
+        let Some(cell) = self.cell("role") else {
+            return Ok(Role::Free);
+        };
         let found = ROLES.iter().find(|(name, _)| *name == cell);
         found
             .map(|(_, role)| *role)

@@ -108,13 +108,24 @@ pub struct Roles {
 }
 
 const KEYS: [&str; 11] = [
-    "seed", "sizes", "lattice", "settle", "clip", "bonding", "correct_density", "fault", "relax",
-    "roles", "press",
+    "seed",
+    "sizes",
+    "lattice",
+    "settle",
+    "clip",
+    "bonding",
+    "correct_density",
+    "fault",
+    "relax",
+    "roles",
+    "press",
 ];
 
 /// `[setup]`.
 pub fn setup(root: &Table, domain: &Domain, reading: Reading) -> Result<Option<Setup>> {
-    let Some(table) = root.optional_table("setup")? else { return Ok(None) };
+    let Some(table) = root.optional_table("setup")? else {
+        return Ok(None);
+    };
     table.allow(&KEYS)?;
     let sizes = sizes(&table.table("sizes")?)?;
     let phases = |key: &str, presses: bool| phases(&table, key, presses, domain, reading);
@@ -160,14 +171,26 @@ fn sizes(table: &Table) -> Result<SizeRange> {
 }
 
 fn lattice(table: &Table, sizes: SizeRange, domain: &Domain) -> Result<LatticeTable> {
-    let known = ["arrangement", "pitch", "perturbation", "columns", "rows", "filling", "origin"];
+    let known = [
+        "arrangement",
+        "pitch",
+        "perturbation",
+        "columns",
+        "rows",
+        "filling",
+        "origin",
+    ];
     table.allow(&known)?;
-    let arrangements =
-        [("square", Arrangement::Square), ("hexagonal", Arrangement::Hexagonal)];
-    let arrangement =
-        table.optional_choice("arrangement", &arrangements)?.unwrap_or(Arrangement::Square);
-    let perturbation =
-        table.optional_number("perturbation", Range::NonNegative)?.unwrap_or(0.0);
+    let arrangements = [
+        ("square", Arrangement::Square),
+        ("hexagonal", Arrangement::Hexagonal),
+    ];
+    let arrangement = table
+        .optional_choice("arrangement", &arrangements)?
+        .unwrap_or(Arrangement::Square);
+    let perturbation = table
+        .optional_number("perturbation", Range::NonNegative)?
+        .unwrap_or(0.0);
     let pitch = table
         .optional_number("pitch", Range::Positive)?
         .unwrap_or(2.0 * (sizes.maximum + perturbation));
@@ -192,11 +215,20 @@ fn lattice(table: &Table, sizes: SizeRange, domain: &Domain) -> Result<LatticeTa
         (None, true) => return Err(table.error("filling", "needs box.width and box.height")),
         _ => return Err(table.error("rows", "exactly one of rows and filling is needed")),
     };
-    let margin = domain.width.map_or(0.0, |width| 0.5 * (width - pitch * columns as f64));
+    let margin = domain
+        .width
+        .map_or(0.0, |width| 0.5 * (width - pitch * columns as f64));
     let origin = table
         .optional_pair("origin")?
         .unwrap_or([margin.max(0.0) + 0.5 * pitch, 0.5 * pitch]);
-    Ok(LatticeTable { arrangement, pitch, perturbation, columns, amount, origin })
+    Ok(LatticeTable {
+        arrangement,
+        pitch,
+        perturbation,
+        columns,
+        amount,
+        origin,
+    })
 }
 
 fn phases(
@@ -217,17 +249,23 @@ fn phases(
             step: table.number("step", Range::Positive)?,
             ambient: laws::ambient(table, reading)?,
             external: laws::external(table, domain)?,
-            speed: table.optional_number("speed", Range::Finite)?.unwrap_or(0.0),
+            speed: table
+                .optional_number("speed", Range::Finite)?
+                .unwrap_or(0.0),
         })
     };
     setup.tables(key)?.iter().map(read).collect()
 }
 
 fn bonding(setup: &Table) -> Result<Option<Bonding>> {
-    let Some(table) = setup.optional_table("bonding")? else { return Ok(None) };
+    let Some(table) = setup.optional_table("bonding")? else {
+        return Ok(None);
+    };
     table.allow(&["reach", "strength_spread"])?;
     Ok(Some(Bonding {
-        reach: table.optional_number("reach", Range::Positive)?.unwrap_or(REACH),
+        reach: table
+            .optional_number("reach", Range::Positive)?
+            .unwrap_or(REACH),
         strength_spread: table
             .optional_number("strength_spread", Range::NonNegative)?
             .filter(|&spread| spread < 1.0)
@@ -242,25 +280,36 @@ fn bonding(setup: &Table) -> Result<Option<Bonding>> {
 }
 
 fn fault(setup: &Table, domain: &Domain) -> Result<Option<FaultTable>> {
-    let Some(table) = setup.optional_table("fault")? else { return Ok(None) };
+    let Some(table) = setup.optional_table("fault")? else {
+        return Ok(None);
+    };
     table.allow(&["level", "height", "jags"])?;
     if domain.width.is_none() {
         return Err(setup.error("fault", "needs box.width"));
     }
-    let level = match (table.optional_number("level", Range::Finite)?, domain.height) {
+    let level = match (
+        table.optional_number("level", Range::Finite)?,
+        domain.height,
+    ) {
         (Some(level), _) => level,
         (None, Some(height)) => 0.5 * height,
         (None, None) => return Err(table.error("level", "missing; needed without box.height")),
     };
     Ok(Some(FaultTable {
         level,
-        height: table.optional_number("height", Range::NonNegative)?.unwrap_or(0.0),
-        jags: table.optional_number("jags", Range::NonNegative)?.unwrap_or(0.0),
+        height: table
+            .optional_number("height", Range::NonNegative)?
+            .unwrap_or(0.0),
+        jags: table
+            .optional_number("jags", Range::NonNegative)?
+            .unwrap_or(0.0),
     }))
 }
 
 fn roles(setup: &Table) -> Result<Option<Roles>> {
-    let Some(table) = setup.optional_table("roles")? else { return Ok(None) };
+    let Some(table) = setup.optional_table("roles")? else {
+        return Ok(None);
+    };
     table.allow(&["fixed_below", "fixed_left_of", "driven_above"])?;
     Ok(Some(Roles {
         fixed_below: table.optional_number("fixed_below", Range::Finite)?,

@@ -19,7 +19,13 @@ pub struct Source<'a> {
 impl Source<'_> {
     /// Line of a byte, counted from one.
     pub fn line(&self, byte: usize) -> usize {
-        1 + self.text.as_bytes().iter().take(byte).filter(|&&b| b == b'\n').count()
+        1 + self
+            .text
+            .as_bytes()
+            .iter()
+            .take(byte)
+            .filter(|&&b| b == b'\n')
+            .count()
     }
 
     /// An error at a byte of the file.
@@ -133,12 +139,21 @@ impl<'a> Table<'a> {
             .iter()
             .map(|(key, value)| (key.get_ref().as_ref(), (key.span().start, value)))
             .collect();
-        Self { source, path, at, keys }
+        Self {
+            source,
+            path,
+            at,
+            keys,
+        }
     }
 
     /// Dotted path of a key of this table.
     pub fn key(&self, key: &str) -> String {
-        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+        if self.path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.path)
+        }
     }
 
     /// Whether the key is there.
@@ -157,7 +172,9 @@ impl<'a> Table<'a> {
             if !known.contains(key) {
                 let accepted = format!("unknown key; accepted here: {}", known.join(", "));
                 let path = self.key(&shortened(key));
-                return Err(self.source.error(*at, &path, &shown(value.get_ref()), &accepted));
+                return Err(self
+                    .source
+                    .error(*at, &path, &shown(value.get_ref()), &accepted));
             }
         }
         Ok(())
@@ -177,12 +194,17 @@ impl<'a> Table<'a> {
     }
 
     fn value(&self, key: &str) -> Option<Value<'a>> {
-        self.keys.get(key).map(|(_, value)| Value { source: self.source, value })
+        self.keys.get(key).map(|(_, value)| Value {
+            source: self.source,
+            value,
+        })
     }
 
     /// A number, if the key is there.
     pub fn optional_number(&self, key: &str, range: Range) -> Result<Option<f64>> {
-        let Some(value) = self.value(key) else { return Ok(None) };
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
         match number_of(value.value.get_ref()) {
             Some(number) if range.contains(number) => Ok(Some(number)),
             _ => Err(self.error(key, &range.text())),
@@ -191,12 +213,15 @@ impl<'a> Table<'a> {
 
     /// A number.
     pub fn number(&self, key: &str, range: Range) -> Result<f64> {
-        self.optional_number(key, range)?.ok_or_else(|| self.missing(key, &range.text()))
+        self.optional_number(key, range)?
+            .ok_or_else(|| self.missing(key, &range.text()))
     }
 
     /// A whole number that is not negative, if the key is there.
     pub fn optional_whole(&self, key: &str) -> Result<Option<u64>> {
-        let Some(value) = self.value(key) else { return Ok(None) };
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
         match integer_of(value.value.get_ref()).and_then(|n| u64::try_from(n).ok()) {
             Some(number) => Ok(Some(number)),
             None => Err(self.error(key, "must be a whole number, zero or greater")),
@@ -232,7 +257,9 @@ impl<'a> Table<'a> {
             Some(DeValue::String(text)) => names.iter().find(|(name, _)| *name == text.as_ref()),
             _ => None,
         };
-        found.map(|(_, choice)| Some(*choice)).ok_or_else(|| self.error(key, &accepted))
+        found
+            .map(|(_, choice)| Some(*choice))
+            .ok_or_else(|| self.error(key, &accepted))
     }
 
     /// One of several names.
@@ -244,7 +271,9 @@ impl<'a> Table<'a> {
 
     /// A pair of finite numbers, if the key is there.
     pub fn optional_pair(&self, key: &str) -> Result<Option<[f64; 2]>> {
-        let Some(value) = self.value(key) else { return Ok(None) };
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
         let accepted = "must be an array of two finite numbers";
         let pair = value.array().and_then(|array| match array {
             [a, b] => Some([number_of(a.get_ref())?, number_of(b.get_ref())?]),
@@ -265,7 +294,9 @@ impl<'a> Table<'a> {
     /// A pair of indices.
     pub fn index_pair(&self, key: &str) -> Result<[usize; 2]> {
         let accepted = "must be an array of two particle indices, counted from 0";
-        let Some(value) = self.value(key) else { return Err(self.missing(key, accepted)) };
+        let Some(value) = self.value(key) else {
+            return Err(self.missing(key, accepted));
+        };
         let index = |v: &Spanned<DeValue>| usize::try_from(integer_of(v.get_ref())?).ok();
         let pair = value.array().and_then(|array| match array {
             [a, b] => Some([index(a)?, index(b)?]),
@@ -286,25 +317,30 @@ impl<'a> Table<'a> {
 
     /// A table below this one, if the key is there.
     pub fn optional_table(&self, key: &str) -> Result<Option<Table<'a>>> {
-        let Some((at, value)) = self.keys.get(key) else { return Ok(None) };
+        let Some((at, value)) = self.keys.get(key) else {
+            return Ok(None);
+        };
         match value.get_ref() {
-            DeValue::Table(table) => {
-                Ok(Some(Table::new(self.source, self.key(key), *at, table)))
-            }
+            DeValue::Table(table) => Ok(Some(Table::new(self.source, self.key(key), *at, table))),
             _ => Err(self.error(key, "must be a table")),
         }
     }
 
     /// A table below this one.
     pub fn table(&self, key: &str) -> Result<Table<'a>> {
-        self.optional_table(key)?.ok_or_else(|| self.missing(key, "a table is needed here"))
+        self.optional_table(key)?
+            .ok_or_else(|| self.missing(key, "a table is needed here"))
     }
 
     /// An array of tables; empty where the key is not there.
     pub fn tables(&self, key: &str) -> Result<Vec<Table<'a>>> {
-        let Some(value) = self.value(key) else { return Ok(Vec::new()) };
+        let Some(value) = self.value(key) else {
+            return Ok(Vec::new());
+        };
         let accepted = "must be an array of tables";
-        let Some(array) = value.array() else { return Err(self.error(key, accepted)) };
+        let Some(array) = value.array() else {
+            return Err(self.error(key, accepted));
+        };
         let item = |(i, value): (usize, &'a Spanned<DeValue<'a>>)| match value.get_ref() {
             DeValue::Table(table) => {
                 let path = format!("{}[{i}]", self.key(key));

@@ -1,0 +1,152 @@
+//! What is absent costs nothing and changes nothing; a step allocates nothing.
+
+use crate::worlds::{advance, bits, head, particle, world};
+use gouge_validation::run::{enter, phases};
+use gouge_validation::scene::Scene;
+use gouge_validation::scene::builtin;
+use std::path::Path;
+
+/// A handful of grains that collide, spin and fall apart again.
+fn grains(more: &str) -> String {
+    let mut text = head("velocity-verlet", 1e-8) + more;
+    text += "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n";
+    for i in 0..5 {
+        let x = f64::from(i);
+        text += &particle(
+            [1.9e-3 * x, 0.2e-3 * (x * x)],
+            [2.0 - x, 0.3 * x],
+            100.0 * x,
+            1e-3,
+        );
+    }
+    text
+}
+
+fn outcome(text: &str) -> Vec<u64> {
+    let mut world = world(text);
+    advance(&mut world, 3000);
+    bits(&world)
+}
+
+#[test]
+fn absent_terms_are_terms_with_coefficient_zero() {
+    let bare = outcome(&grains(""));
+    let zero_terms = [
+        "[ambient]\nlaw = \"creeping\"\nviscosity = 0.0\n",
+        "[external]\nlaw = \"gravity\"\nacceleration = 0.0\n",
+        "[box]\nheight = 1.0\n[external]\nlaw = \"harmonic-well\"\nstiffness = 0.0\n",
+        "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.0\ndamping = 1.0\n",
+        "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 1.0\ndamping = 0.0\n",
+        "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.0\nstiffness = 1e7\n",
+        "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.0\nstiffness = 1e7\n",
+        "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1.0\nstiffness = 0.0\n",
+        "[output]\nenergy = false\n",
+        "[box]\nwidth = 1e3\n",
+    ];
+    for term in zero_terms {
+        assert!(outcome(&grains(term)) == bare, "differs with {term}");
+    }
+}
+
+#[test]
+fn the_ledger_changes_no_motion() {
+    let text = |energy: bool| {
+        let tangential =
+            "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 1e7\n";
+        grains(&format!("[output]\nenergy = {energy}\n{tangential}"))
+    };
+    assert!(outcome(&text(true)) == outcome(&text(false)));
+}
+
+/// A small fault in its shear phase, with short phases before.
+fn sheared(integrator: &str, friction: &str) -> gouge_kernel::World {
+    let text = builtin::text("granite-fault-small").expect("built in");
+    let text = text
+        .replace("duration = 0.5e-3", "duration = 2e-6")
+        .replace("duration = 1e-3", "duration = 0.2e-3")
+        .replace(
+            "integrator = \"velocity-verlet\"",
+            &format!("integrator = \"{integrator}\""),
+        )
+        .replace(
+            "law = \"cundall-strack-truncated\"",
+            &format!("law = \"{friction}\""),
+        )
+        .replace("normal_strength = 280e6", "normal_strength = 20e6");
+    let scene = Scene::parse("fault.toml", text.as_bytes(), Path::new(".")).expect("valid");
+    let phases = phases(&scene);
+    let mut world = None;
+    for index in 0..phases.len() {
+        let mut next = enter(&scene, &phases, index, world).expect("enters");
+        if index + 1 < phases.len() {
+            advance(&mut next, phases[index].steps);
+        }
+        world = Some(next);
+    }
+    world.expect("there is a phase")
+}
+
+#[test]
+fn a_step_allocates_nothing() {
+    for integrator in [
+        "euler",
+        "symplectic-euler",
+        "taylor",
+        "velocity-verlet",
+        "beeman",
+    ] {
+        let mut world = sheared(integrator, "cundall-strack-truncated");
+        let bonds = |world: &gouge_kernel::World| world.strong_links().map(|s| s.links.len());
+        advance(&mut world, 2000);
+        let before = bonds(&world);
+        let count = allocation_counter::measure(|| advance(&mut world, 10_000));
+        assert_eq!(
+            count.count_total,
+            0,
+            "{integrator}, bonds {before:?} {:?}",
+            bonds(&world)
+        );
+    }
+}
+
+#[test]
+fn a_recorded_state_continues_with_the_same_bits() {
+    for integrator in [
+        "euler",
+        "symplectic-euler",
+        "taylor",
+        "velocity-verlet",
+        "beeman",
+    ] {
+        for friction in ["cundall-strack", "cundall-strack-truncated"] {
+            let mut world = sheared(integrator, friction);
+            for _ in 0..5 {
+                advance(&mut world, 397);
+                let words = world.to_words();
+                let mut copy = gouge_kernel::World::from_words(*world.model(), &words)
+                    .expect("a state that was just recorded");
+                assert!(copy.to_words() == words);
+                advance(&mut world, 600);
+                advance(&mut copy, 600);
+                assert!(
+                    copy.to_words() == world.to_words(),
+                    "{integrator} {friction}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn damaged_records_are_refused_without_panic() {
+    let world = sheared("beeman", "cundall-strack");
+    let words = world.to_words();
+    for cut in (0..words.len()).step_by(97) {
+        assert!(gouge_kernel::World::from_words(*world.model(), &words[..cut]).is_none());
+    }
+    for place in (0..words.len()).step_by(101) {
+        let mut damaged = words.clone();
+        damaged[place] ^= 1 << 62;
+        let _ = gouge_kernel::World::from_words(*world.model(), &damaged);
+    }
+}
