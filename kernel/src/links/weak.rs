@@ -179,7 +179,12 @@ impl<S: Real> WeakLinks<S> {
     /// Restore memories, in the order of [`remembered`](Self::remembered), as a checkpoint holds them.
     pub fn restore(&mut self, memories: Vec<(Pair, ContactMemory<S>)>) {
         if self.remembers {
-            (self.pairs, self.memory) = memories.into_iter().unzip();
+            self.pairs.clear();
+            self.memory.clear();
+            for (pair, memory) in memories {
+                self.pairs.push(pair);
+                self.memory.push(memory);
+            }
         }
     }
 }
