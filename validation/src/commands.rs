@@ -1,6 +1,8 @@
 //! The commands of the program, apart from reading arguments.
 
+use crate::checks::register;
 use crate::error::Error;
+use crate::report::{self, Record};
 use crate::scene::{INTEGRATORS, Scene, builtin};
 use gouge_kernel::World;
 use gouge_kernel::forces::LinkKind;
@@ -11,6 +13,8 @@ use gouge_kernel::material::Elastic;
 use gouge_kernel::model::{ContactNormal, ContactTangential};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
 
 /// Characteristic Mach number of cracks in thesis section 4.2.
 const MACH_NUMBER: f64 = 15.0;
@@ -36,7 +40,9 @@ pub fn links(scene: &Scene) -> Result<String, Error> {
          normal_velocity,tangential_velocity_i,tangential_velocity_j,normal_force,\
          tangential_force,torque_i,torque_j\n",
     );
-    for link in world_of(scene)?.links() {
+    let mut links = world_of(scene)?.links();
+    links.sort_by_key(|link| link.pair);
+    for link in links {
         let kind = match link.kind {
             LinkKind::Weak => "weak",
             LinkKind::Strong => "strong",
@@ -219,6 +225,40 @@ fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
             crack_bound(elastic, scene.density, radius, MACH_NUMBER),
         ),
     ]
+}
+
+/// Run the checks whose identifier contains a pattern; print one line each and write the reports.
+///
+/// # Errors
+/// Patterns that match nothing, failures of the file system, failed checks.
+pub fn verify(only: Option<&str>, folder: &Path) -> Result<(), Error> {
+    let mut checks = register();
+    checks.retain(|check| only.is_none_or(|pattern| check.id.contains(pattern)));
+    if checks.is_empty() {
+        let all: Vec<&str> = register().iter().map(|check| check.id).collect();
+        return Err(Error::Argument(format!(
+            "no check matches; there are: {}",
+            all.join(", ")
+        )));
+    }
+    std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
+    let mut records = Vec::new();
+    for check in &checks {
+        let began = Instant::now();
+        let found = (check.measure)();
+        let record = Record::new(check, found, began.elapsed().as_secs_f64());
+        println!("{}", record.line());
+        records.push(record);
+    }
+    report::write(folder, &records)?;
+    match records
+        .iter()
+        .filter(|record| record.status == "fail")
+        .count()
+    {
+        0 => Ok(()),
+        failed => Err(Error::Checks(failed, records.len())),
+    }
 }
 
 /// The built-in scenes, or the text of one.

@@ -1,7 +1,9 @@
 //! Scenes, runs, checks and reports around the gouge kernel.
 
+pub mod checks;
 pub mod commands;
 pub mod error;
-//pub mod oracles;
+pub mod oracles;
+pub mod report;
 pub mod run;
 pub mod scene;

@@ -75,7 +75,7 @@ fn run_length(text: &str) -> usize {
 mod tests {
     use super::render;
 
-    const X: &str = "<math><mi>x</mi></math>";
+    const X: &str = r#"<math style="padding:.35em 0"><mi>x</mi></math>"#;
 
     #[test]
     fn inline_formulas_are_replaced_in_place() {
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn display_formulas_become_blocks() {
-        let block = r#" <math display="block"><mi>x</mi></math>"#;
+        let block = r#" <math display="block" style="padding:.35em 0"><mi>x</mi></math>"#;
         assert_eq!(render(" $$ x $$").as_deref(), Ok(block));
     }
 

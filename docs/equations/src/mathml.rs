@@ -7,8 +7,22 @@ pub fn render(tex: &str, display: MathDisplay) -> Result<String, String> {
     let tex = tex.trim();
     LatexToMathML::default()
         .convert_with_local_state(tex, display)
-        .map(|result| protect(&result.mathml))
+        .map(|result| protect(&adjust(&result.mathml)))
         .map_err(|error| format!("the formula `{tex}` cannot be rendered: {error}"))
+}
+
+/// Makes up for what browsers draw badly.
+///
+/// The combining arrow of a vector has no width, so it lands on the symbol to the left: a small
+/// arrow which has one takes its place. The padding makes room for accents and limits, which
+/// otherwise reach out of the paragraph and give it a scroll bar.
+fn adjust(mathml: &str) -> String {
+    let arrow = r#"<mo stretchy="false" style="font-size:75%">→</mo>"#;
+    let mathml = mathml.replace("<mo stretchy=\"false\">\u{20d7}</mo>", arrow);
+    match mathml.split_once('>') {
+        Some((tag, rest)) => format!(r#"{tag} style="padding:.35em 0">{rest}"#),
+        None => mathml,
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -60,7 +74,10 @@ mod tests {
     /// Asserts that the formula converts to MathML with all the given parts.
     fn shows(tex: &str, parts: &[&str]) {
         let mathml = block(tex);
-        assert!(mathml.starts_with(r#"<math display="block">"#), "{mathml}");
+        assert!(
+            mathml.starts_with(r#"<math display="block" style="#),
+            "{mathml}"
+        );
         assert!(
             mathml.ends_with("</math>") && !mathml.contains(['\n', '|']),
             "{mathml}"
@@ -82,7 +99,7 @@ mod tests {
 
     #[test]
     fn inline_formulas_are_not_blocks() {
-        let x = "<math><mi>x</mi></math>";
+        let x = r#"<math style="padding:.35em 0"><mi>x</mi></math>"#;
         assert_eq!(render(" x ", MathDisplay::Inline).as_deref(), Ok(x));
     }
 
@@ -105,6 +122,15 @@ mod tests {
         shows(r"\partial_t u", &["∂", "<mi>t</mi>"]);
         shows(r"\mathrm{per}\, x", &["per", "<mspace"]);
         shows(r"a \text{ for } b", &["<mtext>", "for"]);
+    }
+
+    #[test]
+    fn arrows_of_vectors_have_a_width() {
+        let mathml = block(r"\vec x");
+        assert!(
+            mathml.contains(">→</mo>") && !mathml.contains('\u{20d7}'),
+            "{mathml}"
+        );
     }
 
     #[test]

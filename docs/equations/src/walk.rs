@@ -123,7 +123,7 @@ mod tests {
     use proc_macro2::{Delimiter, Group, TokenStream};
     use quote::quote;
 
-    const X: &str = " <math><mi>x</mi></math>";
+    const X: &str = r#" <math style="padding:.35em 0"><mi>x</mi></math>"#;
 
     fn assert_renders(item: TokenStream, expected: TokenStream) {
         assert_eq!(render(item).to_string(), expected.to_string());

@@ -10,10 +10,7 @@ use crate::world::World;
 pub(crate) fn check<S: Real>(world: &World<S>) -> Result<(), StepError> {
     let p = &world.particles;
     let step = world.model.time_step;
-    let cell = world
-        .weak
-        .as_ref()
-        .map_or(f64::INFINITY, |weak| weak.neighbors().cell_side());
+    let cell = farthest(world);
     for i in 0..p.len() {
         let is_finite = p.position[i].is_finite()
             && p.velocity[i].is_finite()

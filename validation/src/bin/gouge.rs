@@ -42,6 +42,15 @@ enum Command {
         /// A scene file, or the name of a built-in scene
         scene: String,
     },
+    /// Run the checks and write report.html and report.json
+    Verify {
+        /// Only checks whose identifier contains this
+        #[arg(long)]
+        only: Option<String>,
+        /// Folder for the reports
+        #[arg(long, default_value = "out/verify")]
+        out: PathBuf,
+    },
     /// List the built-in scenes, or print one
     Scenes {
         /// Name of a built-in scene
@@ -59,6 +68,7 @@ fn execute(command: Command) -> Result<(), Error> {
         } => {
             return run::run(&Scene::load(&scene)?, &out, resume, quiet);
         }
+        Command::Verify { only, out } => return commands::verify(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,
         Command::Stability { scene } => commands::stability(&Scene::load(&scene)?)?,
         Command::Scenes { name } => commands::scenes(name.as_deref())?,

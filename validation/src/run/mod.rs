@@ -8,6 +8,7 @@ mod progress;
 mod stub;
 mod trajectory;
 
+pub use checkpoint::write_whole;
 pub use plan::{Kind, Phase, enter, phases};
 
 use crate::error::Error;

@@ -136,7 +136,7 @@ fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
         },
     };
     let file = Vtk {
-        version: Version::new((4, 2)),
+        version: Version::new_legacy(4, 2),
         title: format!("t = {:?} s", world.time()),
         byte_order: ByteOrder::BigEndian,
         file_path: None,
