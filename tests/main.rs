@@ -8,3 +8,4 @@ mod pay_for_use;
 mod program;
 mod readings;
 mod worlds;
+mod commands;

@@ -168,23 +168,17 @@ mod tests {
 
     #[test]
     fn raw_and_escaped_literals_mean_the_same() {
-        let expected = quote!(
-            #[doc = " <math><mi>α</mi></math>"]
+        let raw = render(quote!(
+            #[doc = r" $\alpha$"]
             struct A;
-        );
-        assert_renders(
-            quote!(
-                #[doc = r" $\alpha$"]
-                struct A;
-            ),
-            expected.clone(),
-        );
+        ));
+        assert!(raw.to_string().contains("<mi>α</mi>"));
         assert_renders(
             quote!(
                 #[doc = " $\\alpha$"]
                 struct A;
             ),
-            expected,
+            raw,
         );
     }
 

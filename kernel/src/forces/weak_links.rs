@@ -231,7 +231,7 @@ pub(crate) fn stored_in_weak_links<S: Real, M: Metric, A: Arm, N: NormalLaw, T: 
             .displacement(particles.position[i], particles.position[j]);
         let radii = [particles.radius[i], particles.radius[j]];
         let frame = PairFrame::new(displacement);
-        if !(frame.distance < radii[0] + radii[1]) {
+        if frame.distance >= radii[0] + radii[1] {
             continue;
         }
         let mut memory = match weak.memory.get(position) {

@@ -117,7 +117,7 @@ fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
             num_cells: p.len() as u32,
             vertices,
         }),
-        lines: (!bonds.is_empty()).then(|| VertexNumbers::Legacy {
+        lines: (!bonds.is_empty()).then_some(VertexNumbers::Legacy {
             num_cells: bonds.len() as u32 / 3,
             vertices: bonds,
         }),

@@ -1,0 +1,177 @@
+//! The commands and their outputs, as the contract fixes them.
+
+use crate::program::{run, stderr, stdout, write_scene};
+use crate::worlds::{head, particle};
+use serde_json::Value;
+
+const CONTACT: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
+    [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e7\n";
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+#[test]
+fn links_prints_every_pair_with_its_forces() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = head("euler", 1e-9)
+        + CONTACT
+        + "[bond.normal]\nstiffness = 2e7\ndamping = 0.0\n\
+           [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 0.0\n"
+        + &particle([0.0, 0.0], [1.0, 0.0], 0.0, 1e-3)
+        + &particle([1.9e-3, 0.0], [0.0, 0.0], 0.0, 1e-3)
+        + &particle([1.9e-3, 2.1e-3], [0.0, 0.0], 0.0, 1e-3)
+        + "[[bonds]]\nbetween = [2, 1]\ninitial_distance = 2e-3\n\
+           [[contacts]]\nbetween = [0, 1]\ninitial_angles = [0.01, 3.1315926535897933]\n";
+    let path = write_scene(folder.path(), &text);
+    let output = run(&["links", path.to_str().expect("UTF-8")]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = stdout(&output);
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next(),
+        Some(
+            "i,j,kind,overlap_factor,focal_x,focal_y,normal_x,normal_y,normal_displacement,\
+             adjusted_normal_displacement,tangential_displacement_i,tangential_displacement_j,\
+             normal_velocity,tangential_velocity_i,tangential_velocity_j,normal_force,\
+             tangential_force,torque_i,torque_j"
+        )
+    );
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 2);
+    let number = |row: &[&str], column: usize| row[column].parse::<f64>().expect("a number");
+    let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-9 * b.abs(), "{a} {b}");
+    assert_eq!(rows[0][..3], ["0", "1", "weak"]);
+    near(number(&rows[0], 8), 1e-4);
+    near(number(&rows[0], 12), 1.0);
+    near(number(&rows[0], 15), -1010.0);
+    // psi began at 0.01 and pi - 0.01; both ends are now at 0 and pi: zeta = -+0.01 mm cancel.
+    near(number(&rows[0], 10), -1e-5);
+    near(number(&rows[0], 11), 1e-5);
+    assert!(number(&rows[0], 16).abs() < 1e-6);
+    assert_eq!(rows[1][..3], ["1", "2", "strong"]);
+    near(number(&rows[1], 9), -1e-4);
+    near(number(&rows[1], 15), 2000.0);
+}
+
+#[test]
+fn stability_names_bounds_and_verdict() {
+    let output = run(&["stability", "granite-fault-small"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let report = json(&stdout(&output));
+    assert_eq!(report["integrator"], "velocity-verlet");
+    assert_eq!(report["time_step"], 1e-8);
+    assert_eq!(report["satisfied"], true);
+    let bounds = report["bounds"].as_array().expect("a list");
+    let smallest = bounds.iter().filter_map(|b| b["step"].as_f64()).fold(1.0, f64::min);
+    assert_eq!(report["smallest_bound"].as_f64(), Some(smallest));
+}
+
+#[test]
+fn scenes_lists_and_prints() {
+    let list = stdout(&run(&["scenes"]));
+    for name in [
+        "granite-fault",
+        "granite-fault-small",
+        "head-on",
+        "oblique",
+        "rolling",
+        "pile",
+        "cantilever",
+        "three-point-bend",
+    ] {
+        assert!(list.lines().any(|line| line.split_whitespace().next() == Some(name)));
+        let text = stdout(&run(&["scenes", name]));
+        let path = std::path::Path::new(".");
+        let scene = gouge_validation::scene::Scene::parse(name, text.as_bytes(), path);
+        assert!(scene.is_ok(), "{name}: {:?}", scene.err());
+    }
+}
+
+#[test]
+fn a_run_leaves_what_the_contract_lists() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = stdout(&run(&["scenes", "three-point-bend"])).replace("end = 3e-3", "end = 3e-5");
+    let path = write_scene(folder.path(), &text);
+    let out = folder.path().join("out");
+    let output = run(&["run", path.to_str().expect("UTF-8"), "--out", out.to_str().expect("UTF-8")]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let read = |name: &str| std::fs::read_to_string(out.join(name)).expect(name);
+    let summary = json(&read("summary.json"));
+    for key in [
+        "status",
+        "steps",
+        "time",
+        "particles",
+        "bonds_initial",
+        "bonds_broken",
+        "wall_seconds",
+        "particle_steps_per_second",
+        "link_steps_per_second",
+        "version",
+        "scene_sha256",
+        "energy",
+        "series_columns",
+    ] {
+        assert!(!summary[key].is_null(), "{key} is missing");
+    }
+    assert_eq!(summary["status"], "done");
+    assert_eq!(summary["steps"], 600);
+    let columns = "time,kinetic,contact,external,ambient,friction,breaking,bonding,driving,residual,\
+        friction_load,friction_feedback,drive_force_x,drive_force_y,bonds,fragments";
+    let series = read("series.csv");
+    assert_eq!(series.lines().next(), Some(columns));
+    let times: Vec<f64> = series
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').next().and_then(|t| t.parse().ok()).expect("a time"))
+        .collect();
+    assert_eq!(times.first(), Some(&0.0));
+    assert!(times.windows(2).all(|two| two[0] < two[1]));
+    assert!((times[times.len() - 1] - 3e-5).abs() < 1e-18);
+    let particles = read("particles.csv");
+    assert!(particles.starts_with("id,x,y,vx,vy,angle,angular_velocity,radius,role\n"));
+    assert_eq!(particles.lines().count(), 1 + 183);
+    assert!(read("picture.svg").contains("<circle"));
+    assert!(out.join("checkpoint").exists());
+    assert!(out.join("trajectory/frame_000000.vtk").exists());
+}
+
+#[test]
+fn sums_of_the_balance_are_those_of_the_summary() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    let output = run(&["run", "head-on", "--quiet", "--out", out.to_str().expect("UTF-8")]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = std::fs::read_to_string(out.join("summary.json")).expect("summary");
+    let energy = json(&text)["energy"].clone();
+    let term = |name: &str| energy[name].as_f64().expect("a number");
+    let left = term("kinetic") + term("contact") + term("external") + term("ambient")
+        + term("friction")
+        + term("breaking");
+    let initial = 2.0 * 0.5 * 1.130973355292325e-5 * 0.25;
+    let residual = left - initial - term("bonding") - term("driving");
+    assert!((residual - term("residual")).abs() < 1e-20);
+    assert!(term("residual").abs() < 1e-5 * initial);
+}
+
+#[test]
+fn verify_selects_and_reports() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let output = run(&["verify", "--only", "order", "--out", out]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = std::fs::read_to_string(folder.path().join("report.json")).expect("report");
+    let checks = json(&text)["checks"].as_array().expect("a list").len();
+    assert_eq!(stdout(&output).lines().count(), checks);
+    assert!(folder.path().join("report.html").exists());
+    assert_eq!(run(&["verify", "--only", "nonsense", "--out", out]).status.code(), Some(2));
+}
+
+#[test]
+fn every_check_of_the_register_passes() {
+    for check in gouge_validation::checks::register() {
+        let found = (check.measure)();
+        assert!(found.passes(), "{}: {found:?}", check.id);
+    }
+}
