@@ -14,7 +14,11 @@ fn block(contact: &str, bond: &str, ledger: bool) -> Option<World> {
          [setup]\nseed = 1\n[setup.sizes]\nmean = 1e-3\n\
          [setup.lattice]\narrangement = \"hexagonal\"\npitch = 2e-3\ncolumns = 50\nrows = 50\n"
     );
-    let text = if bond.is_empty() { head } else { head + "[setup.bonding]\n" };
+    let text = if bond.is_empty() {
+        head
+    } else {
+        head + "[setup.bonding]\n"
+    };
     let scene = Scene::parse("bench", text.as_bytes(), Path::new(".")).ok()?;
     gouge_validation::run::enter(&scene, &gouge_validation::run::phases(&scene), 0, None).ok()
 }
@@ -31,18 +35,44 @@ const BOND: &str = "[bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
 fn steps(criterion: &mut Criterion) {
     let cases = [
         ("contacts/frictionless", NORMAL.to_owned(), "", false),
-        ("contacts/haff-werner", format!("{NORMAL}{HAFF_WERNER}"), "", false),
-        ("contacts/cundall-strack-truncated", format!("{NORMAL}{CUNDALL_STRACK}"), "", false),
+        (
+            "contacts/haff-werner",
+            format!("{NORMAL}{HAFF_WERNER}"),
+            "",
+            false,
+        ),
+        (
+            "contacts/cundall-strack-truncated",
+            format!("{NORMAL}{CUNDALL_STRACK}"),
+            "",
+            false,
+        ),
         ("bonds", String::new(), BOND, false),
-        ("bonds and contacts", format!("{NORMAL}{CUNDALL_STRACK}"), BOND, false),
-        ("bonds and contacts/ledger", format!("{NORMAL}{CUNDALL_STRACK}"), BOND, true),
+        (
+            "bonds and contacts",
+            format!("{NORMAL}{CUNDALL_STRACK}"),
+            BOND,
+            false,
+        ),
+        (
+            "bonds and contacts/ledger",
+            format!("{NORMAL}{CUNDALL_STRACK}"),
+            BOND,
+            true,
+        ),
     ];
     let mut group = criterion.benchmark_group("step of 2500 particles");
     for (name, contact, bond, ledger) in cases {
-        let Some(world) = block(&contact, bond, ledger) else { continue };
+        let Some(world) = block(&contact, bond, ledger) else {
+            continue;
+        };
         group.throughput(Throughput::Elements(world.particles().len() as u64));
         group.bench_function(name, |bencher| {
-            bencher.iter_batched_ref(|| world.clone(), |world| black_box(world.step()), BatchSize::LargeInput);
+            bencher.iter_batched_ref(
+                || world.clone(),
+                |world| black_box(world.step()),
+                BatchSize::LargeInput,
+            );
         });
     }
     group.finish();

@@ -63,7 +63,10 @@ fn stability_names_bounds_and_verdict() {
     assert_eq!(report["time_step"], 1e-8);
     assert_eq!(report["satisfied"], true);
     let bounds = report["bounds"].as_array().expect("a list");
-    let smallest = bounds.iter().filter_map(|b| b["step"].as_f64()).fold(1.0, f64::min);
+    let smallest = bounds
+        .iter()
+        .filter_map(|b| b["step"].as_f64())
+        .fold(1.0, f64::min);
     assert_eq!(report["smallest_bound"].as_f64(), Some(smallest));
 }
 
@@ -80,7 +83,10 @@ fn scenes_lists_and_prints() {
         "cantilever",
         "three-point-bend",
     ] {
-        assert!(list.lines().any(|line| line.split_whitespace().next() == Some(name)));
+        assert!(
+            list.lines()
+                .any(|line| line.split_whitespace().next() == Some(name))
+        );
         let text = stdout(&run(&["scenes", name]));
         let path = std::path::Path::new(".");
         let scene = gouge_validation::scene::Scene::parse(name, text.as_bytes(), path);
@@ -94,7 +100,12 @@ fn a_run_leaves_what_the_contract_lists() {
     let text = stdout(&run(&["scenes", "three-point-bend"])).replace("end = 3e-3", "end = 3e-5");
     let path = write_scene(folder.path(), &text);
     let out = folder.path().join("out");
-    let output = run(&["run", path.to_str().expect("UTF-8"), "--out", out.to_str().expect("UTF-8")]);
+    let output = run(&[
+        "run",
+        path.to_str().expect("UTF-8"),
+        "--out",
+        out.to_str().expect("UTF-8"),
+    ]);
     assert!(output.status.success(), "{}", stderr(&output));
     let read = |name: &str| std::fs::read_to_string(out.join(name)).expect(name);
     let summary = json(&read("summary.json"));
@@ -124,7 +135,12 @@ fn a_run_leaves_what_the_contract_lists() {
     let times: Vec<f64> = series
         .lines()
         .skip(1)
-        .map(|line| line.split(',').next().and_then(|t| t.parse().ok()).expect("a time"))
+        .map(|line| {
+            line.split(',')
+                .next()
+                .and_then(|t| t.parse().ok())
+                .expect("a time")
+        })
         .collect();
     assert_eq!(times.first(), Some(&0.0));
     assert!(times.windows(2).all(|two| two[0] < two[1]));
@@ -141,12 +157,21 @@ fn a_run_leaves_what_the_contract_lists() {
 fn sums_of_the_balance_are_those_of_the_summary() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");
-    let output = run(&["run", "head-on", "--quiet", "--out", out.to_str().expect("UTF-8")]);
+    let output = run(&[
+        "run",
+        "head-on",
+        "--quiet",
+        "--out",
+        out.to_str().expect("UTF-8"),
+    ]);
     assert!(output.status.success(), "{}", stderr(&output));
     let text = std::fs::read_to_string(out.join("summary.json")).expect("summary");
     let energy = json(&text)["energy"].clone();
     let term = |name: &str| energy[name].as_f64().expect("a number");
-    let left = term("kinetic") + term("contact") + term("external") + term("ambient")
+    let left = term("kinetic")
+        + term("contact")
+        + term("external")
+        + term("ambient")
         + term("friction")
         + term("breaking");
     let initial = 2.0 * 0.5 * 1.130973355292325e-5 * 0.25;
@@ -165,7 +190,12 @@ fn verify_selects_and_reports() {
     let checks = json(&text)["checks"].as_array().expect("a list").len();
     assert_eq!(stdout(&output).lines().count(), checks);
     assert!(folder.path().join("report.html").exists());
-    assert_eq!(run(&["verify", "--only", "nonsense", "--out", out]).status.code(), Some(2));
+    assert_eq!(
+        run(&["verify", "--only", "nonsense", "--out", out])
+            .status
+            .code(),
+        Some(2)
+    );
 }
 
 #[test]

@@ -9,3 +9,5 @@ mod program;
 mod readings;
 mod worlds;
 mod commands;
+mod estimators;
+mod distributions;

@@ -29,6 +29,8 @@ pub struct LinkState {
     pub focal_point: Vec2,
     /// Normal from i to j.
     pub normal: Vec2,
+    /// Distance of the centres in m.
+    pub distance: f64,
     /// Normal displacement in m.
     pub normal_displacement: f64,
     /// Adjusted normal displacement of a bond in m; zero for a contact.
@@ -69,6 +71,7 @@ fn common<S: Real>(
         overlap_factor: factor.to_f64(),
         focal_point: double(focal_point),
         normal: double(frame.normal),
+        distance: frame.distance.to_f64(),
         normal_displacement: frame.normal_displacement(radii).to_f64(),
         adjusted_normal_displacement: 0.0,
         tangential_displacement: [0.0; 2],

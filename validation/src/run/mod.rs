@@ -5,7 +5,6 @@ mod output;
 mod picture;
 mod plan;
 mod progress;
-mod stub;
 mod trajectory;
 
 pub use checkpoint::write_whole;

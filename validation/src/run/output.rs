@@ -1,11 +1,10 @@
 //! The files that a run leaves: series, summary and final particles.
 
 use super::checkpoint::write_whole;
-use super::stub::fragments;
 use crate::error::Error;
 use crate::scene::{Scene, role_name};
 use gouge_kernel::World;
-use gouge_kernel::estimators::{Energy, friction_feedback, friction_load};
+use gouge_kernel::estimators::{Energy, fragments, friction_feedback, friction_load};
 use gouge_kernel::particles::Particles;
 use serde::Serialize;
 use std::fs::File;

@@ -1,10 +1,10 @@
 //! One picture of the final state, fragments coloured, after thesis figure 11.
 
 use super::checkpoint::write_whole;
-use super::stub::fragments;
 use crate::error::Error;
 use crate::scene::Scene;
 use gouge_kernel::World;
+use gouge_kernel::estimators::fragments;
 use gouge_kernel::particles::{Particles, Role};
 use std::path::Path;
 use svg::Document;

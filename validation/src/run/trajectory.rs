@@ -1,10 +1,10 @@
 //! Frames of a trajectory, for ParaView (VTK) and OVITO (extended XYZ).
 
 use super::checkpoint::write_whole;
-use super::stub::fragments;
 use crate::error::Error;
 use crate::scene::{Scene, Trajectory, role_name};
 use gouge_kernel::World;
+use gouge_kernel::estimators::fragments;
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::particles::Role;
 use std::fmt::Write;

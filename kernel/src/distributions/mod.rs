@@ -1,0 +1,19 @@
+//! Distributions of sizes and strengths in closed form, thesis appendices B, E and F.
+
+mod number;
+mod strength;
+mod uniform;
+mod weibull;
+
+pub use number::{DENSEST_DISCS, DENSEST_SPHERES, discs_in_square, spheres_in_cube};
+pub use strength::{Power, WeakestProduct};
+pub use uniform::{Uniform, UniformProduct, UniformSum, crystallises};
+pub use weibull::Weibull;
+
+/// A continuous random variable.
+pub trait Distribution {
+    /// Probability density.
+    fn density(&self, x: f64) -> f64;
+    /// Probability of a value not above x.
+    fn cumulative(&self, x: f64) -> f64;
+}

@@ -1,0 +1,48 @@
+//! The three-parameter Weibull distribution.
+
+use super::Distribution;
+use gouge_equations::rendered;
+
+/// Weibull distribution with a location.
+///
+/// $$ F(x) = 1 - \exp \left( - \left( \frac{x - x_0}{\lambda} \right)^k \right), \qquad x \ge x_0 $$
+#[rendered]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weibull {
+    /// Smallest value.
+    pub location: f64,
+    /// Scale.
+    pub scale: f64,
+    /// Shape: the Weibull modulus k.
+    pub shape: f64,
+}
+
+impl Weibull {
+    fn moment(&self, order: f64) -> f64 {
+        libm::tgamma(1.0 + order / self.shape)
+    }
+    /// Mean.
+    pub fn mean(&self) -> f64 {
+        self.location + self.scale * self.moment(1.0)
+    }
+    /// Variance.
+    pub fn variance(&self) -> f64 {
+        let first = self.moment(1.0);
+        self.scale * self.scale * (self.moment(2.0) - first * first)
+    }
+}
+
+impl Distribution for Weibull {
+    fn density(&self, x: f64) -> f64 {
+        let u = (x - self.location) / self.scale;
+        if u <= 0.0 {
+            return 0.0;
+        }
+        let power = libm::pow(u, self.shape);
+        self.shape / self.scale * power / u * libm::exp(-power)
+    }
+    fn cumulative(&self, x: f64) -> f64 {
+        let u = ((x - self.location) / self.scale).max(0.0);
+        -libm::expm1(-libm::pow(u, self.shape))
+    }
+}

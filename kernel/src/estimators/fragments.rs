@@ -1,0 +1,65 @@
+//! Fragments: what strong links hold together.
+
+use crate::scalar::Real;
+use crate::world::World;
+
+/// The connected components of the strong links.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fragments {
+    /// How many there are; a particle without bonds is one of its own.
+    pub number: usize,
+    /// Fragment of each particle, numbered in the order of their first particles.
+    pub label: Vec<usize>,
+}
+
+/// The fragments of a world.
+pub fn fragments<S: Real>(world: &World<S>) -> Fragments {
+    let links = world.strong_links().map_or(&[][..], |strong| &strong.links);
+    connected(
+        world.particles().len(),
+        links.iter().map(|link| link.pair.indices()),
+    )
+}
+
+/// Connected components of a graph with so many nodes, by union of the smaller root.
+pub fn connected(nodes: usize, edges: impl Iterator<Item = (usize, usize)>) -> Fragments {
+    let mut parent: Vec<usize> = (0..nodes).collect();
+    for (i, j) in edges {
+        let (a, b) = (root(&mut parent, i), root(&mut parent, j));
+        parent[a.max(b)] = a.min(b);
+    }
+    let mut label = vec![0; nodes];
+    let mut number = 0;
+    for i in 0..nodes {
+        let first = root(&mut parent, i);
+        if first == i {
+            label[i] = number;
+            number += 1;
+        } else {
+            label[i] = label[first];
+        }
+    }
+    Fragments { number, label }
+}
+
+/// Root of a node, halving the path on the way.
+fn root(parent: &mut [usize], mut node: usize) -> usize {
+    while parent[node] != node {
+        parent[node] = parent[parent[node]];
+        node = parent[node];
+    }
+    node
+}
+
+#[cfg(test)]
+mod tests {
+    use super::connected;
+
+    #[test]
+    fn a_chain_a_ring_and_loners_are_told_apart() {
+        let edges = [(5, 2), (2, 8), (1, 3), (3, 7), (7, 1)];
+        let found = connected(9, edges.into_iter());
+        assert_eq!(found.number, 5);
+        assert_eq!(found.label, [0, 1, 2, 1, 3, 2, 4, 1, 2]);
+    }
+}

@@ -1,0 +1,23 @@
+//! How densely and how well connected a packing is.
+
+use crate::scalar::Real;
+use crate::world::World;
+use core::f64::consts::PI;
+use gouge_equations::rendered;
+
+/// Packing fraction of discs in a box, dimensionless.
+///
+/// $$ q = \frac{\pi}{l^x l^y} \sum_i r_i^2 $$
+///
+/// Thesis eq. (68), for an area in m^2. At most 0.9069 for equal discs that do not overlap; the bound
+/// that the thesis prints is that of spheres in space (E24 of `docs/errata.md`).
+#[rendered]
+pub fn packing_fraction(radii: &[f64], area: f64) -> f64 {
+    PI * radii.iter().map(|r| r * r).sum::<f64>() / area
+}
+
+/// Mean number of links a particle, weak and strong together, zero without particles.
+pub fn coordination_number<S: Real>(world: &World<S>) -> f64 {
+    let number = world.particles().len().max(1);
+    2.0 * world.links().len() as f64 / number as f64
+}

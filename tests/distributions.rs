@@ -1,0 +1,204 @@
+//! Distributions against quadrature and samples.
+
+use gouge_kernel::distributions::{
+    DENSEST_DISCS, Distribution, Power, Uniform, UniformProduct, UniformSum, WeakestProduct,
+    Weibull, crystallises, discs_in_square, spheres_in_cube,
+};
+use gouge_kernel::setup::SizeRange;
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+/// Largest distance between the cumulative distribution and that of samples.
+fn distance(law: &impl Distribution, mut samples: Vec<f64>) -> f64 {
+    samples.sort_by(f64::total_cmp);
+    let n = samples.len() as f64;
+    let gap = |(k, x): (usize, &f64)| {
+        let f = law.cumulative(*x);
+        (f - k as f64 / n).abs().max((f - (k + 1) as f64 / n).abs())
+    };
+    samples.iter().enumerate().map(gap).fold(0.0, f64::max)
+}
+
+/// Whether the density is the slope of the cumulative distribution everywhere.
+fn slope_error(law: &impl Distribution, low: f64, high: f64) -> f64 {
+    let h = (high - low) * 1e-5;
+    let at = |k: u32| low + (high - low) * (f64::from(k) + 0.37) / 997.0;
+    let scale = (0..997).map(|k| law.density(at(k))).fold(0.0, f64::max);
+    let error = |x: f64| {
+        let slope = (law.cumulative(x + h) - law.cumulative(x - h)) / (2.0 * h);
+        (slope - law.density(x)).abs() / scale
+    };
+    (0..997).map(|k| error(at(k))).fold(0.0, f64::max)
+}
+
+const N: usize = 100_000;
+/// Kolmogorov's bound that a true law exceeds once in 10^8: sqrt(ln(2 10^8) / 2 N).
+const BOUND: f64 = 9.78e-3;
+
+#[test]
+fn closed_forms_are_the_laws_of_samples() {
+    let mut random = Pcg64::new(1, 2);
+    let mut draw = |u: &Uniform| u.low + (u.high - u.low) * random.random::<f64>();
+    // Both orders of the cases of (122) and (124).
+    let wide = Uniform {
+        low: 0.8,
+        high: 1.3,
+    };
+    let narrow = Uniform {
+        low: 0.9,
+        high: 1.1,
+    };
+    for (a, b) in [(wide, narrow), (narrow, wide)] {
+        let pairs: Vec<(f64, f64)> = (0..N).map(|_| (draw(&a), draw(&b))).collect();
+        let sums = pairs.iter().map(|(x, y)| x + y).collect();
+        let products = pairs.iter().map(|(x, y)| x * y).collect();
+        let squares = pairs.iter().map(|(x, y)| x * y * x * y).collect();
+        assert!(distance(&UniformSum(a, b), sums) < BOUND);
+        assert!(distance(&UniformProduct(a, b), products) < BOUND);
+        let square = Power {
+            of: UniformProduct(a, b),
+            exponent: 2.0,
+        };
+        assert!(distance(&square, squares) < BOUND);
+    }
+    let weakest = WeakestProduct {
+        radius: wide,
+        factor: narrow,
+    };
+    let samples = (0..N)
+        .map(|_| draw(&narrow) * draw(&wide).min(draw(&wide)))
+        .collect();
+    assert!(distance(&weakest, samples) < BOUND);
+    // The single radius of the thesis is another law, and the bound can tell.
+    let other = (0..N).map(|_| draw(&narrow) * draw(&wide)).collect();
+    assert!(distance(&weakest, other) > 10.0 * BOUND);
+}
+
+#[test]
+fn densities_are_slopes_of_cumulatives() {
+    let a = Uniform {
+        low: 0.8,
+        high: 1.3,
+    };
+    let b = Uniform {
+        low: 0.9,
+        high: 1.1,
+    };
+    assert!(slope_error(&UniformSum(a, b), 1.5, 2.6) < 1e-3);
+    assert!(slope_error(&UniformProduct(a, b), 0.6, 1.6) < 1e-3);
+    assert!(
+        slope_error(
+            &Power {
+                of: UniformProduct(a, b),
+                exponent: 2.0
+            },
+            0.4,
+            2.3
+        ) < 1e-3
+    );
+    assert!(
+        slope_error(
+            &WeakestProduct {
+                radius: a,
+                factor: b
+            },
+            0.6,
+            1.6
+        ) < 1e-3
+    );
+    assert!(
+        slope_error(
+            &Weibull {
+                location: 0.5,
+                scale: 0.6,
+                shape: 2.2
+            },
+            0.4,
+            2.0
+        ) < 1e-3
+    );
+}
+
+#[test]
+fn the_strength_of_the_thesis_has_its_moments() {
+    let sizes = SizeRange::around(1.0);
+    let radius = Uniform {
+        low: sizes.minimum,
+        high: sizes.maximum,
+    };
+    let factor = Uniform {
+        low: 0.9,
+        high: 1.1,
+    };
+    // Mean and coefficient of variation by quadrature of 1 - F and of 2 q (1 - F).
+    let moments = |law: &dyn Distribution| {
+        let (n, top) = (200_000, 2.0);
+        let h = top / f64::from(n);
+        let (mut first, mut second) = (0.0, 0.0);
+        for k in 0..n {
+            let q = (f64::from(k) + 0.5) * h;
+            let above = 1.0 - law.cumulative(q);
+            first += h * above;
+            second += 2.0 * h * q * above;
+        }
+        (first, (second - first * first).sqrt() / first)
+    };
+    let (mean, spread) = moments(&Power {
+        of: UniformProduct(radius, factor),
+        exponent: 2.0,
+    });
+    assert!(
+        (mean - 1.013_18).abs() < 1e-5 && (spread - 0.228_76).abs() < 1e-5,
+        "{mean} {spread}"
+    );
+    let (mean, spread) = moments(&Power {
+        of: WeakestProduct { radius, factor },
+        exponent: 2.0,
+    });
+    assert!(
+        (mean - 0.898_42).abs() < 1e-5 && (spread - 0.210_12).abs() < 1e-5,
+        "{mean} {spread}"
+    );
+}
+
+#[test]
+fn weibull_moments_are_those_of_its_limits() {
+    let exponential = Weibull {
+        location: 1.0,
+        scale: 2.0,
+        shape: 1.0,
+    };
+    assert!((exponential.mean() - 3.0).abs() < 1e-12);
+    assert!((exponential.variance() - 4.0).abs() < 1e-12);
+    let rayleigh = Weibull {
+        location: 0.0,
+        scale: 2.0_f64.sqrt(),
+        shape: 2.0,
+    };
+    assert!((rayleigh.variance() - (2.0 - std::f64::consts::FRAC_PI_2)).abs() < 1e-12);
+}
+
+#[test]
+fn size_bounds_are_on_the_verge_of_order() {
+    let sizes = SizeRange::around(1.0);
+    let uniform = Uniform {
+        low: sizes.minimum,
+        high: sizes.maximum,
+    };
+    let relative = uniform.deviation() / uniform.mean();
+    assert!((uniform.mean() - 1.0).abs() < 1e-15);
+    assert!((sizes.maximum / sizes.minimum - 2.0_f64.sqrt()).abs() < 1e-15);
+    // The thesis prints 0.99; the exact value lies inside the ordering region, not outside.
+    assert!((relative - 0.099_057_6).abs() < 1e-7);
+    assert!(crystallises(relative) && !crystallises(0.1));
+    let back = Uniform::with_moments(uniform.mean(), uniform.deviation());
+    assert!((back.low - uniform.low).abs() < 1e-15 && (back.high - uniform.high).abs() < 1e-15);
+}
+
+#[test]
+fn two_dimensions_save_a_factor_of_sixty_one() {
+    assert!((DENSEST_DISCS - std::f64::consts::PI / 12.0_f64.sqrt()).abs() < 1e-15);
+    let (flat, full) = (discs_in_square(0.1, 1e-3), spheres_in_cube(0.1, 1e-3));
+    assert!((full / flat - 6.0_f64.sqrt() / 4.0 * 100.0).abs() < 1e-9);
+    assert_eq!((full / flat).round(), 61.0);
+}

@@ -1,0 +1,148 @@
+//! Estimators against states whose answer is known.
+
+use crate::worlds::{advance, head, particle, world};
+use gouge_kernel::estimators::{
+    Region, coordination_number, fragments, mean_stress, packing_fraction, radial_distribution,
+    visible_fraction,
+};
+use gouge_kernel::geometry::Vec2;
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+#[test]
+fn packing_fraction_of_touching_discs_is_that_of_their_lattice() {
+    let q = packing_fraction(&[0.5; 100], 100.0);
+    assert!((q - std::f64::consts::FRAC_PI_4).abs() < 1e-14);
+}
+
+#[test]
+fn the_visible_part_of_a_circle_is_what_sampling_sees() {
+    let mut random = Pcg64::new(5, 1);
+    for periodic in [true, false] {
+        let region = Region {
+            width: 4.0,
+            height: 1.0,
+            periodic,
+        };
+        for _ in 0..200 {
+            let point = Vec2::new(4.0 * random.random::<f64>(), random.random::<f64>());
+            let distance = random.random::<f64>();
+            let samples = 20_000;
+            let inside = (0..samples).filter(|&k| {
+                let angle = std::f64::consts::TAU * (f64::from(k) + 0.5) / f64::from(samples);
+                let (x, y) = (
+                    point.x + distance * angle.cos(),
+                    point.y + distance * angle.sin(),
+                );
+                (0.0..=1.0).contains(&y) && (periodic || (0.0..=4.0).contains(&x))
+            });
+            let counted = inside.count() as f64 / f64::from(samples);
+            let found = visible_fraction(&region, point, distance);
+            // Each of at most eight ends of arcs is off by one sample at the most.
+            assert!(
+                (found - counted).abs() <= 8.0 / f64::from(samples),
+                "{found} {counted}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_ideal_gas_has_no_excess_entropy() {
+    let mut random = Pcg64::new(11, 3);
+    let region = Region {
+        width: 40.0,
+        height: 20.0,
+        periodic: true,
+    };
+    let points: Vec<Vec2> = (0..3000)
+        .map(|_| Vec2::new(40.0 * random.random::<f64>(), 20.0 * random.random::<f64>()))
+        .collect();
+    let gas = radial_distribution(&points, &region, 0.4, 500);
+    // Away from zero, where the kernel reaches across, g is one within the noise of about 1 %.
+    for (d, g) in gas.distance.iter().zip(&gas.g) {
+        assert!(
+            *d < 0.8 || *d > 9.6 || (g - 1.0).abs() < 0.05,
+            "g({d}) = {g}"
+        );
+    }
+    let spacing = 2.0 * gas.distance[0];
+    let norm: f64 = gas.density.iter().sum::<f64>() * spacing;
+    assert!((norm - 1.0).abs() < 1e-12);
+    assert!(gas.excess_entropy() <= 0.0 && gas.excess_entropy() > -1.0);
+}
+
+#[test]
+fn a_lattice_has_its_shells_and_far_less_entropy_than_a_gas() {
+    let region = Region {
+        width: 40.0,
+        height: 20.0,
+        periodic: true,
+    };
+    let points: Vec<Vec2> = (0..800)
+        .map(|k| Vec2::new(f64::from(k % 40) + 0.5, f64::from(k / 40) + 0.5))
+        .collect();
+    let lattice = radial_distribution(&points, &region, 0.1, 2000);
+    let at = |distance: f64| {
+        let near = |d: &f64| (d - distance).abs() < 0.1;
+        let pairs = lattice.distance.iter().zip(&lattice.g);
+        pairs
+            .filter(|(d, _)| near(d))
+            .map(|(_, g)| *g)
+            .fold(0.0, f64::max)
+    };
+    // Four neighbours a shell: 4 / (2 pi d) times the peak of the kernel, 0.75 / 0.1: 4.8 and 3.4.
+    assert!(at(0.8) < 0.01 && at(1.0) > 4.5 && at(2.0_f64.sqrt()) > 3.0 && at(1.2) < 0.01);
+    assert!(lattice.excess_entropy() < -20.0);
+}
+
+/// A row of bonded spheres pulled apart by a given strain.
+fn chain(strain: f64) -> String {
+    let mut text = head("velocity-verlet", 1e-9)
+        + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n"
+        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3);
+    for i in 1..10 {
+        let x = f64::from(i) * 2e-3 * (1.0 + strain);
+        text += &particle([x, 0.0], [0.0, 0.0], 0.0, 1e-3);
+    }
+    for i in 1..10 {
+        text += &format!(
+            "[[bonds]]\nbetween = [{}, {i}]\ninitial_distance = 2e-3\n",
+            i - 1
+        );
+    }
+    text
+}
+
+#[test]
+fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
+    let world = world(&chain(1e-3));
+    // Nine links of 2.002 mm in a volume of nine such lengths and one square millimetre.
+    let stress = mean_stress(&world, 9.0 * 2.002e-3 * 1e-6);
+    let expected = 1e7 * 2e-6 / 1e-6;
+    assert!((stress[0][0] / expected - 1.0).abs() < 1e-10, "{stress:?}");
+    assert_eq!([stress[0][1], stress[1][0], stress[1][1]], [0.0; 3]);
+    assert!((coordination_number(&world) - 1.8).abs() < 1e-15);
+    assert_eq!(fragments(&world).number, 1);
+}
+
+#[test]
+fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
+    use gouge_kernel::estimators::{friction_feedback, friction_load};
+    // Pulled at constant speed against creeping drag and pressed against the drag's absence: the
+    // reaction along x is the drag 6 pi eta r v alone.
+    let text = head("symplectic-euler", 1e-6)
+        + "[ambient]\nlaw = \"creeping\"\nviscosity = 10.0\n\
+           [driving]\ncontroller = \"exact\"\nspeed = 2.0\npressure = 3.0\narea = 1.0\n"
+        + "[[particles]]\nposition = [0.0, 0.0]\nvelocity = [2.0, 0.0]\nradius = 1e-3\n\
+           role = \"driven\"\n";
+    let mut world = world(&text);
+    advance(&mut world, 100);
+    world.evaluate_if_pending().expect("finite");
+    let drag = 6.0 * std::f64::consts::PI * 10.0 * 1e-3 * 2.0;
+    assert!((world.particles().velocity[0].x - 2.0).abs() < 1e-14);
+    assert!((friction_load(world.drive()) / (drag / 3.0) - 1.0).abs() < 1e-12);
+    let reaction = world.drive().reaction;
+    assert!((reaction.x / -drag - 1.0).abs() < 1e-12);
+    assert_eq!(friction_feedback(world.drive()), -reaction.x / reaction.y);
+}
