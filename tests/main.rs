@@ -4,6 +4,7 @@
 mod collisions;
 mod integrators;
 mod links;
+mod original_program;
 mod pay_for_use;
 mod program;
 mod readings;
@@ -11,3 +12,4 @@ mod worlds;
 mod commands;
 mod estimators;
 mod distributions;
+mod dual;

@@ -327,7 +327,8 @@ fn compare_states(run: &mut Replay) {
 const STABLE: f64 = 1.0;
 /// Growth of errors in the block: with an explicit step a sticking Cundall-Strack contact is damped by
 /// -k dt, so that an error multiplies by e in about 4 us, and the block moves for 10 us: e^2.5. Nudging
-/// the model by a last place in every step makes it part from itself by as much.
+/// the model by a last place in every step makes it part from itself by
+/// several times what is measured here.
 const BLOCK_GROWTH: f64 = 12.0;
 /// Links on a particle, about the most there are.
 const LINKS: f64 = 8.0;
@@ -672,7 +673,7 @@ fn block(rubbing: Rubbing, viscosity: Option<f64>, seed: u64) -> Original {
     let mut grains = Vec::new();
     for place in 0..ROWS * ROWS {
         let (column, row) = ((place % ROWS) as f64, (place / ROWS) as f64);
-        let column = column + if place / ROWS % 2 == 0 { 0.25 } else { 0.75 };
+        let column = column + if row % 2.0 == 0.0 { 0.25 } else { 0.75 };
         let lattice = [
             BOX * column / ROWS as f64,
             HEIGHT * (row + 0.5) / ROWS as f64,

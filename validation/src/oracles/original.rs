@@ -159,6 +159,13 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
+fn subtract(total: &mut [f64; 3], part: [f64; 3]) {
+    total
+        .iter_mut()
+        .zip(part)
+        .for_each(|(sum, term)| *sum -= term);
+}
+
 /// The angle in [-pi, pi).
 fn wrap(angle: f64) -> f64 {
     angle - TAU * ((angle + PI) / TAU).floor()
@@ -332,13 +339,11 @@ impl Original {
             .iter()
             .map(|(&ends, &psi)| (ends, self.contact_pull(ends, psi)));
         for ((i, j), (now, pull)) in contacts.chain(bonds) {
-            for axis in 0..2 {
-                let f = pull.normal * now.normal[axis] + pull.tangent * now.tangent[axis];
-                total[i][axis] -= f;
-                total[j][axis] += f;
-            }
-            total[i][2] -= self.grains[i].r * pull.turning[0];
-            total[j][2] -= self.grains[j].r * pull.turning[1];
+            let along =
+                |axis: usize| pull.normal * now.normal[axis] + pull.tangent * now.tangent[axis];
+            let [x, y] = [along(0), along(1)];
+            subtract(&mut total[i], [x, y, self.grains[i].r * pull.turning[0]]);
+            subtract(&mut total[j], [-x, -y, self.grains[j].r * pull.turning[1]]);
         }
         total
     }
@@ -391,10 +396,11 @@ impl Original {
                 continue;
             }
             let (mass, inertia) = (grain.mass(), grain.inertia());
-            for axis in 0..2 {
-                grain.x[axis] += grain.v[axis] * dt;
-                grain.v[axis] += force[axis] / mass * dt;
-            }
+            grain.x = [grain.x[0] + grain.v[0] * dt, grain.x[1] + grain.v[1] * dt];
+            grain.v = [
+                grain.v[0] + force[0] / mass * dt,
+                grain.v[1] + force[1] / mass * dt,
+            ];
             grain.phi += grain.omega * dt;
             grain.omega += force[2] / inertia * dt;
             if let Some(l) = period {
