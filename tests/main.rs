@@ -13,3 +13,4 @@ mod commands;
 mod estimators;
 mod distributions;
 mod dual;
+mod geometry;
