@@ -202,3 +202,131 @@ fn two_dimensions_save_a_factor_of_sixty_one() {
     assert!((full / flat - 6.0_f64.sqrt() / 4.0 * 100.0).abs() < 1e-9);
     assert_eq!((full / flat).round(), 61.0);
 }
+
+/// Integral of a function over an interval by the midpoint rule.
+fn quadrature(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
+    let n = 100_000;
+    let h = (high - low) / f64::from(n);
+    (0..n)
+        .map(|k| h * function(low + (f64::from(k) + 0.5) * h))
+        .sum()
+}
+
+#[test]
+fn densities_are_integrals_over_one_of_their_variables() {
+    let (wide, narrow) = (
+        Uniform {
+            low: 0.8,
+            high: 1.3,
+        },
+        Uniform {
+            low: 0.9,
+            high: 1.1,
+        },
+    );
+    for (a, b) in [(wide, narrow), (narrow, wide), (wide, wide)] {
+        for x in [0.7, 0.75, 0.9, 1.1, 1.4, 1.6] {
+            let given = |y: f64| a.density(y) * b.density(x / y) / y;
+            let expected = quadrature(a.low, a.high, given);
+            assert!((UniformProduct(a, b).density(x) - expected).abs() < 2e-4);
+        }
+        for x in [1.65, 1.75, 2.0, 2.1, 2.35, 2.5] {
+            let expected = quadrature(a.low, a.high, |y| a.density(y) * b.density(x - y));
+            assert!((UniformSum(a, b).density(x) - expected).abs() < 2e-4);
+        }
+    }
+    // The smaller of two radii exceeds y if both do.
+    let law = WeakestProduct {
+        radius: wide,
+        factor: narrow,
+    };
+    for x in [0.73, 0.8, 0.9, 1.0, 1.2, 1.4] {
+        let exceeds = |y: f64| (1.0 - wide.cumulative(y)) * (1.0 - wide.cumulative(y));
+        let expected = quadrature(narrow.low, narrow.high, |s| {
+            narrow.density(s) * exceeds(x / s)
+        });
+        assert!((1.0 - law.cumulative(x) - expected).abs() < 1e-8, "{x}");
+    }
+}
+
+#[test]
+fn nothing_lies_outside_a_support() {
+    let (a, b) = (
+        Uniform {
+            low: 0.8,
+            high: 1.3,
+        },
+        Uniform {
+            low: 0.9,
+            high: 1.1,
+        },
+    );
+    let power = Power {
+        of: UniformProduct(a, b),
+        exponent: 2.0,
+    };
+    let weakest = WeakestProduct {
+        radius: a,
+        factor: b,
+    };
+    let weibull = Weibull {
+        location: 0.5,
+        scale: 0.5,
+        shape: 5.0,
+    };
+    let laws: [&dyn Distribution; 6] = [
+        &a,
+        &UniformSum(a, b),
+        &UniformProduct(a, b),
+        &power,
+        &weakest,
+        &weibull,
+    ];
+    for law in laws {
+        for x in [-1e12, -1.0, 0.0, 0.5] {
+            assert_eq!([law.density(x), law.cumulative(x)], [0.0; 2]);
+        }
+        for x in [3.0, 1e3, 1e8, 1e9, 1e12, 1e100] {
+            assert_eq!([law.density(x), law.cumulative(x)], [0.0, 1.0], "{x}");
+        }
+    }
+}
+
+#[test]
+fn an_interval_of_ratio_root_two_is_that_of_the_thesis() {
+    use gouge_kernel::distributions::{relative_deviation_of_ratio, spheres_per_disc};
+    let sizes = SizeRange::around(3.0);
+    let uniform = Uniform {
+        low: sizes.minimum,
+        high: sizes.maximum,
+    };
+    let relative = relative_deviation_of_ratio(2.0_f64.sqrt());
+    assert!((relative - uniform.relative_deviation()).abs() < 1e-15);
+    assert!((relative - (3.0_f64.sqrt() - 24.0_f64.sqrt() / 3.0)).abs() < 1e-15);
+    assert!((spheres_per_disc(0.1, 1e-3) - 61.237).abs() < 1e-3);
+}
+
+#[test]
+fn the_modulus_five_of_the_thesis_matches_only_without_a_location() {
+    // Figure 8: coefficient of variation and skewness of the emergent strength.
+    let spread = |shape: f64| {
+        let law = Weibull {
+            location: 0.0,
+            scale: 1.0,
+            shape,
+        };
+        law.variance().sqrt() / law.mean()
+    };
+    assert!((spread(5.007) - 0.228_76).abs() < 1e-5);
+    assert!((spread(5.494) - 0.210_12).abs() < 1e-5);
+    // Moments of a Weibull variable by quadrature of its survival.
+    let law = Weibull {
+        location: 0.465,
+        scale: 0.6,
+        shape: 2.533,
+    };
+    let first = quadrature(0.0, 4.0, |x| 1.0 - law.cumulative(x));
+    let second = quadrature(0.0, 4.0, |x| 2.0 * x * (1.0 - law.cumulative(x)));
+    assert!((law.mean() - first).abs() < 1e-8);
+    assert!((law.variance() - (second - first * first)).abs() < 1e-8);
+}

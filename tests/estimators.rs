@@ -146,3 +146,134 @@ fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
     assert!((reaction.x / -drag - 1.0).abs() < 1e-12);
     assert_eq!(friction_feedback(world.drive()), -reaction.x / reaction.y);
 }
+
+#[test]
+fn the_mean_stress_is_the_virial_of_the_forces() {
+    // A frame of bonded and touching grains that turn and move at random.
+    let mut random = Pcg64::new(7, 7);
+    let mut noise = |scale: f64| scale * (random.random::<f64>() - 0.5);
+    let mut text = head("symplectic-euler", 1e-9)
+        + "[bond.normal]\nstiffness = 1e7\ndamping = 10.0\n[bond.tangential]\nlaw = \"euler-bernoulli\"\n\
+           stiffness = 1e7\ndamping = 10.0\n[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\n\
+           damping = 10.0\n[contact.tangential]\nlaw = \"haff-werner\"\ndamping = 3.0\n\
+           friction = 0.7\n";
+    for k in 0..25 {
+        let at = [
+            f64::from(k % 5) * 1.9e-3 + noise(1e-4),
+            f64::from(k / 5) * 1.9e-3 + noise(1e-4),
+        ];
+        text += &particle(at, [noise(1.0), noise(1.0)], noise(500.0), 1e-3);
+    }
+    for k in (0..25).filter(|k| k % 5 != 4).step_by(2) {
+        text += &format!("[[bonds]]\nbetween = [{k}, {}]\n", k + 1);
+    }
+    let mut world = world(&text);
+    advance(&mut world, 20);
+    world.evaluate_if_pending().expect("finite");
+    let stress = mean_stress(&world, 1.0);
+    let mut virial = [[0.0; 2]; 2];
+    for (force, x) in world.forces().force.iter().zip(&world.particles().position) {
+        for (row, force) in virial.iter_mut().zip([force.x, force.y]) {
+            row[0] -= force * x.x;
+            row[1] -= force * x.y;
+        }
+    }
+    let scale = virial
+        .iter()
+        .flatten()
+        .fold(0.0, |m: f64, x| m.max(x.abs()));
+    for (found, expected) in stress.iter().flatten().zip(virial.iter().flatten()) {
+        assert!(
+            (found - expected).abs() < 1e-10 * scale,
+            "{stress:?} {virial:?}"
+        );
+    }
+    assert!(
+        (stress[0][1] - stress[1][0]).abs() > 1e-6 * scale,
+        "torques are at work"
+    );
+    assert!((stress[0][1]).abs() > 1e-3 * scale);
+}
+
+#[test]
+fn entropy_of_simple_radial_distributions_is_closed_form() {
+    use gouge_kernel::estimators::RadialDistribution;
+    let (samples, limit, number_density) = (4000_u32, 2.5, 3.0);
+    let spacing = limit / f64::from(samples);
+    let distance: Vec<f64> = (0..samples)
+        .map(|k| (f64::from(k) + 0.5) * spacing)
+        .collect();
+    let with = |g: &dyn Fn(f64) -> f64| {
+        let g: Vec<f64> = distance.iter().map(|d| g(*d)).collect();
+        RadialDistribution {
+            distance: distance.clone(),
+            density: vec![],
+            g,
+            number_density,
+        }
+    };
+    let close =
+        |found: f64, expected: f64| (found - expected).abs() < 1e-6 * expected.abs().max(1.0);
+    let area = std::f64::consts::PI * limit * limit;
+    let ideal = with(&|_| 1.0);
+    assert!(close(ideal.excess_entropy(), 0.0) && close(ideal.excess_entropy_printed(), 0.0));
+    // Hard cores that leave all else alone: half a nearest neighbour's worth, n times half the area.
+    let core = with(&|d| if d < 1.0 { 0.0 } else { 1.0 });
+    assert!(close(core.excess_entropy(), -1.5 * std::f64::consts::PI));
+    assert!(close(core.excess_entropy_printed(), -1.5));
+    let flat = with(&|_| std::f64::consts::E);
+    assert!(close(flat.excess_entropy(), -1.5 * area));
+    assert!(close(flat.excess_entropy_printed(), -1.5 * limit));
+    // A mean of one: minus half n A times the information gained over a uniform disc, ln 2 here.
+    let ring = with(&|d| {
+        if 2.0 * d * d < limit * limit {
+            2.0
+        } else {
+            0.0
+        }
+    });
+    let expected = -0.5 * number_density * area * 2.0_f64.ln();
+    assert!((ring.excess_entropy() / expected - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn what_leaves_the_region_leaves_its_distribution() {
+    let mut random = Pcg64::new(3, 9);
+    for periodic in [true, false] {
+        let region = Region {
+            width: 10.0,
+            height: 10.0,
+            periodic,
+        };
+        let mut points: Vec<Vec2> = (0..500)
+            .map(|_| Vec2::new(10.0 * random.random::<f64>(), 10.0 * random.random::<f64>()))
+            .collect();
+        let inside = radial_distribution(&points, &region, 0.2, 100);
+        points.extend([
+            Vec2::new(5.0, -0.01),
+            Vec2::new(5.1, -0.3),
+            Vec2::new(2.0, 10.2),
+        ]);
+        assert_eq!(radial_distribution(&points, &region, 0.2, 100), inside);
+    }
+}
+
+#[test]
+fn edges_do_not_thin_an_ideal_gas() {
+    let mut random = Pcg64::new(21, 4);
+    // A strip not much higher than the circles are wide: nearly every circle is cut.
+    for periodic in [true, false] {
+        let region = Region {
+            width: 20.0,
+            height: 6.0,
+            periodic,
+        };
+        let points: Vec<Vec2> = (0..4000)
+            .map(|_| Vec2::new(20.0 * random.random::<f64>(), 6.0 * random.random::<f64>()))
+            .collect();
+        let gas = radial_distribution(&points, &region, 0.25, 200);
+        let far = gas.distance.iter().zip(&gas.g).filter(|(d, _)| **d > 0.5);
+        let worst = far.map(|(_, g)| (g - 1.0).abs()).fold(0.0, f64::max);
+        assert!(worst < 0.06, "{worst}");
+    }
+}

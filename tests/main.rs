@@ -1,6 +1,7 @@
 //! The verification gate: one test binary, a module a subject.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod bad_input;
 mod collisions;
 mod integrators;
 mod links;
@@ -13,4 +14,5 @@ mod commands;
 mod estimators;
 mod distributions;
 mod dual;
+mod calibration;
 mod geometry;

@@ -101,27 +101,28 @@ pub fn first_order_coefficient() -> f64 {
 
 /// Duration, in units of the inverse natural frequency, of a truncated Kelvin-Voigt collision.
 ///
-/// $$ \omega t = \mathrm{atan2}(2 \beta \omega,\ \beta^2 - \omega^2), \qquad \beta = \zeta, \quad \omega = \sqrt{1 - \zeta^2} $$
+/// $$ t = \frac{2 \arccos \zeta}{\sqrt{1 - \zeta^2}}, \quad \zeta < 1, \qquad t = \frac{2\, \mathrm{arcosh}\, \zeta}{\sqrt{\zeta^2 - 1}}, \quad \zeta > 1 $$
 ///
-/// The collision ends when the force first vanishes, before the overlap does. For overdamped pairs the
-/// angle becomes a hyperbolic one. The damping ratio is that of the pair with its reduced mass.
+/// The collision ends when the force first vanishes, before the overlap does; 2 at critical damping.
+/// The damping ratio is that of the pair with its reduced mass.
 #[rendered]
 pub fn truncated_duration(damping_ratio: f64) -> f64 {
-    let (zeta, squared) = (damping_ratio, 1.0 - damping_ratio * damping_ratio);
+    let squared = (1.0 - damping_ratio) * (1.0 + damping_ratio);
     let w = squared.abs().sqrt();
-    if w < 1e-6 {
-        // Both branches tend to 2 at critical damping.
-        2.0
-    } else if squared > 0.0 {
-        libm::atan2(2.0 * zeta * w, zeta * zeta - squared) / w
+    if squared > 0.0 {
+        2.0 * libm::atan2(w, damping_ratio) / w
+    } else if w > 0.0 {
+        2.0 * libm::asinh(w) / w
     } else {
-        libm::log((zeta + w) / (zeta - w)) / w
+        2.0
     }
 }
 
 /// Restitution of a truncated Kelvin-Voigt collision.
 ///
-/// $$ \Upsilon = e^{-\beta t} $$
+/// $$ \Upsilon = e^{-\zeta t} $$
+///
+/// Tends to 1 / (4 zeta^2) for strong damping.
 #[rendered]
 pub fn truncated_restitution(damping_ratio: f64) -> f64 {
     libm::exp(-damping_ratio * truncated_duration(damping_ratio))
@@ -132,8 +133,8 @@ pub fn truncated_restitution(damping_ratio: f64) -> f64 {
 /// By bisection; the restitution falls monotonically with the damping ratio.
 pub fn damping_ratio_for(restitution: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
-    while truncated_restitution(high) > restitution && high < 1e8 {
-        high *= 2.0;
+    while truncated_restitution(high) > restitution && high < 1e150 {
+        (low, high) = (high, 2.0 * high);
     }
     for _ in 0..200 {
         let middle = 0.5 * (low + high);

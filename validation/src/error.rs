@@ -20,18 +20,32 @@ pub struct SceneError {
 
 impl std::fmt::Display for SceneError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.file)?;
+        let [file, key, value, accepted] =
+            [&self.file, &self.key, &self.value, &self.accepted].map(|text| printable(text));
+        write!(f, "{file}")?;
         if self.line > 0 {
             write!(f, ":{}", self.line)?;
         }
-        if !self.key.is_empty() {
-            write!(f, ": {}", self.key)?;
+        match (key.is_empty(), value.is_empty()) {
+            (true, true) => {}
+            (true, false) => write!(f, ": {value}")?,
+            (false, true) => write!(f, ": {key}")?,
+            (false, false) => write!(f, ": {key} = {value}")?,
         }
-        if !self.value.is_empty() {
-            write!(f, " = {}", self.value)?;
-        }
-        write!(f, ": {}", self.accepted)
+        write!(f, ": {accepted}")
     }
+}
+
+/// A text in which every character that a terminal would obey or not show is escaped.
+fn printable(text: &str) -> String {
+    let mut result = String::new();
+    for character in text.chars() {
+        match character {
+            '"' | '\'' | '\\' => result.push(character),
+            _ => result.extend(character.escape_debug()),
+        }
+    }
+    result
 }
 
 /// Any failure of a command.

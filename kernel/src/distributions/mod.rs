@@ -5,9 +5,11 @@ mod strength;
 mod uniform;
 mod weibull;
 
-pub use number::{DENSEST_DISCS, DENSEST_SPHERES, discs_in_square, spheres_in_cube};
+pub use number::{
+    DENSEST_DISCS, DENSEST_SPHERES, discs_in_square, spheres_in_cube, spheres_per_disc,
+};
 pub use strength::{Power, WeakestProduct};
-pub use uniform::{Uniform, UniformProduct, UniformSum, crystallises};
+pub use uniform::{Uniform, UniformProduct, UniformSum, crystallises, relative_deviation_of_ratio};
 pub use weibull::Weibull;
 
 /// A continuous random variable.

@@ -22,8 +22,18 @@ pub fn discs_in_square(side: f64, radius: f64) -> f64 {
 ///
 /// $$ N_3 = q_3 \frac{3 L^3}{4 \pi R^3} = \frac{1}{4 \sqrt 2} \left( \frac LR \right)^3 $$
 ///
-/// Thesis eqs. (102) and (104); its ratio to [`discs_in_square`] is (105).
+/// Thesis eqs. (102) and (104).
 #[rendered]
 pub fn spheres_in_cube(side: f64, radius: f64) -> f64 {
     DENSEST_SPHERES * side * side * side / (4.0 / 3.0 * PI * radius * radius * radius)
+}
+
+/// How many times more particles a cube needs than a square, at the densest.
+///
+/// $$ \frac{N_3}{N_2} = \frac{\sqrt6}{4} \frac LR $$
+///
+/// Thesis eq. (105), as the ratio of [`spheres_in_cube`] and [`discs_in_square`].
+#[rendered]
+pub fn spheres_per_disc(side: f64, radius: f64) -> f64 {
+    spheres_in_cube(side, radius) / discs_in_square(side, radius)
 }

@@ -34,9 +34,24 @@ impl Uniform {
     pub fn deviation(&self) -> f64 {
         (self.high - self.low) / 12.0_f64.sqrt()
     }
+    /// Standard deviation over mean.
+    pub fn relative_deviation(&self) -> f64 {
+        self.deviation() / self.mean()
+    }
     fn length(&self) -> f64 {
         self.high - self.low
     }
+}
+
+/// Relative standard deviation of a positive interval whose upper end is so many times the lower one.
+///
+/// $$ \frac{\sigma}{\mu} = \frac{1}{\sqrt3} \frac{b/a - 1}{b/a + 1} $$
+///
+/// Thesis eq. (132), inverted. The root of two of the thesis gives the exact form of (131),
+/// 0.0990576; the decimal printed there lacks a zero (E35 of `docs/errata.md`).
+#[rendered]
+pub fn relative_deviation_of_ratio(ratio: f64) -> f64 {
+    (ratio - 1.0) / (3.0_f64.sqrt() * (ratio + 1.0))
 }
 
 impl Distribution for Uniform {
@@ -69,6 +84,19 @@ fn corners(a: &Uniform, b: &Uniform, join: impl Fn(f64, f64) -> f64) -> [(f64, f
     ]
 }
 
+/// A sum over the corners below x, each with its sign; `None` outside the support, where the terms
+/// cancel only up to rounding.
+fn over_corners(corners: [(f64, f64); 4], x: f64, term: impl Fn(f64) -> f64) -> Option<f64> {
+    let inside = x > corners[0].1 && x < corners[3].1;
+    let below = corners.iter().filter(|(_, corner)| x > *corner);
+    inside.then(|| below.map(|&(sign, corner)| sign * term(corner)).sum())
+}
+
+/// Zero below a support, one above it.
+fn outside(x: f64, upper_end: f64) -> f64 {
+    if x < upper_end { 0.0 } else { 1.0 }
+}
+
 /// Sum of two independent uniform variables.
 ///
 /// $$ P_{A+B}(x) = \frac{1}{(b-a)(d-c)} \left( [x-a-c]_+ - [x-b-c]_+ - [x-a-d]_+ + [x-b-d]_+ \right) $$
@@ -78,20 +106,26 @@ fn corners(a: &Uniform, b: &Uniform, join: impl Fn(f64, f64) -> f64) -> [(f64, f
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UniformSum(pub Uniform, pub Uniform);
 
+impl UniformSum {
+    fn corners(&self) -> [(f64, f64); 4] {
+        corners(&self.0, &self.1, |a, b| a + b)
+    }
+    fn area(&self) -> f64 {
+        self.0.length() * self.1.length()
+    }
+}
+
 impl Distribution for UniformSum {
     fn density(&self, x: f64) -> f64 {
-        let sum: f64 = corners(&self.0, &self.1, |a, b| a + b)
-            .iter()
-            .map(|(sign, corner)| sign * (x - corner).max(0.0))
-            .sum();
-        sum.max(0.0) / (self.0.length() * self.1.length())
+        let sum = over_corners(self.corners(), x, |corner| x - corner);
+        sum.map_or(0.0, |sum| sum.max(0.0) / self.area())
     }
     fn cumulative(&self, x: f64) -> f64 {
-        let sum: f64 = corners(&self.0, &self.1, |a, b| a + b)
-            .iter()
-            .map(|(sign, corner)| 0.5 * sign * (x - corner).max(0.0) * (x - corner).max(0.0))
-            .sum();
-        (sum / (self.0.length() * self.1.length())).clamp(0.0, 1.0)
+        let corners = self.corners();
+        let sum = over_corners(corners, x, |corner| 0.5 * (x - corner) * (x - corner));
+        sum.map_or(outside(x, corners[3].1), |sum| {
+            (sum / self.area()).clamp(0.0, 1.0)
+        })
     }
 }
 
@@ -104,26 +138,26 @@ impl Distribution for UniformSum {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UniformProduct(pub Uniform, pub Uniform);
 
+impl UniformProduct {
+    fn corners(&self) -> [(f64, f64); 4] {
+        corners(&self.0, &self.1, |a, b| a * b)
+    }
+    fn area(&self) -> f64 {
+        self.0.length() * self.1.length()
+    }
+}
+
 impl Distribution for UniformProduct {
     fn density(&self, x: f64) -> f64 {
-        if x <= 0.0 {
-            return 0.0;
-        }
-        let sum: f64 = corners(&self.0, &self.1, |a, b| a * b)
-            .iter()
-            .map(|(sign, corner)| sign * libm::log(x / corner).max(0.0))
-            .sum();
-        sum.max(0.0) / (self.0.length() * self.1.length())
+        let sum = over_corners(self.corners(), x, |corner| libm::log(x / corner));
+        sum.map_or(0.0, |sum| sum.max(0.0) / self.area())
     }
     fn cumulative(&self, x: f64) -> f64 {
-        let area = |corner: f64| match x > corner {
-            true => x * libm::log(x / corner) - x + corner,
-            false => 0.0,
-        };
-        let sum: f64 = corners(&self.0, &self.1, |a, b| a * b)
-            .iter()
-            .map(|(sign, corner)| sign * area(*corner))
-            .sum();
-        (sum / (self.0.length() * self.1.length())).clamp(0.0, 1.0)
+        let corners = self.corners();
+        let area = |corner: f64| x * libm::log(x / corner) - (x - corner);
+        let sum = over_corners(corners, x, area);
+        sum.map_or(outside(x, corners[3].1), |sum| {
+            (sum / self.area()).clamp(0.0, 1.0)
+        })
     }
 }

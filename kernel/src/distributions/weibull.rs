@@ -39,7 +39,9 @@ impl Distribution for Weibull {
             return 0.0;
         }
         let power = libm::pow(u, self.shape);
-        self.shape / self.scale * power / u * libm::exp(-power)
+        // Where the power overflows the exponential has long been zero.
+        let falling = power.min(f64::MAX) * libm::exp(-power);
+        self.shape / self.scale * falling / u
     }
     fn cumulative(&self, x: f64) -> f64 {
         let u = ((x - self.location) / self.scale).max(0.0);

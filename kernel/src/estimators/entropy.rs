@@ -28,6 +28,14 @@ pub struct RadialDistribution {
     pub number_density: f64,
 }
 
+impl Region {
+    /// Whether a point lies inside or on the edge; any x does where x is periodic.
+    pub fn contains(&self, point: Vec2) -> bool {
+        let (x, y) = (0.0..=self.width, 0.0..=self.height);
+        (self.periodic || x.contains(&point.x)) && y.contains(&point.y)
+    }
+}
+
 /// Part of a circle around a point of the region that lies inside it, in (0, 1].
 ///
 /// The reciprocal of the weight of thesis eq. (80). Arcs beyond the lower and upper edge, and beyond
@@ -36,7 +44,7 @@ pub fn visible_fraction(region: &Region, point: Vec2, distance: f64) -> f64 {
     // Half-angle of the arc beyond an edge at the given depth.
     let beyond = |depth: f64| {
         if depth < distance {
-            libm::acos((depth / distance).max(-1.0))
+            libm::acos((depth / distance).max(0.0))
         } else {
             0.0
         }
@@ -67,9 +75,11 @@ fn epanechnikov(u: f64) -> f64 {
 /// $$ P(d) = \frac{Z}{B \sum w_{ij}} \sum_i \sum_{j \ne i} w_{ij}\, \Psi\left( \frac{d - d_{ij}}{B} \right), \qquad g = \frac{(l/4)^2}{2 d} P, \qquad \int_0^{l/4} P \,\mathrm d d = 1 $$
 ///
 /// Thesis eqs. (80)-(83), with the Epanechnikov kernel for the statistical one, its bandwidth in m and
-/// so many samples. Weights correct for the part of each circle outside the region; distances are
-/// those of the nearest image. The normalisation makes the mean of g over the disc one, which biases
-/// g by about the inverse of the expected number of neighbours (E49 of `docs/errata.md`).
+/// so many samples. Weights correct for the part of each circle outside the region, points outside are
+/// left out; distances are those of the nearest image. Choose a bandwidth below the smallest distance:
+/// otherwise the density leaks to zero distance, where g divides by it. The normalisation makes the mean
+/// of g over the disc one, which biases g by about the inverse of the expected number of neighbours (E49
+/// of `docs/errata.md`). Cost: a pass over all pairs.
 #[rendered]
 pub fn radial_distribution(
     points: &[Vec2],
@@ -77,6 +87,11 @@ pub fn radial_distribution(
     bandwidth: f64,
     samples: usize,
 ) -> RadialDistribution {
+    let points: Vec<Vec2> = points
+        .iter()
+        .copied()
+        .filter(|&x| region.contains(x))
+        .collect();
     let limit = 0.25 * region.width;
     let spacing = limit / samples as f64;
     let distance: Vec<f64> = (0..samples).map(|k| (k as f64 + 0.5) * spacing).collect();

@@ -4,7 +4,7 @@ use super::table::{Range, Source, Table, shortened};
 use crate::error::SceneError;
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::links::{BondStart, ContactStart};
-use gouge_kernel::particles::{Particle, Role};
+use gouge_kernel::particles::{Particle, Role, sphere_mass, sphere_moment_of_inertia};
 use std::path::Path;
 
 type Result<T> = std::result::Result<T, SceneError>;
@@ -53,6 +53,19 @@ pub type Placed<T> = Vec<(T, Place)>;
 
 const FIXED_MOVES: &str = "a fixed particle never moves, so this must be zero or absent";
 
+/// What is wrong with the mass of a sphere, if its numbers leave the range of a computer.
+pub fn mass_problem(density: f64, radius: f64) -> Option<String> {
+    let mass = sphere_mass(density, radius);
+    let inertia = sphere_moment_of_inertia(mass, radius);
+    let is_usable = |number: f64| number.is_normal() && number.recip().is_normal();
+    (!is_usable(mass) || !is_usable(inertia)).then(|| {
+        format!(
+            "must give a mass and a moment of inertia within the range of numbers, but with the \
+             density {density:?} they are {mass:?} kg and {inertia:?} kg m^2"
+        )
+    })
+}
+
 /// `[[particles]]` or `particles_file`.
 pub fn particles(root: &Table, folder: &Path, density: f64) -> Result<Vec<Particle>> {
     if let Some(rows) = side_file(root, "particles", folder)? {
@@ -90,7 +103,7 @@ fn particle(table: &Table, density: f64) -> Result<Particle> {
         return Err(table.error("angular_velocity", FIXED_MOVES));
     }
     let [x, y] = table.pair("position")?;
-    Ok(Particle {
+    let particle = Particle {
         position: Vec2::new(x, y),
         velocity: Vec2::new(velocity[0], velocity[1]),
         angle: table
@@ -102,7 +115,11 @@ fn particle(table: &Table, density: f64) -> Result<Particle> {
             .optional_number("density", Range::Positive)?
             .unwrap_or(density),
         role,
-    })
+    };
+    match mass_problem(particle.density, particle.radius) {
+        Some(problem) => Err(table.error("radius", &problem)),
+        None => Ok(particle),
+    }
 }
 
 fn particle_row(row: &Row, density: f64) -> Result<Particle> {
@@ -123,7 +140,7 @@ fn particle_row(row: &Row, density: f64) -> Result<Particle> {
     {
         return Err(row.error(key, FIXED_MOVES));
     }
-    Ok(Particle {
+    let particle = Particle {
         position: Vec2::new(
             row.number("x", Range::Finite)?,
             row.number("y", Range::Finite)?,
@@ -134,7 +151,11 @@ fn particle_row(row: &Row, density: f64) -> Result<Particle> {
         radius: row.number("radius", Range::Positive)?,
         density: number("density", Range::Positive, density)?,
         role,
-    })
+    };
+    match mass_problem(particle.density, particle.radius) {
+        Some(problem) => Err(row.error("radius", &problem)),
+        None => Ok(particle),
+    }
 }
 
 /// `[[bonds]]` or `bonds_file`.
@@ -328,6 +349,13 @@ impl Rows {
             }
             None => Ok(()),
         }
+    }
+
+    /// Line of a row, after the blank lines that are counted to it.
+    fn line(&self, position: &csv::Position) -> usize {
+        let rest = self.bytes.get(position.byte() as usize..).unwrap_or_default();
+        let blank = rest.iter().take_while(|byte| matches!(byte, b'\n' | b'\r'));
+        position.line() as usize + blank.filter(|&&byte| byte == b'\n').count()
     }
 
     fn broken(&self, error: &csv::Error) -> SceneError {

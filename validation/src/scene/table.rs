@@ -90,14 +90,14 @@ impl Range {
     }
 }
 
-/// A value as it would be written, shortened.
-fn shown(value: &DeValue) -> String {
-    match value {
-        DeValue::String(text) => shortened(&format!("{text:?}")),
-        DeValue::Integer(number) => number.as_str().to_owned(),
-        DeValue::Float(number) => number.as_str().to_owned(),
+/// A value as it is written in the file, shortened.
+fn shown(source: &Source, value: &Spanned<DeValue>) -> String {
+    match value.get_ref() {
+        DeValue::String(text) => format!("{:?}", shortened(text)),
+        DeValue::Integer(_) | DeValue::Float(_) | DeValue::Datetime(_) => {
+            shortened(source.text.get(value.span()).unwrap_or_default())
+        }
         DeValue::Boolean(truth) => truth.to_string(),
-        DeValue::Datetime(when) => when.to_string(),
         DeValue::Array(array) => format!("[array of {}]", array.len()),
         DeValue::Table(_) => "{table}".to_owned(),
     }
@@ -105,10 +105,9 @@ fn shown(value: &DeValue) -> String {
 
 /// At most sixty characters of a text.
 pub fn shortened(text: &str) -> String {
-    if text.chars().count() <= 60 {
-        text.to_owned()
-    } else {
-        text.chars().take(57).chain("...".chars()).collect()
+    match text.char_indices().nth(60) {
+        None => text.to_owned(),
+        Some(_) => text.chars().take(57).chain("...".chars()).collect(),
     }
 }
 
@@ -119,6 +118,13 @@ fn number_of(value: &DeValue) -> Option<f64> {
         DeValue::Integer(_) => integer_of(value).map(|n| n as f64),
         _ => None,
     }
+}
+
+/// What is accepted instead of an integer that TOML does not know.
+const TOO_LONG: &str = "must fit into 64 bits; a larger number needs a decimal point or an exponent";
+
+fn is_integer(value: &DeValue) -> bool {
+    matches!(value, DeValue::Integer(_))
 }
 
 fn integer_of(value: &DeValue) -> Option<i64> {
@@ -172,9 +178,8 @@ impl<'a> Table<'a> {
             if !known.contains(key) {
                 let accepted = format!("unknown key; accepted here: {}", known.join(", "));
                 let path = self.key(&shortened(key));
-                return Err(self
-                    .source
-                    .error(*at, &path, &shown(value.get_ref()), &accepted));
+                let value = shown(&self.source, value);
+                return Err(self.source.error(*at, &path, &value, &accepted));
             }
         }
         Ok(())
@@ -183,7 +188,7 @@ impl<'a> Table<'a> {
     /// An error about a key of this table, at its line if it is there.
     pub fn error(&self, key: &str, accepted: &str) -> SceneError {
         let (at, value) = match self.keys.get(key) {
-            Some((at, value)) => (*at, shown(value.get_ref())),
+            Some((at, value)) => (*at, shown(&self.source, value)),
             None => (self.at, String::new()),
         };
         self.source.error(at, &self.key(key), &value, accepted)
@@ -207,6 +212,7 @@ impl<'a> Table<'a> {
         };
         match number_of(value.value.get_ref()) {
             Some(number) if range.contains(number) => Ok(Some(number)),
+            None if is_integer(value.value.get_ref()) => Err(self.error(key, TOO_LONG)),
             _ => Err(self.error(key, &range.text())),
         }
     }
@@ -224,7 +230,7 @@ impl<'a> Table<'a> {
         };
         match integer_of(value.value.get_ref()).and_then(|n| u64::try_from(n).ok()) {
             Some(number) => Ok(Some(number)),
-            None => Err(self.error(key, "must be a whole number, zero or greater")),
+            None => Err(self.error(key, "must be a whole number, zero or greater, below 2^63")),
         }
     }
 
@@ -309,7 +315,7 @@ impl<'a> Table<'a> {
     fn array_error(&self, key: &str, accepted: &str) -> SceneError {
         let mut error = self.error(key, accepted);
         if let Some(array) = self.value(key).and_then(|value| value.array()) {
-            let elements: Vec<String> = array.iter().map(|v| shown(v.get_ref())).collect();
+            let elements: Vec<String> = array.iter().map(|v| shown(&self.source, v)).collect();
             error.value = shortened(&format!("[{}]", elements.join(", ")));
         }
         error

@@ -1,0 +1,124 @@
+//! Calibration against the laws of the kernel, integrated without its world.
+
+use gouge_kernel::calibration::{
+    breaking_overlap_hertzian, damping_bound, damping_ratio_for,
+    dissipative_constant_from_restitution, matching_stiffness, truncated_duration,
+    truncated_restitution,
+};
+use gouge_kernel::laws::{Bshp, KelvinVoigt, NormalLaw};
+use gouge_kernel::material::GRANITE;
+use gouge_kernel::particles::sphere_mass;
+
+/// Restitution and duration of a head-on collision of equal spheres at the given speed, by classical
+/// Runge-Kutta steps until the force first vanishes.
+fn collide(law: impl NormalLaw, radius: f64, mass: f64, speed: f64, step: f64) -> (f64, f64) {
+    // Just outside contact the laws are silent; a first ulp of overlap starts them.
+    let slope = |x: f64, v: f64| (v, law.force([radius; 2], x, v) / mass);
+    let (mut x, mut v, mut time) = (0.0_f64, speed, 0.0);
+    loop {
+        let (a1, b1) = slope(x, v);
+        let (a2, b2) = slope(x + 0.5 * step * a1, v + 0.5 * step * b1);
+        let (a3, b3) = slope(x + 0.5 * step * a2, v + 0.5 * step * b2);
+        let (a4, b4) = slope(x + step * a3, v + step * b3);
+        x += step / 6.0 * (a1 + 2.0 * (a2 + a3) + a4);
+        v += step / 6.0 * (b1 + 2.0 * (b2 + b3) + b4);
+        time += step;
+        if v < 0.0 && slope(x, v).1 >= 0.0 {
+            return (-v / speed, time);
+        }
+    }
+}
+
+#[test]
+fn truncated_collisions_are_those_of_the_law() {
+    let (mass, stiffness) = (0.5 * sphere_mass(2700.0, 1e-3), 1e7_f64);
+    let frequency = (stiffness / mass).sqrt();
+    for ratio in [0.01, 0.2, 0.6649, 0.999_999, 1.0, 1.000_001, 3.0] {
+        let damping = 2.0 * ratio * (stiffness * mass).sqrt();
+        let law = KelvinVoigt { stiffness, damping };
+        let (restitution, duration) = collide(law, 1e-3, mass, 1.0, 2e-5 / frequency);
+        let expected = truncated_restitution(ratio);
+        assert!(
+            (restitution / expected - 1.0).abs() < 1e-4,
+            "{ratio}: {restitution} {expected}"
+        );
+        let expected = truncated_duration(ratio) / frequency;
+        assert!(
+            (duration - expected).abs() < 4e-5 / frequency,
+            "{ratio}: {duration} {expected}"
+        );
+    }
+}
+
+#[test]
+fn the_damping_of_the_thesis_leaves_less_than_a_quarter() {
+    let (mass, stiffness) = (0.5 * sphere_mass(2700.0, 1e-3), 1e7_f64);
+    let critical = 2.0 * (stiffness * mass).sqrt();
+    assert!((truncated_restitution(10.0 / critical) / 0.222_77 - 1.0).abs() < 1e-4);
+    let seconds = truncated_duration(10.0 / critical) * (mass / stiffness).sqrt();
+    assert!((seconds / 1.698e-6 - 1.0).abs() < 1e-3);
+    assert!((damping_ratio_for(0.83) * critical / 0.926_70 - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn strong_damping_leaves_the_inverse_square_of_its_ratio() {
+    for restitution in [1e-8, 1e-12, 1e-16, 1e-30] {
+        let found = damping_ratio_for(restitution) * 2.0 * f64::sqrt(restitution);
+        assert!((found - 1.0).abs() < 1e-6, "{restitution}: {found}");
+    }
+    let step = |ratio: f64| truncated_duration(ratio) - truncated_duration(1.0);
+    // Smooth through critical damping: slope -2/3.
+    for offset in [-1e-3, -1e-6, -1e-9, 1e-9, 1e-6, 1e-3] {
+        assert!((step(1.0 + offset) / offset + 2.0 / 3.0).abs() < 1e-3 + 1e-15 / f64::abs(offset));
+    }
+}
+
+#[test]
+fn the_bound_is_the_damping_of_the_law_at_the_overlap_of_breaking() {
+    let elastic = GRANITE.elastic();
+    let (radius, strength, factor, constant) = (1e-3, 280e6, 1.07, 1.6e-4);
+    let law = Bshp {
+        youngs_modulus: elastic.youngs_modulus,
+        poissons_ratio: elastic.poissons_ratio,
+        dissipative_constant: constant,
+    };
+    let xi = breaking_overlap_hertzian(elastic, radius, strength, factor);
+    let damping = law.force([radius; 2], xi, 0.0) - law.force([radius; 2], xi, 1.0);
+    let bound = damping_bound(
+        constant,
+        matching_stiffness(elastic, radius, strength, factor),
+    );
+    assert!((damping / bound - 1.0).abs() < 1e-12);
+    // About a tenth of a radius: hardly the small overlap that the law assumes.
+    let typical = breaking_overlap_hertzian(elastic, radius, strength, 1.0) / radius;
+    assert!((typical - 0.108).abs() < 5e-4);
+}
+
+#[test]
+fn metre_spheres_rebound_nearly_as_the_first_order_promises() {
+    let elastic = GRANITE.elastic();
+    let mass = 0.5 * sphere_mass(2700.0, 0.5);
+    let rebound = |restitution: f64| {
+        let law = Bshp {
+            youngs_modulus: elastic.youngs_modulus,
+            poissons_ratio: elastic.poissons_ratio,
+            dissipative_constant: dissipative_constant_from_restitution(
+                restitution,
+                elastic,
+                2700.0,
+                0.5,
+                1.0,
+            ),
+        };
+        collide(law, 0.5, mass, 1.0, 1e-7).0
+    };
+    assert!((rebound(0.83) - 0.8475).abs() < 1e-4, "{}", rebound(0.83));
+    // The neglected term is of second order: ten times less damping, a hundred times less error.
+    let error = |loss: f64| rebound(1.0 - loss) - (1.0 - loss);
+    assert!(
+        (error(0.02) / error(0.002) - 100.0).abs() < 5.0,
+        "{} {}",
+        error(0.02),
+        error(0.002)
+    );
+}
