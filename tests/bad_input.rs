@@ -31,7 +31,10 @@ const BESIDE: [(&str, &str); 3] = [
         "x,y,radius,vx,role\n0,0,1e-3,0,free\n2e-3,0,1e-3,0,free\n3.9e-3,0,1e-3,0,fixed\n",
     ),
     ("b.csv", "i,j,strength_factor\n0,1,1.0\n"),
-    ("c.csv", "i,j,initial_angle_i,initial_angle_j\n1,2,0.1,0.2\n"),
+    (
+        "c.csv",
+        "i,j,initial_angle_i,initial_angle_j\n1,2,0.1,0.2\n",
+    ),
 ];
 
 /// A mistake and the message that it must lead to.
@@ -51,7 +54,10 @@ struct Bench {
 impl Bench {
     fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        Self { folder, failures: Vec::new() }
+        Self {
+            folder,
+            failures: Vec::new(),
+        }
     }
 
     fn path(&self, name: &str) -> PathBuf {
@@ -63,7 +69,10 @@ impl Bench {
         let scene = self.path("scene.toml");
         std::fs::write(&scene, &case.scene).expect("the folder is writable");
         let beside = BESIDE.iter().map(|(name, text)| (*name, text.as_bytes()));
-        let replaced = case.beside.iter().map(|(name, bytes)| (name.as_str(), &bytes[..]));
+        let replaced = case
+            .beside
+            .iter()
+            .map(|(name, bytes)| (name.as_str(), &bytes[..]));
         for (name, bytes) in beside.chain(replaced) {
             std::fs::write(self.path(name), bytes).expect("the folder is writable");
         }
@@ -91,7 +100,9 @@ impl Bench {
                 && !out.exists();
             if !is_refused {
                 let (status, said) = (output.status, said.chars().take(600).collect::<String>());
-                self.failures.push(format!("{command}\nwanted {expected}\nsaid {status} {said}"));
+                self.failures.push(format!(
+                    "{command}\nwanted {expected}\nsaid {status} {said}"
+                ));
                 let _ = std::fs::remove_dir_all(&out);
                 return;
             }
@@ -100,13 +111,20 @@ impl Bench {
 
     fn finish(self) {
         let number = self.failures.len();
-        assert!(number == 0, "{number} failures:\n\n{}", self.failures.join("\n"));
+        assert!(
+            number == 0,
+            "{number} failures:\n\n{}",
+            self.failures.join("\n")
+        );
     }
 }
 
 /// Output of a program that must end soon.
 fn within(patience: Duration, mut command: Command) -> Output {
-    let command = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let command = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
     let began = Instant::now();
     // What is said here is short: it fits into the pipes.
@@ -186,7 +204,10 @@ fn check_list(scene: &str, list: &str) -> usize {
     }
     let output = crate::program::run(&["links", path.to_str().expect("UTF-8")]);
     assert!(output.status.success(), "{}", stderr(&output));
-    let cases: Vec<Case> = list.split("\n\n").filter_map(|text| case(scene, text)).collect();
+    let cases: Vec<Case> = list
+        .split("\n\n")
+        .filter_map(|text| case(scene, text))
+        .collect();
     cases.iter().for_each(|case| bench.check(case));
     bench.finish();
     cases.len()
@@ -235,30 +256,73 @@ fn what_is_no_scene_at_all_is_refused() {
         (b"\n\n\n".to_vec(), "scene.toml:1: time: missing"),
         (b"# nothing\n".to_vec(), "scene.toml:1: time: missing"),
         (b"\xef\xbb\xbf".to_vec(), "scene.toml:1: time: missing"),
-        (vec![0; 1000], "scene.toml:1: \\u{0}"),
+        (vec![0; 1000], "scene.toml:1: \\0\\0"),
         (vec![b' '; MEGABYTES], "scene.toml:1: time: missing"),
         (vec![b'\n'; MEGABYTES], "scene.toml:1: time: missing"),
-        (noise(MEGABYTES), "scene.toml:1: byte 0x ... must be a TOML file in UTF-8"),
+        (
+            noise(MEGABYTES),
+            "scene.toml:1: byte 0x ... must be a TOML file in UTF-8",
+        ),
         (text_noise(MEGABYTES), "scene.toml:1: ... must be TOML"),
-        (b"title = \"a\"\n\nx = \"\xff\"\n".to_vec(), "scene.toml:3: byte 0xff: must be a TOML"),
+        (
+            b"title = \"a\"\n\nx = \"\xff\"\n".to_vec(),
+            "scene.toml:3: byte 0xff: must be a TOML",
+        ),
         (many("[", 100_000), "scene.toml:1: [[[ ... must be TOML"),
         (many("a = [", 1), "scene.toml:1: a = [: must be TOML"),
-        ([b"a = ".to_vec(), many("[", 100_000)].concat(), "scene.toml:1: a = [[[ ... must be TOML"),
-        ([b"a = ".to_vec(), many("{a=", 100_000)].concat(), "scene.toml:1: a = {a={a= ... must be TOML"),
-        ([many("a.", 100_000), b"a = 1".to_vec()].concat(), "scene.toml:1: a"),
-        ([b"[".to_vec(), many("a.", 100_000), b"a]".to_vec()].concat(), "scene.toml:1: "),
-        (many("[[a]]\n", 100_000), "scene.toml:1: a = [array of 100000]: unknown key"),
-        (many("[a.b]\n", 2), "scene.toml:2: [a.b]: must be TOML: duplicate key"),
-        (many("x = 1\n", MEGABYTES / 6), "scene.toml:2: x = 1: must be TOML: duplicate key"),
-        ([b"title = \"".to_vec(), vec![b'a'; MEGABYTES]].concat(), "scene.toml:1: title = \"aaa"),
-        ([b"a = ".to_vec(), vec![b'9'; MEGABYTES]].concat(), "scene.toml:1: a = 999 ... unknown key"),
-        ([b"[time]\nend = ".to_vec(), vec![b'9'; MEGABYTES]].concat(), "scene.toml:2: time.end = 999 ... 64 bits"),
+        (
+            [b"a = ".to_vec(), many("[", 100_000)].concat(),
+            "scene.toml:1: a = [[[ ... must be TOML",
+        ),
+        (
+            [b"a = ".to_vec(), many("{a=", 100_000)].concat(),
+            "scene.toml:1: a = {a={a= ... must be TOML",
+        ),
+        (
+            [many("a.", 100_000), b"a = 1".to_vec()].concat(),
+            "scene.toml:1: a",
+        ),
+        (
+            [b"[".to_vec(), many("a.", 100_000), b"a]".to_vec()].concat(),
+            "scene.toml:1: ",
+        ),
+        (
+            many("[[a]]\n", 100_000),
+            "scene.toml:1: a = [array of 100000]: unknown key",
+        ),
+        (
+            many("[a.b]\n", 2),
+            "scene.toml:2: [a.b]: must be TOML: duplicate key",
+        ),
+        (
+            many("x = 1\n", MEGABYTES / 6),
+            "scene.toml:2: x = 1: must be TOML: duplicate key",
+        ),
+        (
+            [b"title = \"".to_vec(), vec![b'a'; MEGABYTES]].concat(),
+            "scene.toml:1: title = \"aaa",
+        ),
+        (
+            [b"a = ".to_vec(), vec![b'9'; MEGABYTES]].concat(),
+            "scene.toml:1: a = 999 ... unknown key",
+        ),
+        (
+            [b"[time]\nend = ".to_vec(), vec![b'9'; MEGABYTES]].concat(),
+            "scene.toml:2: time.end = 999 ... 64 bits",
+        ),
         (vec![b'a'; MEGABYTES], "scene.toml:1: aaa ... must be TOML"),
-        (b"title = \"\"\"\nnever\nends\n".to_vec(), "scene.toml:1: title = \"\"\": must be TOML"),
+        (
+            b"title = \"\"\"\nnever\nends\n".to_vec(),
+            "scene.toml:4: must be TOML: invalid multi-line basic string",
+        ),
     ];
     let mut bench = Bench::new();
     for (scene, expected) in cases {
-        bench.check(&Case { scene, expected: expected.to_owned(), ..Case::default() });
+        bench.check(&Case {
+            scene,
+            expected: expected.to_owned(),
+            ..Case::default()
+        });
     }
     bench.finish();
 }
@@ -269,7 +333,12 @@ fn scenes_that_cannot_be_read_are_refused() {
     let folder = bench.folder.path().to_owned();
     let below = folder.join("file");
     std::fs::write(&below, "").expect("the folder is writable");
-    for path in [&folder, &folder.join("missing.toml"), &below.join("x.toml"), Path::new("")] {
+    for path in [
+        &folder,
+        &folder.join("missing.toml"),
+        &below.join("x.toml"),
+        Path::new(""),
+    ] {
         let expected = format!(
             "gouge: {}: must be a readable scene file or one of the built-in scenes granite-fault, ",
             path.display()
@@ -300,7 +369,10 @@ fn unusable_arguments_are_refused() {
         (&["links"], "SCENE"),
         (&["stability", "no-such-scene"], "no-such-scene"),
         (&["scenes", "no-such-scene"], "granite-fault"),
-        (&["verify", "--only", "no-such-check", "--out", out], "no check matches"),
+        (
+            &["verify", "--only", "no-such-check", "--out", out],
+            "no check matches",
+        ),
     ];
     for (arguments, expected) in cases {
         let mut program = gouge();
@@ -311,5 +383,10 @@ fn unusable_arguments_are_refused() {
         assert!(said.contains(expected), "{arguments:?}: {said}");
         assert!(!said.contains("panicked"), "{arguments:?}: {said}");
     }
-    assert!(std::fs::read_dir(folder.path()).expect("ours").next().is_none());
+    assert!(
+        std::fs::read_dir(folder.path())
+            .expect("ours")
+            .next()
+            .is_none()
+    );
 }

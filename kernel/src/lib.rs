@@ -1,9 +1,10 @@
 //! The discrete element model of shearing brittle surfaces.
 //!
 //! Read down, the modules are chapter 3 of the thesis: particles, geometry, laws, links, forces,
-//! integrators, estimators, set-up. [`World`] ties them together.
-//! All quantities are in SI units.
+//! integrators, energy balance; [`World`] ties them together, estimators look at it. A module uses
+//! only those above it. All quantities are in SI units.
 
+mod error;
 pub mod scalar;
 pub mod geometry;
 pub mod material;
@@ -13,13 +14,12 @@ pub mod model;
 pub mod links;
 pub mod forces;
 pub mod integrators;
+pub mod balance;
+mod world;
 pub mod estimators;
 pub mod setup;
 pub mod distributions;
 pub mod calibration;
-mod error;
-mod world;
-mod world_record;
 
 pub use error::{ModelError, StepError};
-pub use world::{Drive, Start, World};
+pub use world::{Drive, Start, World, stable_step_estimate};

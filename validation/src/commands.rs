@@ -4,13 +4,11 @@ use crate::checks::register;
 use crate::error::Error;
 use crate::report::{self, Record};
 use crate::scene::{INTEGRATORS, Scene, builtin};
-use gouge_kernel::World;
 use gouge_kernel::forces::LinkKind;
-use gouge_kernel::integrators::{
-    Oscillator, crack_bound, critical_step, stable_step_estimate, wave_bound,
-};
+use gouge_kernel::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
 use gouge_kernel::material::Elastic;
 use gouge_kernel::model::{ContactNormal, ContactTangential};
+use gouge_kernel::{World, stable_step_estimate};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;

@@ -1,8 +1,7 @@
 //! Modified Beeman method.
 
-use crate::error::StepError;
+use super::{Motion, Previous};
 use crate::scalar::Real;
-use crate::world::World;
 use gouge_equations::rendered;
 
 /// Modified Beeman predictor-corrector.
@@ -20,19 +19,15 @@ use gouge_equations::rendered;
 /// earlier acceleration equal to the present one. Weakly unstable without damping: the amplitude grows
 /// by about (w dt)^4 / 12 a step.
 #[rendered]
-pub(crate) fn beeman<S: Real>(world: &mut World<S>, step: f64) -> Result<(), StepError> {
-    let Some(mut previous) = world.previous.take() else {
-        return Ok(());
-    };
-    let number = world.particles.len();
-    for i in 0..number {
-        let (a, alpha) = world.acceleration(i);
+pub(crate) fn beeman_predict<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
+    for i in 0..motion.particles.len() {
+        let (a, alpha) = motion.acceleration(i);
         if !previous.is_set {
             (previous.linear[i], previous.angular[i]) = (a, alpha);
         }
         let (a_, alpha_) = (previous.linear[i], previous.angular[i]);
         let sixth = S::from_f64(step / 6.0);
-        let p = &mut world.particles;
+        let p = &mut *motion.particles;
         let linear = (a * S::from_f64(4.0) - a_) * sixth;
         p.position[i] += (p.velocity[i] + linear) * S::from_f64(step);
         p.angle[i] += (p.angular_velocity[i] + (alpha * 4.0 - alpha_) * sixth) * step;
@@ -42,12 +37,14 @@ pub(crate) fn beeman<S: Real>(world: &mut World<S>, step: f64) -> Result<(), Ste
         (previous.linear[i], previous.angular[i]) = (a, alpha);
     }
     previous.is_set = true;
-    world.wrap();
-    let outcome = world.evaluate(true);
-    for i in 0..number {
-        let (a, alpha) = world.acceleration(i);
-        let p = &mut world.particles;
-        let two = S::from_f64(2.0);
+}
+
+/// The correction, with the forces at the prediction.
+pub(crate) fn beeman_correct<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
+    let two = S::from_f64(2.0);
+    for i in 0..motion.particles.len() {
+        let (a, alpha) = motion.acceleration(i);
+        let p = &mut *motion.particles;
         let bend = a - previous.linear[i] * two + previous.older_linear[i];
         let twist = alpha - previous.angular[i] * two + previous.older_angular[i];
         p.velocity[i] += bend * S::from_f64(step / 3.0);
@@ -55,7 +52,4 @@ pub(crate) fn beeman<S: Real>(world: &mut World<S>, step: f64) -> Result<(), Ste
         p.position[i] += bend * S::from_f64(step * step / 6.0);
         p.angle[i] += twist * (step * step / 6.0);
     }
-    world.wrap();
-    world.previous = Some(previous);
-    outcome
 }

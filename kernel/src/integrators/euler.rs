@@ -1,7 +1,7 @@
 //! Explicit and symplectic Euler methods.
 
+use super::Motion;
 use crate::scalar::Real;
-use crate::world::World;
 use gouge_equations::rendered;
 
 /// Explicit Euler method.
@@ -11,16 +11,15 @@ use gouge_equations::rendered;
 /// Thesis eq. (55). First order, one evaluation a step. Unstable for every step on an undamped spring,
 /// where the amplitude grows by the factor sqrt(1 + (w dt)^2) (E37 of `docs/errata.md`).
 #[rendered]
-pub(crate) fn euler<S: Real>(world: &mut World<S>, step: f64) {
-    for i in 0..world.particles.len() {
-        let (a, alpha) = world.acceleration(i);
-        let p = &mut world.particles;
+pub(crate) fn euler<S: Real>(motion: Motion<S>, step: f64) {
+    for i in 0..motion.particles.len() {
+        let (a, alpha) = motion.acceleration(i);
+        let p = &mut *motion.particles;
         p.position[i] += p.velocity[i] * S::from_f64(step);
         p.angle[i] += p.angular_velocity[i] * step;
         p.velocity[i] += a * S::from_f64(step);
         p.angular_velocity[i] += alpha * step;
     }
-    world.wrap();
 }
 
 /// Symplectic Euler method.
@@ -29,14 +28,13 @@ pub(crate) fn euler<S: Real>(world: &mut World<S>, step: f64) {
 ///
 /// First order, one evaluation a step; without damping symplectic and stable up to w dt = 2.
 #[rendered]
-pub(crate) fn symplectic_euler<S: Real>(world: &mut World<S>, step: f64) {
-    for i in 0..world.particles.len() {
-        let (a, alpha) = world.acceleration(i);
-        let p = &mut world.particles;
+pub(crate) fn symplectic_euler<S: Real>(motion: Motion<S>, step: f64) {
+    for i in 0..motion.particles.len() {
+        let (a, alpha) = motion.acceleration(i);
+        let p = &mut *motion.particles;
         p.velocity[i] += a * S::from_f64(step);
         p.angular_velocity[i] += alpha * step;
         p.position[i] += p.velocity[i] * S::from_f64(step);
         p.angle[i] += p.angular_velocity[i] * step;
     }
-    world.wrap();
 }

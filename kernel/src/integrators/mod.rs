@@ -5,20 +5,19 @@ mod euler;
 mod taylor;
 mod time_step;
 mod velocity_verlet;
-mod watch;
 
 pub use time_step::{
     Oscillator, characteristic_polynomial, crack_bound, critical_step, is_stable, wave_bound,
 };
-pub use watch::stable_step_estimate;
 
-pub(crate) use beeman::beeman;
+pub(crate) use beeman::{beeman_correct, beeman_predict};
 pub(crate) use euler::{euler, symplectic_euler};
 pub(crate) use taylor::taylor;
-pub(crate) use velocity_verlet::velocity_verlet;
-pub(crate) use watch::check;
+pub(crate) use velocity_verlet::{verlet_correct, verlet_predict};
 
+use crate::forces::Forces;
 use crate::geometry::Vec2;
+use crate::particles::Particles;
 use crate::scalar::Real;
 
 /// Integration method.
@@ -86,5 +85,28 @@ impl<S: Real> Previous<S> {
             older_angular: vec![S::zero(); older],
             is_set: false,
         }
+    }
+}
+
+/// What an integrator may touch: it moves particles under given forces.
+pub(crate) struct Motion<'a, S> {
+    /// The particles.
+    pub particles: &'a mut Particles<S>,
+    /// Forces and torques on them.
+    pub forces: &'a Forces<S>,
+    /// Inverse masses in 1/kg, zero for fixed particles.
+    pub inverse_mass: &'a [S],
+    /// Inverse moments of inertia in 1/(kg m^2), zero for fixed particles.
+    pub inverse_inertia: &'a [S],
+}
+
+impl<S: Real> Motion<'_, S> {
+    /// Acceleration of particle `i` in m/s^2 and its angular acceleration in rad/s^2, thesis eq. (51).
+    #[inline(always)]
+    fn acceleration(&self, i: usize) -> (Vec2<S>, S) {
+        (
+            self.forces.force[i] * self.inverse_mass[i],
+            self.forces.torque[i] * self.inverse_inertia[i],
+        )
     }
 }

@@ -1,7 +1,7 @@
 //! Taylor expansion.
 
+use super::Motion;
 use crate::scalar::Real;
-use crate::world::World;
 use gouge_equations::rendered;
 
 /// Second-order expansion of the positions.
@@ -11,14 +11,13 @@ use gouge_equations::rendered;
 /// Thesis eq. (56). Globally first order, because the velocities are; one evaluation a step. Unstable
 /// on an undamped spring.
 #[rendered]
-pub(crate) fn taylor<S: Real>(world: &mut World<S>, step: f64) {
-    for i in 0..world.particles.len() {
-        let (a, alpha) = world.acceleration(i);
-        let p = &mut world.particles;
+pub(crate) fn taylor<S: Real>(motion: Motion<S>, step: f64) {
+    for i in 0..motion.particles.len() {
+        let (a, alpha) = motion.acceleration(i);
+        let p = &mut *motion.particles;
         p.position[i] += (p.velocity[i] + a * S::from_f64(0.5 * step)) * S::from_f64(step);
         p.angle[i] += (p.angular_velocity[i] + alpha * (0.5 * step)) * step;
         p.velocity[i] += a * S::from_f64(step);
         p.angular_velocity[i] += alpha * step;
     }
-    world.wrap();
 }

@@ -1,8 +1,7 @@
 //! Velocity Verlet.
 
-use crate::error::StepError;
+use super::{Motion, Previous};
 use crate::scalar::Real;
-use crate::world::World;
 use gouge_equations::rendered;
 
 /// Velocity Verlet method with predicted velocities.
@@ -16,27 +15,24 @@ use gouge_equations::rendered;
 ///
 /// $$ \omega \Delta t = \sqrt{16 \zeta^2 + 4} - 4 \zeta $$
 #[rendered]
-pub(crate) fn velocity_verlet<S: Real>(world: &mut World<S>, step: f64) -> Result<(), StepError> {
-    let Some(mut previous) = world.previous.take() else {
-        return Ok(());
-    };
-    for i in 0..world.particles.len() {
-        let (a, alpha) = world.acceleration(i);
-        let p = &mut world.particles;
+pub(crate) fn verlet_predict<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
+    for i in 0..motion.particles.len() {
+        let (a, alpha) = motion.acceleration(i);
+        let p = &mut *motion.particles;
         p.position[i] += (p.velocity[i] + a * S::from_f64(0.5 * step)) * S::from_f64(step);
         p.angle[i] += (p.angular_velocity[i] + alpha * (0.5 * step)) * step;
         p.velocity[i] += a * S::from_f64(step);
         p.angular_velocity[i] += alpha * step;
         (previous.linear[i], previous.angular[i]) = (a, alpha);
     }
-    world.wrap();
-    let outcome = world.evaluate(true);
-    for i in 0..world.particles.len() {
-        let (a, alpha) = world.acceleration(i);
-        let p = &mut world.particles;
+}
+
+/// The rest of the step, with the forces at the prediction: half the change of acceleration is added.
+pub(crate) fn verlet_correct<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
+    for i in 0..motion.particles.len() {
+        let (a, alpha) = motion.acceleration(i);
+        let p = &mut *motion.particles;
         p.velocity[i] += (a - previous.linear[i]) * S::from_f64(0.5 * step);
         p.angular_velocity[i] += (alpha - previous.angular[i]) * (0.5 * step);
     }
-    world.previous = Some(previous);
-    outcome
 }

@@ -14,9 +14,9 @@ pub struct Progress {
 impl Progress {
     /// A bar for the given phases; none if quiet or if nobody watches.
     pub fn new(phases: &[Phase], quiet: bool) -> Self {
-        let mut starts = vec![0];
+        let mut starts = vec![0_u64];
         for phase in phases {
-            starts.push(starts[starts.len() - 1] + phase.steps);
+            starts.push(starts[starts.len() - 1].saturating_add(phase.steps));
         }
         let watched = !quiet && std::io::stderr().is_terminal();
         let bar = watched.then(|| {

@@ -171,11 +171,7 @@ impl Scene {
         let domain = domain(root)?;
         let time = root.table("time")?;
         time.allow(&["step", "end", "integrator"])?;
-        let end = time.number("end", Range::NonNegative)?;
-        let step = time.number("step", Range::Positive)?;
-        if end / step > 1e15 {
-            return Err(time.error("step", "must not be below the 1e-15th part of time.end"));
-        }
+        let (end, step) = time.duration_and_step("end")?;
         let density = density(root)?;
         Ok(Self {
             title: root.optional_text("title")?.unwrap_or_default().to_owned(),
@@ -191,7 +187,7 @@ impl Scene {
             particles: particles::particles(root, folder, density)?,
             bonds: particles::bonds(root, folder)?,
             contacts: particles::contacts(root, folder)?,
-            setup: setup::setup(root, &domain, reading)?,
+            setup: setup::setup(root, &domain, reading, density)?,
             output: output(root, end)?,
             domain,
             density,
@@ -203,8 +199,7 @@ impl Scene {
     /// What no single table can tell.
     fn check(&self, root: &Table) -> Result<()> {
         if self.particles.is_empty() && self.setup.is_none() {
-            let accepted = "missing; a scene needs [[particles]], particles_file or [setup]";
-            return Err(root.error("particles", accepted));
+            return Err(no_particles(root));
         }
         let bonds_made = self
             .setup
@@ -239,11 +234,14 @@ impl Scene {
 
     fn check_pairs(&self) -> Result<()> {
         if self.setup.is_some() {
-            let places = self.bonds.iter().map(|(_, place)| place);
-            let mut places = places.chain(self.contacts.iter().map(|(_, place)| place));
-            return match places.next() {
-                Some(place) => Err(place.error(
-                    String::new(),
+            let bonds = self.bonds.iter().map(|(bond, place)| (bond.between, place));
+            let contacts = self
+                .contacts
+                .iter()
+                .map(|(contact, place)| (contact.between, place));
+            return match bonds.chain(contacts).next() {
+                Some((between, place)) => Err(place.error(
+                    format!("{between:?}"),
                     "cannot be listed in a scene with [setup], which makes its own".to_owned(),
                 )),
                 None => Ok(()),
@@ -259,7 +257,26 @@ impl Scene {
             self.contacts
                 .iter()
                 .map(|(contact, place)| (contact.between, place)),
-        )
+        )?;
+        self.check_unbonded()
+    }
+
+    /// No pair is bonded and also in contact.
+    fn check_unbonded(&self) -> Result<()> {
+        let pair = |between: [usize; 2]| Pair::new(between[0], between[1]);
+        let bonded: std::collections::HashSet<Pair> = self
+            .bonds
+            .iter()
+            .map(|(bond, _)| pair(bond.between))
+            .collect();
+        let both = |(contact, _): &&(ContactStart, Place)| bonded.contains(&pair(contact.between));
+        match self.contacts.iter().find(both) {
+            Some((contact, place)) => Err(place.error(
+                format!("{:?}", contact.between),
+                "names a pair that is bonded; a bonded pair has no contact".to_owned(),
+            )),
+            None => Ok(()),
+        }
     }
 
     fn check_driving(&self, root: &Table) -> Result<()> {
@@ -299,13 +316,15 @@ impl Scene {
 
     /// The scene's error for one that the kernel found.
     fn placed(&self, root: &Table, error: &ModelError) -> SceneError {
+        let bond = |(bond, place): &(BondStart, Place)| (bond.between, place.clone());
+        let contact = |(contact, place): &(ContactStart, Place)| (contact.between, place.clone());
         let place = match error {
-            ModelError::LongBond { link, .. } => self.bonds.get(*link).map(|(_, place)| place),
-            ModelError::NoOverlap { link, .. } => self.contacts.get(*link).map(|(_, place)| place),
+            ModelError::LongBond { link, .. } => self.bonds.get(*link).map(bond),
+            ModelError::NoOverlap { link, .. } => self.contacts.get(*link).map(contact),
             _ => None,
         };
         match place {
-            Some(place) => place.error(String::new(), error.to_string()),
+            Some((between, place)) => place.error(format!("{between:?}"), error.to_string()),
             None => root.source().error(0, "", "", &error.to_string()),
         }
     }
@@ -475,20 +494,55 @@ fn text_of<'a>(file: &str, bytes: &'a [u8]) -> Result<&'a str> {
     })
 }
 
+fn no_particles(root: &Table) -> SceneError {
+    if root.has("particles_file") {
+        return root.error("particles_file", "must list at least one particle");
+    }
+    let accepted = "a scene needs [[particles]], particles_file or [setup]";
+    match root.has("particles") {
+        true => root.error("particles", accepted),
+        false => root.error("particles", &format!("missing; {accepted}")),
+    }
+}
+
+/// An error in a file that is no TOML, with the key that the line seems to mean.
 fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
     let at = error.span().map_or(0, |span| span.start);
-    let line = source
-        .text
-        .lines()
-        .nth(source.line(at) - 1)
-        .unwrap_or_default();
-    let (key, value) = line.split_once('=').unwrap_or(("", line));
-    source.error(
-        at,
-        &shortened(key.trim()),
-        &shortened(value.trim()),
-        &format!("must be TOML: {}", error.message()),
-    )
+    let before = source.line(at) - 1;
+    let line = source.text.lines().nth(before).unwrap_or_default().trim();
+    let table = enclosing_table(source.text, before);
+    let (key, value) = match line.split_once('=') {
+        _ if line.starts_with('[') => (String::new(), line),
+        Some((key, value)) if table.is_empty() => (shortened(key.trim()), value.trim()),
+        Some((key, value)) => (format!("{table}.{}", shortened(key.trim())), value.trim()),
+        None => (table, line),
+    };
+    let accepted = format!("must be TOML: {}", error.message());
+    source.error(at, &key, &shortened(value), &accepted)
+}
+
+/// Dotted path of the table whose header is the last one among the first lines of a text.
+fn enclosing_table(text: &str, lines: usize) -> String {
+    let headers = || text.lines().take(lines).filter_map(header);
+    match headers().last() {
+        None => String::new(),
+        Some((name, false)) => name.to_owned(),
+        Some(last) => format!(
+            "{}[{}]",
+            last.0,
+            headers().filter(|&h| h == last).count() - 1
+        ),
+    }
+}
+
+/// Name in a line such as `[name]` or `[[name]]`, and whether it is of the latter kind.
+fn header(line: &str) -> Option<(&str, bool)> {
+    let (inner, _) = line.trim_start().strip_prefix('[')?.split_once(']')?;
+    let name = inner.strip_prefix('[');
+    let (name, is_list) = (name.unwrap_or(inner).trim(), name.is_some());
+    let is_key = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
+    let is_name = name.len() <= 60 && !name.is_empty() && name.chars().all(is_key);
+    is_name.then_some((name, is_list))
 }
 
 /// Bytes in hexadecimal digits.

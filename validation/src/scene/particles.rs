@@ -308,9 +308,7 @@ impl Rows {
         let mut items = Vec::new();
         for record in reader.records() {
             let record = record.map_err(|error| self.broken(&error))?;
-            let line = record
-                .position()
-                .map_or(0, |position| position.line() as usize);
+            let line = record.position().map_or(0, |position| self.line(position));
             items.push(read(&Row {
                 file: &self.file,
                 line,
@@ -353,20 +351,31 @@ impl Rows {
 
     /// Line of a row, after the blank lines that are counted to it.
     fn line(&self, position: &csv::Position) -> usize {
-        let rest = self.bytes.get(position.byte() as usize..).unwrap_or_default();
+        let rest = self
+            .bytes
+            .get(position.byte() as usize..)
+            .unwrap_or_default();
         let blank = rest.iter().take_while(|byte| matches!(byte, b'\n' | b'\r'));
         position.line() as usize + blank.filter(|&&byte| byte == b'\n').count()
     }
 
     fn broken(&self, error: &csv::Error) -> SceneError {
+        let (value, accepted) = match error.kind() {
+            csv::ErrorKind::UnequalLengths {
+                expected_len, len, ..
+            } => (
+                format!("{len} cells"),
+                format!("must be {expected_len} cells, as many as the first line has"),
+            ),
+            csv::ErrorKind::Utf8 { .. } => (String::new(), "must be text in UTF-8".to_owned()),
+            _ => (String::new(), format!("must be a CSV file: {error}")),
+        };
         SceneError {
             file: self.file.clone(),
-            line: error
-                .position()
-                .map_or(1, |position| position.line() as usize),
+            line: error.position().map_or(1, |position| self.line(position)),
             key: String::new(),
-            value: String::new(),
-            accepted: format!("must be a CSV file in UTF-8 with equally long rows: {error}"),
+            value,
+            accepted,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! `[setup]`: the protocol that makes the particles of a scene, thesis section 3.7.
 
 use super::laws;
+use super::particles::mass_problem;
 use super::table::{Range, Table};
 use crate::error::SceneError;
 use gouge_kernel::model::{Ambient, Domain, External, Reading};
@@ -121,13 +122,21 @@ const KEYS: [&str; 11] = [
     "press",
 ];
 
+/// Largest number of particles that a lattice may get.
+const MOST: f64 = 1e7;
+
 /// `[setup]`.
-pub fn setup(root: &Table, domain: &Domain, reading: Reading) -> Result<Option<Setup>> {
+pub fn setup(
+    root: &Table,
+    domain: &Domain,
+    reading: Reading,
+    density: f64,
+) -> Result<Option<Setup>> {
     let Some(table) = root.optional_table("setup")? else {
         return Ok(None);
     };
     table.allow(&KEYS)?;
-    let sizes = sizes(&table.table("sizes")?)?;
+    let sizes = sizes(&table.table("sizes")?, density)?;
     let phases = |key: &str, presses: bool| phases(&table, key, presses, domain, reading);
     let needs_box = domain.width.zip(domain.height);
     let (clip, correct_density) = (
@@ -139,6 +148,7 @@ pub fn setup(root: &Table, domain: &Domain, reading: Reading) -> Result<Option<S
             return Err(table.error(key, "needs box.width and box.height"));
         }
     }
+    check_company(root, &table)?;
     Ok(Some(Setup {
         seed: table.optional_whole("seed")?.ok_or_else(|| {
             table.error("seed", "missing; must be a whole number, zero or greater")
@@ -156,10 +166,33 @@ pub fn setup(root: &Table, domain: &Domain, reading: Reading) -> Result<Option<S
     }))
 }
 
-fn sizes(table: &Table) -> Result<SizeRange> {
+/// Parts that would do nothing without another one.
+fn check_company(root: &Table, setup: &Table) -> Result<()> {
+    if setup.has("fault") && !setup.has("bonding") {
+        return Err(setup.error("fault", "needs [setup.bonding], whose bonds it cuts"));
+    }
+    if setup.has("press") && !root.has("driving") {
+        return Err(setup.error("press", "needs [driving], whose pressure it builds up"));
+    }
+    Ok(())
+}
+
+fn sizes(table: &Table, density: f64) -> Result<SizeRange> {
+    let sizes = size_range(table)?;
+    for (key, radius) in [("minimum", sizes.minimum), ("maximum", sizes.maximum)] {
+        if let Some(problem) = mass_problem(density, radius) {
+            let key = if table.has("mean") { "mean" } else { key };
+            return Err(table.error(key, &problem));
+        }
+    }
+    Ok(sizes)
+}
+
+fn size_range(table: &Table) -> Result<SizeRange> {
     if table.has("mean") {
         table.allow(&["mean"])?;
-        return Ok(SizeRange::around(table.number("mean", Range::Positive)?));
+        let mean = table.number("mean", Range::Positive)?;
+        return Ok(SizeRange::around(mean));
     }
     table.allow(&["mean", "minimum", "maximum"])?;
     let minimum = table.number("minimum", Range::Positive)?;
@@ -194,27 +227,8 @@ fn lattice(table: &Table, sizes: SizeRange, domain: &Domain) -> Result<LatticeTa
     let pitch = table
         .optional_number("pitch", Range::Positive)?
         .unwrap_or(2.0 * (sizes.maximum + perturbation));
-    let columns = match (table.optional_whole("columns")?, domain.width) {
-        (Some(columns), _) => columns as usize,
-        (None, Some(width)) => (width / pitch) as usize,
-        (None, None) => {
-            return Err(table.error("columns", "missing; needed where the box has no width"));
-        }
-    };
-    if !(1..=1_000_000).contains(&columns) {
-        return Err(table.error("columns", "must be a whole number from 1 to 1000000"));
-    }
-    let amount = match (table.optional_whole("rows")?, table.has("filling")) {
-        (Some(rows), false) if (1..=1_000_000).contains(&rows) => Amount::Rows(rows as usize),
-        (Some(_), false) => {
-            return Err(table.error("rows", "must be a whole number from 1 to 1000000"));
-        }
-        (None, true) if domain.width.zip(domain.height).is_some() => {
-            Amount::Filling(table.number("filling", Range::Between(0.0, 4.0))?)
-        }
-        (None, true) => return Err(table.error("filling", "needs box.width and box.height")),
-        _ => return Err(table.error("rows", "exactly one of rows and filling is needed")),
-    };
+    let columns = columns(table, domain, pitch)?;
+    let amount = amount(table, sizes, domain, columns)?;
     let margin = domain
         .width
         .map_or(0.0, |width| 0.5 * (width - pitch * columns as f64));
@@ -231,6 +245,61 @@ fn lattice(table: &Table, sizes: SizeRange, domain: &Domain) -> Result<LatticeTa
     })
 }
 
+fn columns(table: &Table, domain: &Domain, pitch: f64) -> Result<usize> {
+    let columns = match (table.optional_whole("columns")?, domain.width) {
+        (Some(columns), _) => columns as usize,
+        (None, Some(width)) if table.has("pitch") && width < pitch => {
+            return Err(table.error("pitch", "must not be above box.width"));
+        }
+        (None, Some(width)) => (width / pitch) as usize,
+        (None, None) => {
+            return Err(table.error("columns", "missing; needed where the box has no width"));
+        }
+    };
+    if (1..=1_000_000).contains(&columns) {
+        return Ok(columns);
+    }
+    let accepted = "must be a whole number from 1 to 1000000";
+    Err(match table.has("columns") {
+        true => table.error("columns", accepted),
+        false => table.error(
+            "columns",
+            &format!("missing; {accepted}, but box.width is {columns} times the pitch"),
+        ),
+    })
+}
+
+fn amount(table: &Table, sizes: SizeRange, domain: &Domain, columns: usize) -> Result<Amount> {
+    let (rows, area) = (
+        table.optional_whole("rows")?,
+        domain.width.zip(domain.height),
+    );
+    let (key, amount, number) = match (rows, table.has("filling"), area) {
+        (Some(rows), false, _) => {
+            if !(1..=1_000_000).contains(&rows) {
+                return Err(table.error("rows", "must be a whole number from 1 to 1000000"));
+            }
+            let number = rows as f64 * columns as f64;
+            ("rows", Amount::Rows(rows as usize), number)
+        }
+        (None, true, Some((width, height))) => {
+            let filling = table.number("filling", Range::Between(0.0, 4.0))?;
+            let smallest = core::f64::consts::PI * sizes.minimum * sizes.minimum;
+            let number = filling * (width / smallest) * height;
+            ("filling", Amount::Filling(filling), number)
+        }
+        (None, true, None) => {
+            return Err(table.error("filling", "needs box.width and box.height"));
+        }
+        _ => return Err(table.error("rows", "exactly one of rows and filling is needed")),
+    };
+    if number > MOST {
+        let accepted = format!("may make {MOST} particles at most, but would make {number:.0}");
+        return Err(table.error(key, &accepted));
+    }
+    Ok(amount)
+}
+
 fn phases(
     setup: &Table,
     key: &str,
@@ -244,9 +313,10 @@ fn phases(
             known.push("speed");
         }
         table.allow(&known)?;
+        let (duration, step) = table.duration_and_step("duration")?;
         Ok(PhaseTable {
-            duration: table.number("duration", Range::NonNegative)?,
-            step: table.number("step", Range::Positive)?,
+            duration,
+            step,
             ambient: laws::ambient(table, reading)?,
             external: laws::external(table, domain)?,
             speed: table

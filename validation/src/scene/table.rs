@@ -93,6 +93,17 @@ impl Range {
 /// A value as it is written in the file, shortened.
 fn shown(source: &Source, value: &Spanned<DeValue>) -> String {
     match value.get_ref() {
+        DeValue::Array(array) if array.len() <= 60 => {
+            let elements: Vec<String> = array.iter().map(|v| shown_plain(source, v)).collect();
+            shortened(&format!("[{}]", elements.join(", ")))
+        }
+        _ => shown_plain(source, value),
+    }
+}
+
+/// As [`shown`], of arrays only their length.
+fn shown_plain(source: &Source, value: &Spanned<DeValue>) -> String {
+    match value.get_ref() {
         DeValue::String(text) => format!("{:?}", shortened(text)),
         DeValue::Integer(_) | DeValue::Float(_) | DeValue::Datetime(_) => {
             shortened(source.text.get(value.span()).unwrap_or_default())
@@ -121,7 +132,8 @@ fn number_of(value: &DeValue) -> Option<f64> {
 }
 
 /// What is accepted instead of an integer that TOML does not know.
-const TOO_LONG: &str = "must fit into 64 bits; a larger number needs a decimal point or an exponent";
+const TOO_LONG: &str =
+    "must fit into 64 bits; a larger number needs a decimal point or an exponent";
 
 fn is_integer(value: &DeValue) -> bool {
     matches!(value, DeValue::Integer(_))
@@ -223,6 +235,18 @@ impl<'a> Table<'a> {
             .ok_or_else(|| self.missing(key, &range.text()))
     }
 
+    /// A duration and the time step that divides it into a number of steps that can be counted.
+    pub fn duration_and_step(&self, duration: &str) -> Result<(f64, f64)> {
+        let (key, duration) = (duration, self.number(duration, Range::NonNegative)?);
+        let step = self.number("step", Range::Positive)?;
+        if duration / step > 1e15 {
+            let key = self.key(key);
+            let accepted = format!("must not be below the 1e-15th part of {key}");
+            return Err(self.error("step", &accepted));
+        }
+        Ok((duration, step))
+    }
+
     /// A whole number that is not negative, if the key is there.
     pub fn optional_whole(&self, key: &str) -> Result<Option<u64>> {
         let Some(value) = self.value(key) else {
@@ -287,7 +311,7 @@ impl<'a> Table<'a> {
         });
         match pair {
             Some(pair) if pair.iter().all(|x| x.is_finite()) => Ok(Some(pair)),
-            _ => Err(self.array_error(key, accepted)),
+            _ => Err(self.error(key, accepted)),
         }
     }
 
@@ -308,17 +332,7 @@ impl<'a> Table<'a> {
             [a, b] => Some([index(a)?, index(b)?]),
             _ => None,
         });
-        pair.ok_or_else(|| self.array_error(key, accepted))
-    }
-
-    /// An error about an array, which shows its elements.
-    fn array_error(&self, key: &str, accepted: &str) -> SceneError {
-        let mut error = self.error(key, accepted);
-        if let Some(array) = self.value(key).and_then(|value| value.array()) {
-            let elements: Vec<String> = array.iter().map(|v| shown(&self.source, v)).collect();
-            error.value = shortened(&format!("[{}]", elements.join(", ")));
-        }
-        error
+        pair.ok_or_else(|| self.error(key, accepted))
     }
 
     /// A table below this one, if the key is there.

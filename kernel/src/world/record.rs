@@ -1,13 +1,13 @@
 //! The whole state of a world as a list of words, for checkpoints.
 
-use crate::estimators::Ledger;
+use super::{Drive, Start, World};
+use crate::balance::Ledger;
 use crate::forces::{Forces, Tally};
 use crate::geometry::Vec2;
 use crate::integrators::Previous;
 use crate::links::{ContactMemory, Pair, StrongLink, StrongLinks};
 use crate::model::Model;
 use crate::particles::{Particles, Role};
-use crate::world::{Drive, Start, World};
 
 /// Words in the order in which they were written.
 struct Reader<'a> {
@@ -237,7 +237,7 @@ impl World {
     }
 
     /// Replace all links.
-    pub(crate) fn adopt_links(
+    pub(super) fn adopt_links(
         &mut self,
         links: Vec<StrongLink<f64>>,
         contacts: Vec<(Pair, ContactMemory<f64>)>,

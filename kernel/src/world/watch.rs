@@ -1,13 +1,13 @@
 //! Stops a run whose state has become senseless, and says why.
 
-use super::{Oscillator, critical_step};
+use super::World;
 use crate::error::StepError;
+use crate::integrators::{Oscillator, critical_step};
 use crate::model::{ContactNormal, ContactTangential, Model};
 use crate::scalar::Real;
-use crate::world::World;
 
 /// Check every particle; see [`World::check`].
-pub(crate) fn check<S: Real>(world: &World<S>) -> Result<(), StepError> {
+pub(super) fn check<S: Real>(world: &World<S>) -> Result<(), StepError> {
     let p = &world.particles;
     let step = world.model.time_step;
     let cell = farthest(world);

@@ -1,0 +1,62 @@
+//! Going on from one phase to the next.
+
+use super::{Start, World};
+use crate::balance::Ledger;
+use crate::error::ModelError;
+use crate::model::Model;
+use crate::particles::{Particles, Role};
+
+impl World {
+    /// Go on from the present state at t = 0 with another model and, if given, other roles.
+    ///
+    /// Bonds, contacts that remember and the driving force are kept; the ledger begins anew.
+    ///
+    /// # Errors
+    /// As [`World::new`].
+    pub fn continue_with(
+        mut self,
+        model: Model,
+        roles: Option<Vec<Role>>,
+    ) -> Result<Self, ModelError> {
+        if let Some(roles) = roles {
+            self.particles.assign(roles);
+        }
+        let links = self.strong.map_or_else(Vec::new, |strong| strong.links);
+        let contacts = self.weak.map_or_else(Vec::new, |weak| {
+            weak.remembered()
+                .map(|(pair, memory)| (pair, *memory))
+                .collect()
+        });
+        let start = Start {
+            drive_force: self.drive.force,
+            ..Start::default()
+        };
+        let mut world = Self::new(model, self.particles, &start)?;
+        world.adopt_links(links, contacts);
+        world.strengthen_edges();
+        if model.ledger {
+            world.ledger = Some(Ledger::starting_from(&world.state_energy()));
+        }
+        Ok(world)
+    }
+
+    /// The particles alone.
+    pub fn into_particles(self) -> Particles {
+        self.particles
+    }
+
+    /// Make the bonds of driven and fixed particles unbreakable, if the model wants them so.
+    fn strengthen_edges(&mut self) {
+        let edges = self.model.bond.and_then(|bond| bond.yielding);
+        let (Some(strong), true) = (&mut self.strong, edges.is_some_and(|y| y.unbreakable_edges))
+        else {
+            return;
+        };
+        for link in &mut strong.links {
+            let (i, j) = link.pair.indices();
+            if self.particles.role[i] != Role::Free || self.particles.role[j] != Role::Free {
+                link.strength_factor = f64::INFINITY;
+            }
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! One evaluation: links, forces and the ledger's tally at the present positions and velocities.
+
+use super::World;
+use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
+use crate::balance::Energy;
+use crate::error::StepError;
+use crate::forces::{self, LinkState, Tally};
+use crate::geometry::{Metric, PeriodicX};
+use crate::links::Pair;
+use crate::model::{Ambient, External};
+use crate::scalar::Real;
+
+impl<S: Real> World<S> {
+    /// Forces at the present positions and velocities; bonds break, contacts begin and end.
+    pub(super) fn evaluate(&mut self, advances_drive: bool) -> Result<(), StepError> {
+        self.watch()?;
+        self.forces.clear();
+        self.tally = Tally::default();
+        self.add_strong_links();
+        self.add_weak_links();
+        if let Some(strong) = &mut self.strong
+            && !strong.broken.is_empty()
+        {
+            strong.remove_broken();
+        }
+        self.add_fields();
+        self.add_driving(advances_drive);
+        if let Some(ledger) = &mut self.ledger {
+            ledger.book(&self.tally);
+        }
+        Ok(())
+    }
+
+    /// Keep the neighbour list valid, and stop if the state has become senseless.
+    fn watch(&mut self) -> Result<(), StepError> {
+        let Self {
+            model,
+            particles,
+            weak: Some(weak),
+            ..
+        } = self
+        else {
+            return self.check();
+        };
+        if with_metric!(model, metric => weak.neighbors().are_stale(metric, particles)) {
+            self.check()?;
+            let Self {
+                model,
+                particles,
+                weak,
+                strong,
+                ..
+            } = self;
+            if let Some(weak) = weak {
+                with_metric!(model, metric => weak.rebuild(metric, particles, strong.as_ref()));
+            }
+        }
+        Ok(())
+    }
+
+    fn add_strong_links(&mut self) {
+        let Self {
+            model,
+            particles,
+            forces,
+            strong,
+            tally,
+            ..
+        } = self;
+        let (Some(strong), Some(bond)) = (strong, model.bond) else {
+            return;
+        };
+        with_strong_pass!(model, bond, pass => match (bond.yielding.is_some(), model.ledger) {
+            (false, false) => forces::strong_links::<_, _, _, false, false>(pass, particles, strong, forces, tally),
+            (false, true) => forces::strong_links::<_, _, _, false, true>(pass, particles, strong, forces, tally),
+            (true, false) => forces::strong_links::<_, _, _, true, false>(pass, particles, strong, forces, tally),
+            (true, true) => forces::strong_links::<_, _, _, true, true>(pass, particles, strong, forces, tally),
+        });
+    }
+
+    fn add_weak_links(&mut self) {
+        let Self {
+            model,
+            particles,
+            forces,
+            strong,
+            weak,
+            tally,
+            ..
+        } = self;
+        let (Some(weak), Some(contact)) = (weak, model.contact) else {
+            return;
+        };
+        let strong = strong.as_ref();
+        if let Some(strong) = strong
+            && !strong.broken.is_empty()
+        {
+            weak.admit_broken(strong);
+        }
+        let is_broken = |pair: Pair| strong.is_some_and(|strong| strong.breaks_now(pair));
+        with_weak_pass!(model, contact, pass => if model.ledger {
+            forces::weak_links::<_, _, _, _, _, true>(pass, particles, weak, is_broken, forces, tally);
+        } else {
+            forces::weak_links::<_, _, _, _, _, false>(pass, particles, weak, is_broken, forces, tally);
+        });
+    }
+
+    fn add_fields(&mut self) {
+        let Self {
+            model,
+            particles,
+            forces,
+            tally,
+            ..
+        } = self;
+        match (model.ambient, model.ledger) {
+            (None, _) => {}
+            (Some(Ambient::Creeping(law)), false) => {
+                forces::ambient::<_, _, false>(law, particles, forces, tally)
+            }
+            (Some(Ambient::Creeping(law)), true) => {
+                forces::ambient::<_, _, true>(law, particles, forces, tally)
+            }
+            (Some(Ambient::Correlation(law)), false) => {
+                forces::ambient::<_, _, false>(law, particles, forces, tally)
+            }
+            (Some(Ambient::Correlation(law)), true) => {
+                forces::ambient::<_, _, true>(law, particles, forces, tally)
+            }
+        }
+        match model.external {
+            None => {}
+            Some(External::Gravity(law)) => forces::external(law, particles, forces),
+            Some(External::HarmonicWell(law)) => forces::external(law, particles, forces),
+        }
+    }
+
+    fn add_driving(&mut self, advances: bool) {
+        let Self {
+            model,
+            particles,
+            forces,
+            tally,
+            driven,
+            drive,
+            ..
+        } = self;
+        let Some(law) = model.driving else { return };
+        let measured = forces::measure(particles, driven, forces);
+        drive.reaction = measured.reaction;
+        let before = drive.force;
+        if advances {
+            drive.force = law.next_force(before, &measured, model.time_step);
+        }
+        drive.applied = if model.integrator.evaluates_first() {
+            before
+        } else {
+            drive.force
+        };
+        if model.ledger {
+            forces::driving::<_, true>(drive.force, particles, driven, forces, tally);
+        } else {
+            forces::driving::<_, false>(drive.force, particles, driven, forces, tally);
+        }
+    }
+
+    /// Find all pairs that may touch anew.
+    pub(super) fn find_neighbors(&mut self) {
+        let Self {
+            model,
+            particles,
+            weak,
+            strong,
+            ..
+        } = self;
+        if let Some(weak) = weak {
+            with_metric!(model, metric => weak.rebuild(metric, particles, strong.as_ref()));
+        }
+    }
+
+    /// Represent every position in the box.
+    pub(super) fn wrap(&mut self) {
+        if let Some(length) = self.model.period() {
+            let metric = PeriodicX { length };
+            self.particles
+                .position
+                .iter_mut()
+                .for_each(|x| *x = metric.wrap(*x));
+        }
+    }
+
+    /// Number of pairs that overlap without being bonded.
+    pub fn contacts(&self) -> usize {
+        let Some(weak) = &self.weak else { return 0 };
+        let p = &self.particles;
+        let overlaps = |pair: &&Pair| {
+            let (i, j) = pair.indices();
+            let d = with_metric!(self.model, metric => metric.displacement(p.position[i], p.position[j]));
+            let reach = p.radius[i] + p.radius[j];
+            d.norm_squared() < reach * reach
+        };
+        weak.pairs.iter().filter(overlaps).count()
+    }
+    /// Every pair that interacts in the present state, in order, strong links after weak ones.
+    pub fn links(&self) -> Vec<LinkState> {
+        let Self {
+            model, particles, ..
+        } = self;
+        let mut states = Vec::new();
+        if let (Some(weak), Some(contact)) = (&self.weak, model.contact) {
+            with_weak_pass!(model, contact, pass => {
+                states.extend(forces::links_at::weak(pass, particles, weak));
+            });
+        }
+        if let (Some(strong), Some(bond)) = (&self.strong, model.bond) {
+            with_strong_pass!(model, bond, pass => {
+                states.extend(forces::links_at::strong(pass, particles, &strong.links));
+            });
+        }
+        states
+    }
+
+    /// The energies that are functions of the state, in J.
+    pub(super) fn state_energy(&self) -> Energy<S> {
+        let Self {
+            model, particles, ..
+        } = self;
+        let mut energy = Energy::of_particles(model, particles);
+        if let (Some(weak), Some(contact)) = (&self.weak, model.contact) {
+            energy.contact += with_weak_pass!(model, contact, pass => {
+                forces::stored_in_weak_links(pass, particles, weak)
+            });
+        }
+        if let (Some(strong), Some(bond)) = (&self.strong, model.bond) {
+            energy.contact += with_strong_pass!(model, bond, pass => {
+                forces::stored_in_strong_links(pass, particles, &strong.links)
+            });
+        }
+        energy
+    }
+}

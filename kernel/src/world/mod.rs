@@ -1,0 +1,291 @@
+//! The state of a scene and how it advances.
+
+mod continuation;
+mod dispatch;
+mod evaluate;
+mod record;
+mod watch;
+
+pub use watch::stable_step_estimate;
+
+use crate::balance::{Energy, Ledger};
+use crate::error::{ModelError, StepError};
+use crate::forces::{Forces, Tally};
+use crate::geometry::Vec2;
+use crate::integrators::{
+    Integrator, Motion, Previous, beeman_correct, beeman_predict, euler, symplectic_euler, taylor,
+    verlet_correct, verlet_predict,
+};
+use crate::links::{BondStart, ContactStart, Neighbors, StrongLinks, WeakLinks};
+use crate::model::{Domain, Model};
+use crate::particles::{Particles, Role};
+use crate::scalar::Real;
+use dispatch::with_metric;
+
+/// Total driving force and what it meets.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Drive<S> {
+    /// Total driving force in N, for the next step.
+    pub force: Vec2<S>,
+    /// Total driving force in N in the step that led to the present state.
+    pub applied: Vec2<S>,
+    /// Sum of all other forces on the driven particles in N, at the latest evaluation.
+    pub reaction: Vec2<S>,
+}
+
+/// The initial state of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// Bonds.
+    pub bonds: Vec<BondStart>,
+    /// Memory of contacts that began earlier.
+    pub contacts: Vec<ContactStart>,
+    /// Total driving force in N.
+    pub drive_force: Vec2,
+}
+
+/// Everything that changes with time, and exactly the arrays that the model asks for.
+#[derive(Clone, Debug)]
+pub struct World<S: Real = f64> {
+    model: Model,
+    particles: Particles<S>,
+    inverse_mass: Vec<S>,
+    inverse_inertia: Vec<S>,
+    forces: Forces<S>,
+    strong: Option<StrongLinks<S>>,
+    weak: Option<WeakLinks<S>>,
+    driven: Vec<u32>,
+    drive: Drive<S>,
+    previous: Option<Previous<S>>,
+    ledger: Option<Ledger<S>>,
+    tally: Tally<S>,
+    steps: u64,
+    is_evaluated: bool,
+}
+
+impl<S: Real> World<S> {
+    /// The world of a model, with its particles and links at t = 0.
+    ///
+    /// # Errors
+    /// Links that cannot be, a periodic box narrower than two cells, driving without driven particles.
+    pub fn new(model: Model, particles: Particles<S>, start: &Start) -> Result<Self, ModelError> {
+        check_width(&model, &particles)?;
+        let driven: Vec<u32> = match model.driving {
+            Some(_) => particles
+                .with_role(Role::Driven)
+                .map(|i| i as u32)
+                .collect(),
+            None => Vec::new(),
+        };
+        if model.driving.is_some() && driven.is_empty() {
+            return Err(ModelError::NothingDriven);
+        }
+        let inverse = |column: &[S], particles: &Particles<S>| {
+            let one = S::from_f64(1.0);
+            let of = |(i, &x): (usize, &S)| {
+                if particles.is_fixed(i) {
+                    S::zero()
+                } else {
+                    one / x
+                }
+            };
+            column.iter().enumerate().map(of).collect::<Vec<S>>()
+        };
+        let mut world = Self {
+            inverse_mass: inverse(&particles.mass, &particles),
+            inverse_inertia: inverse(&particles.moment_of_inertia, &particles),
+            forces: Forces::new(particles.len()),
+            strong: None,
+            weak: None,
+            driven,
+            drive: Drive {
+                force: start.drive_force.cast(),
+                ..Drive::default()
+            },
+            previous: model
+                .integrator
+                .needs_previous()
+                .then(|| Previous::new(model.integrator, particles.len())),
+            ledger: None,
+            tally: Tally::default(),
+            steps: 0,
+            is_evaluated: false,
+            model,
+            particles,
+        };
+        world.drive.applied = world.drive.force;
+        world.make_links(start)?;
+        if model.ledger {
+            world.ledger = Some(Ledger::starting_from(&world.state_energy()));
+        }
+        Ok(world)
+    }
+
+    fn make_links(&mut self, start: &Start) -> Result<(), ModelError> {
+        let Self {
+            model, particles, ..
+        } = self;
+        if let Some(bond) = model.bond {
+            let edges = bond
+                .yielding
+                .is_none_or(|yielding| yielding.unbreakable_edges);
+            let period = model.period();
+            self.strong = Some(with_metric!(model, metric => {
+                StrongLinks::new(metric, particles, &start.bonds, edges, period)
+            })?);
+        }
+        if let Some(contact) = model.contact {
+            let Domain { width, height, .. } = model.domain;
+            let neighbors = Neighbors::new(particles, [width, height], model.period());
+            let mut weak = WeakLinks::new(neighbors, particles.len(), contact.remembers());
+            with_metric!(model, metric => {
+                weak.rebuild(metric, particles, self.strong.as_ref());
+                weak.remember(metric, particles, &start.contacts)
+            })?;
+            self.weak = Some(weak);
+        }
+        Ok(())
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+    /// The particles.
+    pub fn particles(&self) -> &Particles<S> {
+        &self.particles
+    }
+    /// Strong links, if the model has them.
+    pub fn strong_links(&self) -> Option<&StrongLinks<S>> {
+        self.strong.as_ref()
+    }
+    /// Weak links, if the model has them.
+    pub fn weak_links(&self) -> Option<&WeakLinks<S>> {
+        self.weak.as_ref()
+    }
+    /// The driving force.
+    pub fn drive(&self) -> &Drive<S> {
+        &self.drive
+    }
+    /// Forces and torques of the latest evaluation.
+    pub fn forces(&self) -> &Forces<S> {
+        &self.forces
+    }
+    /// How often the neighbour list was built.
+    pub fn rebuilds(&self) -> u64 {
+        self.weak
+            .as_ref()
+            .map_or(0, |weak| weak.neighbors().rebuilds())
+    }
+    /// Completed steps.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+    /// Time since the initial state in s.
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.model.time_step
+    }
+
+    /// Advance by one time step.
+    ///
+    /// # Errors
+    /// A state that is no longer finite, or a particle that moved more than a cell. The state is then
+    /// that of the failure, not of the last good step.
+    pub fn step(&mut self) -> Result<(), StepError> {
+        self.evaluate_if_pending()?;
+        let before = self.tally;
+        let step = self.model.time_step;
+        match self.model.integrator {
+            Integrator::Euler => self.move_by(step, euler),
+            Integrator::SymplecticEuler => self.move_by(step, symplectic_euler),
+            Integrator::Taylor => self.move_by(step, taylor),
+            Integrator::VelocityVerlet => {
+                self.predict_and_correct(step, verlet_predict, verlet_correct)?;
+            }
+            Integrator::Beeman => self.predict_and_correct(step, beeman_predict, beeman_correct)?,
+        }
+        self.steps += 1;
+        self.is_evaluated = !self.model.integrator.evaluates_first();
+        if let Some(ledger) = &mut self.ledger {
+            let after = if self.is_evaluated {
+                self.tally
+            } else {
+                before
+            };
+            ledger.advance(&before, &after, step);
+        }
+        Ok(())
+    }
+
+    /// Bring forces and links up to date with the positions, as the next step would.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn evaluate_if_pending(&mut self) -> Result<(), StepError> {
+        if self.is_evaluated {
+            return Ok(());
+        }
+        self.evaluate(self.model.integrator.evaluates_first())?;
+        self.is_evaluated = true;
+        Ok(())
+    }
+
+    /// Check that the state is finite and that no particle moves more than a cell a step.
+    ///
+    /// # Errors
+    /// The first particle that violates either.
+    pub fn check(&self) -> Result<(), StepError> {
+        watch::check(self)
+    }
+
+    /// What an integrator may touch.
+    fn motion(&mut self) -> Motion<'_, S> {
+        Motion {
+            particles: &mut self.particles,
+            forces: &self.forces,
+            inverse_mass: &self.inverse_mass,
+            inverse_inertia: &self.inverse_inertia,
+        }
+    }
+
+    fn move_by(&mut self, step: f64, advance: fn(Motion<S>, f64)) {
+        advance(self.motion(), step);
+        self.wrap();
+    }
+
+    fn predict_and_correct(
+        &mut self,
+        step: f64,
+        predict: fn(Motion<S>, &mut Previous<S>, f64),
+        correct: fn(Motion<S>, &mut Previous<S>, f64),
+    ) -> Result<(), StepError> {
+        let Some(mut previous) = self.previous.take() else {
+            return Ok(());
+        };
+        predict(self.motion(), &mut previous, step);
+        self.wrap();
+        let outcome = self.evaluate(true);
+        correct(self.motion(), &mut previous, step);
+        self.wrap();
+        self.previous = Some(previous);
+        outcome
+    }
+
+    /// Every term of the energy balance (72) in J; those of the ledger are zero without one.
+    pub fn energy(&self) -> Energy<S> {
+        let energy = self.state_energy();
+        match &self.ledger {
+            Some(ledger) => ledger.balance(energy),
+            None => energy,
+        }
+    }
+}
+
+/// A periodic box holds at least two cells across, so that a pair never meets twice.
+fn check_width<S: Real>(model: &Model, particles: &Particles<S>) -> Result<(), ModelError> {
+    let cell = 2.0 * particles.largest_radius();
+    match model.period() {
+        Some(width) if width < 2.0 * cell => Err(ModelError::NarrowBox { width, cell }),
+        _ => Ok(()),
+    }
+}
