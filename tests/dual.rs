@@ -174,7 +174,7 @@ proptest! {
         prop_assert!(is_minus(bshp.force([r, s], xi, 0.0), bshp.stored_energy(radii, x).slope));
         prop_assert!(is_minus(bshp.elastic_force([r, s], xi), bshp.stored_energy(radii, x).slope));
         let akv = AdjustedKelvinVoigt { stiffness: k, damping: 7.0 };
-        prop_assert!(is_minus(akv.force(-xi, 0.0), akv.stored_energy(-x).slope * -1.0));
+        prop_assert!(is_minus(akv.force(-xi, 0.0), -akv.stored_energy(-x).slope));
     }
 
     #[test]

@@ -31,6 +31,9 @@ enum Command {
         /// Show no progress
         #[arg(long, short)]
         quiet: bool,
+        /// Wall time between checkpoints, in seconds
+        #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds)]
+        checkpoint_interval: f64,
     },
     /// Print every pair that interacts at t = 0, as CSV
     Links {
@@ -58,6 +61,13 @@ enum Command {
     },
 }
 
+/// A number of seconds.
+fn seconds(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok();
+    let number = number.filter(|number: &f64| number.is_finite() && *number >= 0.0);
+    number.ok_or_else(|| "must be a finite number of seconds, zero or greater".to_owned())
+}
+
 fn execute(command: Command) -> Result<(), Error> {
     let text = match command {
         Command::Run {
@@ -65,8 +75,14 @@ fn execute(command: Command) -> Result<(), Error> {
             out,
             resume,
             quiet,
+            checkpoint_interval,
         } => {
-            return run::run(&Scene::load(&scene)?, &out, resume, quiet);
+            let manner = run::Manner {
+                resume,
+                quiet,
+                checkpoint_interval,
+            };
+            return run::run(&Scene::load(&scene)?, &out, manner);
         }
         Command::Verify { only, out } => return commands::verify(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,

@@ -1,7 +1,7 @@
 //! What `--resume` continues from: written whole or not at all, checked before it is used.
 
 use crate::error::Error;
-use crate::scene::Scene;
+use crate::scene::{Place, Scene};
 use gouge_kernel::World;
 use sha2::{Digest, Sha256};
 use std::io::Write;
@@ -34,18 +34,22 @@ pub struct Checkpoint {
 pub fn fingerprint(scene: &Scene) -> [u8; 32] {
     let mut anonymous = Scene {
         file: String::new(),
+        files: Vec::new(),
         title: String::new(),
         sha256: String::new(),
         ..scene.clone()
     };
-    anonymous
-        .bonds
-        .iter_mut()
-        .for_each(|(_, place)| place.file.clear());
-    anonymous
-        .contacts
-        .iter_mut()
-        .for_each(|(_, place)| place.file.clear());
+    let nowhere = Place {
+        file: String::new(),
+        line: 0,
+        key: String::new(),
+    };
+    for (_, place) in &mut anonymous.bonds {
+        place.clone_from(&nowhere);
+    }
+    for (_, place) in &mut anonymous.contacts {
+        place.clone_from(&nowhere);
+    }
     let text = format!("{anonymous:?} {}", env!("CARGO_PKG_VERSION"));
     Sha256::digest(text.as_bytes()).into()
 }

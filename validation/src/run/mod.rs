@@ -21,12 +21,21 @@ use std::time::Instant;
 
 /// Steps between looks at the clock.
 const CHUNK: u64 = 256;
-/// Seconds between checkpoints.
-const CHECKPOINT_SECONDS: f64 = 5.0;
+/// How a run is done, apart from what the scene says.
+#[derive(Clone, Copy, Debug)]
+pub struct Manner {
+    /// Whether to continue a run that was stopped.
+    pub resume: bool,
+    /// Whether to show no progress.
+    pub quiet: bool,
+    /// Wall time between checkpoints in s; there is one at the beginning of each phase anyway.
+    pub checkpoint_interval: f64,
+}
 
 /// A scene on its way.
 struct Run<'a> {
     scene: &'a Scene,
+    manner: Manner,
     folder: PathBuf,
     fingerprint: [u8; 32],
     phases: Vec<Phase>,
@@ -49,25 +58,26 @@ struct Run<'a> {
 /// # Errors
 /// Folders that cannot be written, checkpoints that do not fit, states that become senseless. What
 /// was written before stays.
-pub fn run(scene: &Scene, folder: &Path, resume: bool, quiet: bool) -> Result<(), Error> {
+pub fn run(scene: &Scene, folder: &Path, manner: Manner) -> Result<(), Error> {
+    spare_inputs(scene, folder)?;
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
     let path = folder.join("checkpoint");
     let is_unfinished = path.exists() && !folder.join("summary.json").exists();
-    if is_unfinished && !resume {
+    if is_unfinished && !manner.resume {
         return Err(Error::Argument(format!(
             "{} holds an unfinished run: continue it with --resume, or remove it first",
             folder.display()
         )));
     }
-    let mut run = if resume && path.exists() {
-        Run::resume(scene, folder, quiet)?
+    let mut run = if manner.resume && path.exists() {
+        Run::resume(scene, folder, manner)?
     } else {
-        Run::begin(scene, folder, quiet)?
+        Run::begin(scene, folder, manner)?
     };
     match run.go() {
         Ok(()) => run.finish("done"),
         Err(error) => {
-            if let Error::Step { .. } = &error {
+            if error.is_of_state() {
                 run.world = run.good.clone();
                 run.finish(&format!("failed: {error}"))?;
             }
@@ -77,17 +87,17 @@ pub fn run(scene: &Scene, folder: &Path, resume: bool, quiet: bool) -> Result<()
 }
 
 impl<'a> Run<'a> {
-    fn begin(scene: &'a Scene, folder: &Path, quiet: bool) -> Result<Self, Error> {
-        remove_outputs(folder)?;
+    fn begin(scene: &'a Scene, folder: &Path, manner: Manner) -> Result<Self, Error> {
         let phases = phases(scene);
         let world = enter(scene, &phases, 0, None)?;
-        let mut run = Self::new(scene, folder, quiet, phases, 0, world);
+        remove_outputs(folder)?;
+        let mut run = Self::new(scene, folder, manner, phases, 0, world);
         run.enter_main()?;
         run.save()?;
         Ok(run)
     }
 
-    fn resume(scene: &'a Scene, folder: &Path, quiet: bool) -> Result<Self, Error> {
+    fn resume(scene: &'a Scene, folder: &Path, manner: Manner) -> Result<Self, Error> {
         let path = folder.join("checkpoint");
         let saved = Checkpoint::read(&path, &checkpoint::fingerprint(scene))?;
         let phases = phases(scene);
@@ -96,7 +106,7 @@ impl<'a> Run<'a> {
         let bare = plan::model(scene, phases[phase].kind, &[0.0]);
         let radii = saved.world(&path, bare)?.particles().radius.clone();
         let world = saved.world(&path, plan::model(scene, phases[phase].kind, &radii))?;
-        let mut run = Self::new(scene, folder, quiet, phases, phase, world);
+        let mut run = Self::new(scene, folder, manner, phases, phase, world);
         run.samples = saved.samples;
         run.bonds_initial = saved.bonds_initial as usize;
         run.link_steps = saved.link_steps;
@@ -111,7 +121,7 @@ impl<'a> Run<'a> {
     fn new(
         scene: &'a Scene,
         folder: &Path,
-        quiet: bool,
+        manner: Manner,
         phases: Vec<Phase>,
         phase: usize,
         world: World,
@@ -119,9 +129,10 @@ impl<'a> Run<'a> {
         let now = Instant::now();
         Self {
             scene,
+            manner,
             folder: folder.to_owned(),
             fingerprint: checkpoint::fingerprint(scene),
-            progress: Progress::new(&phases, quiet),
+            progress: Progress::new(&phases, manner.quiet),
             phases,
             phase,
             good: world.clone(),
@@ -165,9 +176,10 @@ impl<'a> Run<'a> {
     }
 
     fn next_phase(&mut self) -> Result<(), Error> {
+        self.good = self.world.clone();
+        let before = Some(self.world.clone());
+        self.world = enter(self.scene, &self.phases, self.phase + 1, before)?;
         self.phase += 1;
-        let before = self.world.clone();
-        self.world = enter(self.scene, &self.phases, self.phase, Some(before))?;
         self.good = self.world.clone();
         self.enter_main()?;
         self.save()
@@ -197,7 +209,7 @@ impl<'a> Run<'a> {
                 }
             }
             self.progress.show(self.phase, self.world.steps());
-            if self.saved.elapsed().as_secs_f64() > CHECKPOINT_SECONDS {
+            if self.saved.elapsed().as_secs_f64() > self.manner.checkpoint_interval {
                 self.world
                     .check()
                     .map_err(|source| self.step_error(source))?;
@@ -221,6 +233,13 @@ impl<'a> Run<'a> {
             .evaluate_if_pending()
             .and_then(|()| self.world.check());
         pending.map_err(|source| self.step_error(source))?;
+        if let Some(name) = output::infinite_energy(self.scene, &self.world) {
+            return Err(Error::Energy {
+                phase: self.phases[self.phase].name.clone(),
+                name,
+                time: self.world.time(),
+            });
+        }
         self.good = self.world.clone();
         if let Some(series) = &mut self.series {
             series.sample(self.scene, &self.world)?;
@@ -248,6 +267,10 @@ impl<'a> Run<'a> {
     }
 
     fn save(&mut self) -> Result<(), Error> {
+        // The checkpoint must not know of samples that a power failure may take back.
+        if let Some(series) = &self.series {
+            series.sync()?;
+        }
         let checkpoint = Checkpoint {
             phase: self.phase as u64,
             samples: self.samples,
@@ -310,23 +333,42 @@ fn bonds(world: &World) -> usize {
     world.strong_links().map_or(0, |strong| strong.links.len())
 }
 
+/// The files of a run, in the order in which a new run removes them: what remains if it is stopped
+/// there is still a finished run, or none.
+const FILES: [&str; 5] = [
+    "checkpoint",
+    "summary.json",
+    "series.csv",
+    "particles.csv",
+    "picture.svg",
+];
+
+/// Refuse a folder in which the outputs would replace what the scene reads.
+fn spare_inputs(scene: &Scene, folder: &Path) -> Result<(), Error> {
+    for name in FILES {
+        let output = folder.join(name);
+        let Ok(place) = output.canonicalize() else {
+            continue;
+        };
+        let is_it = |file: &&PathBuf| file.canonicalize().is_ok_and(|file| file == place);
+        if let Some(file) = scene.files.iter().find(is_it) {
+            return Err(Error::Argument(format!(
+                "the run would replace {}, which the scene reads: choose another folder than {}",
+                file.display(),
+                folder.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Remove what an earlier, finished run left, so that no mixture remains.
 fn remove_outputs(folder: &Path) -> Result<(), Error> {
-    for name in [
-        "summary.json",
-        "checkpoint",
-        "series.csv",
-        "particles.csv",
-        "picture.svg",
-    ] {
+    for name in FILES {
         let path = folder.join(name);
         if path.exists() {
             std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;
         }
     }
-    let frames = folder.join("trajectory");
-    if frames.exists() {
-        std::fs::remove_dir_all(&frames).map_err(|error| Error::file("replace", &frames, error))?;
-    }
-    Ok(())
+    trajectory::remove_frames(folder)
 }

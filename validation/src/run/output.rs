@@ -54,6 +54,13 @@ fn row(scene: &Scene, world: &World) -> String {
     cells.join(",") + "\n"
 }
 
+/// The first energy of a world that is not finite, if its energies are written.
+pub fn infinite_energy(scene: &Scene, world: &World) -> Option<&'static str> {
+    let values = scene.output.energy.then(|| world.energy().values())?;
+    let mut named = Energy::<f64>::NAMES.into_iter().zip(values);
+    named.find(|(_, value)| !value.is_finite()).map(|(name, _)| name)
+}
+
 /// The file `series.csv` as it grows.
 pub struct Series {
     path: PathBuf,
@@ -90,7 +97,16 @@ impl Series {
         Ok(series)
     }
 
-    /// Append a sample; it is on disk afterwards.
+    /// Bring what was appended to the disk.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn sync(&self) -> Result<(), Error> {
+        let synced = self.file.sync_data();
+        synced.map_err(|error| Error::file("write", &self.path, error))
+    }
+
+    /// Append a sample.
     ///
     /// # Errors
     /// Failures of the file system; what was there before is kept.

@@ -35,6 +35,27 @@ pub fn write_frame(scene: &Scene, folder: &Path, sample: u64, world: &World) -> 
     Ok(())
 }
 
+/// Remove the frames that an earlier run left, and nothing else.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn remove_frames(folder: &Path) -> Result<(), Error> {
+    let frames = folder.join("trajectory");
+    let Ok(entries) = std::fs::read_dir(&frames) else {
+        return Ok(());
+    };
+    for entry in entries.flatten() {
+        let (path, name) = (entry.path(), entry.file_name());
+        let name = name.to_string_lossy();
+        if name.starts_with("frame_") || name.starts_with("run.vtk") {
+            std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;
+        }
+    }
+    // It stays if something else is in it.
+    let _ = std::fs::remove_dir(&frames);
+    Ok(())
+}
+
 /// The list of frames and their times that ParaView opens as one animation.
 fn write_series(scene: &Scene, frames: &Path, last: u64) -> Result<(), Error> {
     let entry = |sample: u64| {

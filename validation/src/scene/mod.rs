@@ -19,7 +19,7 @@ use gouge_kernel::model::{Ambient, Bond, Contact, Domain, External, Model, Readi
 use gouge_kernel::particles::{Particle, Particles, Role};
 use gouge_kernel::{ModelError, Start, World};
 use sha2::{Digest, Sha256};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use table::{Range, Source, Table, shortened};
 use toml::de::DeTable;
 
@@ -64,6 +64,8 @@ pub struct Scene {
     pub output: Output,
     /// Name of the file.
     pub file: String,
+    /// All files that were read: the scene and those beside it.
+    pub files: Vec<PathBuf>,
     /// SHA-256 of the file.
     pub sha256: String,
 }
@@ -192,6 +194,7 @@ impl Scene {
             domain,
             density,
             file: root.source().file.to_owned(),
+            files: files(root, folder)?,
             sha256: String::new(),
         })
     }
@@ -492,6 +495,14 @@ fn text_of<'a>(file: &str, bytes: &'a [u8]) -> Result<&'a str> {
             accepted: "must be a TOML file in UTF-8".to_owned(),
         }
     })
+}
+
+fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = vec![PathBuf::from(root.source().file)];
+    for key in ["particles_file", "bonds_file", "contacts_file"] {
+        files.extend(root.optional_text(key)?.map(|name| folder.join(name)));
+    }
+    Ok(files)
 }
 
 fn no_particles(root: &Table) -> SceneError {

@@ -1,0 +1,438 @@
+//! Equations that no erratum touches, pinned by identities, derivatives and limits.
+
+use crate::worlds::{advance, head, particle, world};
+use gouge_kernel::geometry::{
+    Arm, FocalArm, MeanArm, PairFrame, PairMotion, Vec2, angle_of, contact_area,
+    contact_half_length, cylinder_contact_area, cylinder_displaced_volume, displaced_volume,
+    focal_distance, overlap_factor, reversed,
+};
+use gouge_kernel::laws::{
+    AmbientLaw, CorrelationDrag, CreepingDrag, ZhangEckert, drag_coefficient, reynolds_number,
+};
+use gouge_kernel::material::GRANITE;
+use gouge_kernel::setup::{Fault, is_above};
+use proptest::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+fn close(found: f64, expected: f64, relative: f64) -> bool {
+    (found - expected).abs() <= relative * expected.abs()
+}
+
+proptest! {
+    #[test]
+    fn pair_frames_are_antisymmetric_and_right_handed(x in -2.0..2.0_f64, y in -2.0..2.0_f64) {
+        let displacement = Vec2::<f64>::new(x, y);
+        prop_assume!(displacement.norm() > 1e-3);
+        let (there, back) = (PairFrame::new(displacement), PairFrame::new(-displacement));
+        prop_assert_eq!(there.normal, -back.normal);
+        prop_assert_eq!(there.tangent(), -back.tangent());
+        prop_assert_eq!(there.normal.dot(there.tangent()), 0.0);
+        prop_assert!((there.normal.cross(there.tangent()) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_gradient_of_the_angle_is_the_perpendicular_over_the_square(
+        x in -2.0..2.0_f64, y in -2.0..2.0_f64, u in -1.0..1.0_f64, v in -1.0..1.0_f64,
+    ) {
+        let (at, along) = (Vec2::<f64>::new(x, y), Vec2::<f64>::new(u, v));
+        prop_assume!(at.norm() > 0.1 && (x > 0.1 || y.abs() > 0.1));
+        let h = 1e-6;
+        let slope = (angle_of(at + along * h) - angle_of(at - along * h)) / (2.0 * h);
+        let motion = PairMotion::new(&PairFrame::new(at), along);
+        // Third derivatives are below 2 / 0.1^3: h^2 times that over six.
+        prop_assert!((motion.frame_rate - slope).abs() < 1e-8, "{} {slope}", motion.frame_rate);
+    }
+}
+
+#[test]
+fn angles_on_the_axes_have_their_values() {
+    let at = |x: f64, y: f64| angle_of(Vec2::new(x, y));
+    assert_eq!(
+        [at(1.0, 0.0), at(0.0, 1.0), at(0.0, -1.0)],
+        [0.0, FRAC_PI_2, -FRAC_PI_2]
+    );
+    // Where the thesis allows both signs, the positive one; where it allows none, zero.
+    assert_eq!([at(-1.0, 0.0), at(0.0, 0.0)], [PI, 0.0]);
+    assert_eq!([reversed(0.0), reversed(PI)], [PI, 0.0]);
+}
+
+#[test]
+fn the_displaced_volume_loses_the_contact_area_per_distance() {
+    // Moving one body away by dD uncovers the lens's section: dV/dD = -A, for spheres and cylinders.
+    let (h, depth) = (1e-6, 0.7);
+    for radii in [[1.0_f64, 1.0], [1.0, 1.7], [2.5, 0.4]] {
+        let (near, far) = ((radii[0] - radii[1]).abs(), radii[0] + radii[1]);
+        for k in 1..20 {
+            let distance: f64 = near + (far - near) * f64::from(k) / 20.0;
+            let z = contact_half_length(radii[0], focal_distance(radii, distance));
+            let slope = |volume: &dyn Fn(f64) -> f64| {
+                (volume(distance + h) - volume(distance - h)) / (2.0 * h)
+            };
+            let sphere = slope(&|d| displaced_volume(radii, d));
+            let cylinder = slope(&|d| cylinder_displaced_volume(depth, radii, d));
+            // Rounding: volumes of a few times 2e-16 over 2e-6.
+            assert!(
+                (sphere + contact_area(z)).abs() < 5e-8,
+                "{radii:?} {distance}"
+            );
+            assert!((cylinder + cylinder_contact_area(depth, z)).abs() < 5e-7);
+        }
+        // The caps join what is defined beyond them: nothing outside, the smaller body inside.
+        let gap = 1e-9;
+        assert!(displaced_volume(radii, far - gap) < 1e-9 && displaced_volume(radii, far) == 0.0);
+        for (outside, inside) in [
+            (
+                displaced_volume(radii, near + gap),
+                displaced_volume(radii, near),
+            ),
+            (
+                cylinder_displaced_volume(depth, radii, near + gap),
+                cylinder_displaced_volume(depth, radii, near),
+            ),
+        ] {
+            assert!(
+                (outside - inside).abs() < 1e-6,
+                "{radii:?} {outside} {inside}"
+            );
+        }
+    }
+}
+
+/// A pair that overlaps and moves almost freely, remembering an earlier turn of both ends.
+fn gliding(distance: &str, step: f64) -> String {
+    head("euler", step)
+        + &format!("[contact]\ndistance = \"{distance}\"\n")
+        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e-9\ndamping = 0.0\n\
+           [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1e9\nstiffness = 1e-9\n"
+        + &particle([0.0, 0.0], [1.0, -2.0], 700.0, 1e-3)
+        + &particle([2.0e-3, 1.0e-3], [-1.5, 1.0], -400.0, 1.5e-3)
+        + "[[contacts]]\nbetween = [0, 1]\ninitial_angles = [-0.6, -3.3]\n"
+}
+
+#[test]
+fn rates_are_the_derivatives_of_displacements() {
+    let step = 1e-9;
+    for distance in ["radius", "focal", "mean"] {
+        let mut world = world(&gliding(distance, step));
+        let before = world.links()[0];
+        advance(&mut world, 2);
+        let after = world.links()[0];
+        advance(&mut world, 2);
+        let last = world.links()[0];
+        let slope = |from: f64, to: f64| (to - from) / (4.0 * step);
+        let normal = slope(before.normal_displacement, last.normal_displacement);
+        // Rounding: 1e-16 of 3 mm over 4 ns.
+        assert!((normal - after.normal_velocity).abs() < 1e-9 * 3.0 / 4.0 + 1e-6);
+        let r = [1e-3, 1.5e-3];
+        let d = (r[0] + r[1]) - after.normal_displacement;
+        for end in 0..2 {
+            let found = slope(
+                before.tangential_displacement[end],
+                last.tangential_displacement[end],
+            );
+            // E11: a lever arm that changes with the distance adds d' times the turn, which (34) drops.
+            let arm = |d: f64| match distance {
+                "radius" => r[end],
+                "focal" => FocalArm.distances(r, d)[end],
+                _ => MeanArm.distances(r, d)[end],
+            };
+            let h = 1e-8;
+            let arm_slope = (arm(d + h) - arm(d - h)) / (2.0 * h);
+            let turn = after.tangential_displacement[end] / arm(d);
+            let dropped = arm_slope * -after.normal_velocity * turn;
+            let expected = after.tangential_velocity[end] + dropped;
+            assert!(
+                (found - expected).abs() < 2e-6,
+                "{distance} {end}: {found} {expected}"
+            );
+            if distance == "focal" {
+                let other = overlap_factor([r[1 - end], r[end]], d);
+                assert!(close(arm_slope, other, 1e-6), "dy/dD = b of the other end");
+            }
+            assert_eq!(distance == "radius", dropped.abs() < 1e-6);
+        }
+    }
+}
+
+#[test]
+fn drag_has_its_limits() {
+    let (viscosity, density, radius) = (18e-6, 1.2, 1e-3_f64);
+    let correlation = CorrelationDrag {
+        viscosity,
+        density,
+        constant: CorrelationDrag::CONSTANT,
+    };
+    let creeping = CreepingDrag { viscosity };
+    let drag = |speed: f64| -correlation.drag(radius, Vec2::new(speed, 0.0), 0.0).force.x;
+    // Slow: Stokes, with a relative excess of sqrt(Re) / 8.
+    let slow = 1e-9;
+    let re = reynolds_number(viscosity, density, radius, slow);
+    let stokes = -creeping.drag(radius, Vec2::new(slow, 0.0), 0.0).force.x;
+    assert!(close(stokes, 6.0 * PI * 18e-6 * 1e-3 * 1e-9, 1e-14));
+    assert!((drag(slow) / stokes - 1.0 - re.sqrt() / 8.0).abs() < 1e-6);
+    assert_eq!(drag(0.0), 0.0);
+    // Fast: the dynamic pressure on the cross-section times the constant.
+    let fast = 1e9;
+    assert!(close(drag(fast), 0.42 * 0.5 * 1.2 * 1e18 * PI * 1e-6, 1e-4));
+    // Between: the general correlation for the sphericities of a sphere.
+    for speed in [1e-3, 0.1, 2.0, 50.0] {
+        let re = reynolds_number(viscosity, density, radius, speed);
+        assert!(close(re, 2e-3 * speed * 1.2 / 18e-6, 1e-14));
+        let coefficient = drag_coefficient(re, [1.0; 3]);
+        assert!(close(
+            drag(speed),
+            coefficient * 0.5 * 1.2 * speed * speed * PI * 1e-6,
+            1e-13
+        ));
+    }
+    // The torque is that of creeping flow at any speed.
+    let velocity = Vec2::new(30.0, 0.0);
+    let torques = [
+        correlation.drag(radius, velocity, 5.0).torque,
+        creeping.drag(radius, Vec2::zero(), 5.0).torque,
+    ];
+    assert_eq!(torques[0], torques[1]);
+    assert!(close(torques[1], -8.0 * PI * 18e-6 * 1e-9 * 5.0, 1e-14));
+}
+
+#[test]
+fn creeping_flow_stops_each_particle_at_its_own_rate() {
+    // v = v0 exp(-6 pi eta r t / m) and likewise the spin with 8 pi eta r^3 / J, per particle.
+    let (viscosity, step, steps) = (10.0, 1e-9, 20_000);
+    let radii = [1e-3, 1.7e-3_f64];
+    let text = head("velocity-verlet", step)
+        + &format!("[ambient]\nlaw = \"creeping\"\nviscosity = {viscosity}\n")
+        + &particle([0.0, 0.0], [1.0, 2.0], 300.0, radii[0])
+        + &particle([9.0, 0.0], [1.0, 2.0], 300.0, radii[1]);
+    let mut world = world(&text);
+    advance(&mut world, steps);
+    let (p, time) = (world.particles(), step * steps as f64);
+    for (i, r) in radii.iter().enumerate() {
+        let mass = 2700.0 * 4.0 / 3.0 * PI * r.powi(3);
+        let linear = (-6.0 * PI * viscosity * r * time / mass).exp();
+        let angular = (-8.0 * PI * viscosity * r.powi(3) * time / (0.4 * mass * r * r)).exp();
+        assert!(linear < 0.9 && angular < 0.9);
+        // Second order: (rate step)^2 / 6 times rate time, below 1e-8.
+        assert!(close(p.velocity[i].x, linear, 1e-8) && close(p.velocity[i].y, 2.0 * linear, 1e-8));
+        assert!(close(p.angular_velocity[i], 300.0 * angular, 1e-8));
+    }
+}
+
+#[test]
+fn external_forces_derive_from_their_potentials_and_turn_nothing() {
+    let fields = [
+        "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n",
+        "[box]\nheight = 0.4\n[external]\nlaw = \"harmonic-well\"\nstiffness = 50.0\n",
+    ];
+    for field in fields {
+        let at = |x: f64, y: f64| {
+            world(&(head("euler", 1e-6) + field + &particle([x, y], [1.0, 0.0], 3.0, 0.01)))
+        };
+        let potential = |x: f64, y: f64| at(x, y).energy().external;
+        let (x, y, h) = (0.3, 0.7, 1e-4);
+        let mut world = at(x, y);
+        world.evaluate_if_pending().expect("finite");
+        let force = world.forces().force[0];
+        let slope_x = (potential(x + h, y) - potential(x - h, y)) / (2.0 * h);
+        let slope_y = (potential(x, y + h) - potential(x, y - h)) / (2.0 * h);
+        assert_eq!((force.x, slope_x), (0.0, 0.0));
+        assert!(
+            close(force.y, -slope_y, 1e-9) && force.y < 0.0,
+            "pulls down from above"
+        );
+        assert_eq!(world.forces().torque[0], 0.0);
+    }
+}
+
+/// Three particles with every kind of force, or with those kinds only that are asked for.
+fn parts(kinds: &[&str]) -> gouge_kernel::World {
+    let mut text = head("euler", 1e-9) + "[box]\nwidth = 0.02\n";
+    let tables = [
+        (
+            "contact",
+            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 3.0\n\
+             [contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.5\ndamping = 2.0\n",
+        ),
+        (
+            "bond",
+            "[bond.normal]\nstiffness = 2e7\ndamping = 3.0\n\
+             [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 4.0\n",
+        ),
+        (
+            "ambient",
+            "[ambient]\nlaw = \"creeping\"\nviscosity = 3.0\n",
+        ),
+        (
+            "external",
+            "[external]\nlaw = \"gravity\"\nacceleration = 9.81e3\n",
+        ),
+        (
+            "driving",
+            "[driving]\ncontroller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 1.0\n\
+             pressure = 1.0\ninitial_force = [3.0, -2.0]\n",
+        ),
+    ];
+    for (kind, table) in tables {
+        if kinds.contains(&kind) {
+            text += table;
+        }
+    }
+    text += &particle([0.0, 0.0], [1.0, 0.0], 100.0, 1e-3);
+    text += &particle([2.1e-3, 0.0], [0.0, 0.5], -300.0, 1.2e-3);
+    text += &particle([2.5e-3, 1.8e-3], [-1.0, 0.0], 50.0, 0.8e-3);
+    text += "role = \"driven\"\n";
+    if kinds.contains(&"bond") {
+        text +=
+            "[[bonds]]\nbetween = [0, 1]\ninitial_distance = 2.2e-3\ninitial_angles = [0.1, 3.0]\n";
+    }
+    let mut world = world(&text);
+    world.evaluate_if_pending().expect("finite");
+    world
+}
+
+#[test]
+fn the_force_on_a_particle_is_the_sum_of_its_parts() {
+    let kinds = ["contact", "bond", "ambient", "external", "driving"];
+    let all = parts(&kinds);
+    for i in 0..3 {
+        let (mut force, mut torque) = (Vec2::zero(), 0.0);
+        for kind in kinds {
+            // A bond takes its pair out of the contacts; this one does not overlap anyhow.
+            let part = parts(&[kind]);
+            let skip = if kind == "contact" {
+                pair_of_bond(&part)
+            } else {
+                ([Vec2::zero(); 3], [0.0; 3])
+            };
+            force += part.forces().force[i] - skip.0[i];
+            torque += part.forces().torque[i] - skip.1[i];
+        }
+        let total = (all.forces().force[i], all.forces().torque[i]);
+        assert!(
+            (force - total.0).norm() < 1e-10 * total.0.norm(),
+            "{force:?} {total:?}"
+        );
+        assert!((torque - total.1).abs() < 1e-10 * total.1.abs());
+        // And it accelerates: x'' = F / m, phi'' = tau / J, by one explicit step.
+        let mut moved = all.clone();
+        moved.step().expect("finite");
+        let p = moved.particles();
+        let gained = p.velocity[i] - all.particles().velocity[i];
+        let spun = p.angular_velocity[i] - all.particles().angular_velocity[i];
+        assert!((gained * p.mass[i] - total.0 * 1e-9).norm() < 1e-6 * total.0.norm() * 1e-9);
+        assert!(
+            (spun * p.moment_of_inertia[i] - total.1 * 1e-9).abs() < 1e-6 * total.1.abs() * 1e-9
+        );
+    }
+}
+
+/// What the contact between particles 0 and 1 adds, which a bond between them replaces.
+fn pair_of_bond(world: &gouge_kernel::World) -> ([Vec2; 3], [f64; 3]) {
+    let (mut force, mut torque) = ([Vec2::zero(); 3], [0.0; 3]);
+    for link in world.links() {
+        if link.pair.indices() == (0, 1) {
+            let f = link.normal * link.normal_force
+                + link.normal.perpendicular() * link.tangential_force;
+            (force[0], force[1]) = (f, -f);
+            (torque[0], torque[1]) = (link.torque[0], link.torque[1]);
+        }
+    }
+    (force, torque)
+}
+
+#[test]
+fn moduli_and_wave_speeds_are_those_of_one_solid() {
+    for nu in [-0.5, 0.0, 0.1, 0.22, 0.4, 0.49] {
+        let solid = gouge_kernel::material::Elastic {
+            youngs_modulus: 50e9,
+            poissons_ratio: nu,
+        };
+        let (g, k, m) = (
+            solid.shear_modulus(),
+            solid.bulk_modulus(),
+            solid.p_wave_modulus(),
+        );
+        assert!(close(k + 4.0 / 3.0 * g, m, 1e-13));
+        assert!(close(9.0 * k * g / (3.0 * k + g), 50e9, 1e-13));
+        assert!(close(
+            (3.0 * k - 2.0 * g) / (6.0 * k + 2.0 * g) + 1.0,
+            nu + 1.0,
+            1e-13
+        ));
+        assert!(close(
+            solid.primary_wave_speed(2700.0).powi(2) * 2700.0,
+            m,
+            1e-13
+        ));
+        assert!(close(
+            solid.secondary_wave_speed(2700.0).powi(2) * 2700.0,
+            g,
+            1e-13
+        ));
+    }
+    let granite = GRANITE.elastic();
+    assert!(close(granite.primary_wave_speed(2700.0), 4598.08, 1e-6));
+    assert!(close(granite.secondary_wave_speed(2700.0), 2754.915, 1e-6));
+}
+
+#[test]
+fn the_axial_ratio_is_that_of_the_forces_that_break() {
+    let law = ZhangEckert {
+        normal_strength: 280e6,
+        tangential_strength: 168e6,
+    };
+    // The smallest force that breaks, by bisection, purely normal and purely tangential.
+    let limit = |along: &dyn Fn(f64) -> (f64, f64), s: f64| {
+        let (mut low, mut high) = (0.0, 1e5);
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            let (n, t) = along(middle);
+            if law.breaks(n, t, [1e-3, 1.5e-3], s) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        low
+    };
+    let (normal, tangential) = (limit(&|f| (f, 0.0), 1.0), limit(&|f| (0.0, -f), 1.0));
+    assert!(close(tangential / normal, law.axial_ratio(), 1e-12));
+    assert!(
+        close(limit(&|f| (f, 0.0), 1.1), 1.21 * normal, 1e-12),
+        "square of the factor"
+    );
+    // On the ellipse in between.
+    let diagonal = limit(&|f| (-0.6 * f, 0.8 * f), 1.0);
+    let sum = (0.6 * diagonal / normal).powi(2) + (0.8 * diagonal / tangential).powi(2);
+    assert!(close(sum, 1.0, 1e-12));
+}
+
+#[test]
+fn a_fault_parts_the_plane() {
+    let straight = Fault {
+        level: 0.05,
+        height: 0.0,
+        jags: 4.0,
+        width: 0.1,
+    };
+    let jagged = Fault {
+        height: 4e-3,
+        ..straight
+    };
+    for k in 0..100 {
+        let x = 0.1 * f64::from(k) / 100.0;
+        let above = |fault: &Fault, y: f64| is_above(fault, Vec2::new(x, y));
+        assert!(above(&straight, 0.05) && !above(&straight, 0.05 - 1e-12));
+        assert!(above(&jagged, 0.052 + 1e-12) && !above(&jagged, 0.048 - 1e-12));
+        // Four jags in the width, and the same shape across the seam.
+        for y in [0.0485, 0.0495, 0.0505, 0.0515] {
+            let shifted = |by: f64| is_above(&jagged, Vec2::new(x + by, y));
+            assert_eq!(shifted(0.0), shifted(0.1 / 4.0 + 1e-15));
+        }
+    }
+    let crest = |x: f64, y: f64| is_above(&jagged, Vec2::new(x, y));
+    assert!(
+        !crest(0.1 / 16.0, 0.0519) && crest(0.3 / 16.0, 0.0481),
+        "crest first, then trough"
+    );
+}
