@@ -373,6 +373,39 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
 }
 
 #[test]
+fn exact_driving_settles_with_every_integrator() {
+    // A grain in a viscous medium begins at rest, has to move at 2 m/s, and is then held there against
+    // a drag of 6 pi eta r v, which is all that the force has to balance.
+    for integrator in [
+        "euler",
+        "symplectic-euler",
+        "taylor",
+        "velocity-verlet",
+        "beeman",
+    ] {
+        let text = head(integrator, 1e-6)
+            + "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
+               [driving]\ncontroller = \"exact\"\nspeed = 2.0\npressure = 0.0\narea = 1.0\n"
+            + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
+            + "role = \"driven\"\n";
+        let mut world = world(&text);
+        advance(&mut world, 200);
+        for _ in 0..20 {
+            advance(&mut world, 1);
+            assert!(
+                close(world.particles().velocity[0].x, 2.0, 1e-12),
+                "{integrator}"
+            );
+            let force = world.drive().force.x;
+            assert!(
+                close(force, 6.0 * PI * 1e-3 * 2.0, 1e-10),
+                "{integrator}: {force}"
+            );
+        }
+    }
+}
+
+#[test]
 fn the_rate_limited_controller_brings_the_reaction_to_the_load() {
     let text = head("symplectic-euler", 1e-8)
         + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e6\ndamping = 3.0\n\

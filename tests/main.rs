@@ -16,3 +16,7 @@ mod distributions;
 mod dual;
 mod calibration;
 mod geometry;
+mod equations;
+mod errata;
+mod identities;
+mod layering;

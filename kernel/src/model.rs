@@ -13,7 +13,7 @@ use crate::laws::{
 pub enum Reading {
     /// What the errata decide.
     Corrected,
-    /// What the thesis author computed.
+    /// What the thesis prints or its author computed.
     Thesis,
 }
 

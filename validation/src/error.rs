@@ -84,8 +84,10 @@ pub enum Error {
         source: gouge_kernel::StepError,
     },
     /// The energies of a state left the range of numbers before the state itself did.
-    #[error("the run stopped in phase '{phase}': the {name} energy is not finite at {time} s; likely \
-             cause: the time step is above the stability bound (`gouge stability` tells)")]
+    #[error(
+        "the run stopped in phase '{phase}': the {name} energy is not finite at {time} s; likely \
+             cause: the time step is above the stability bound (`gouge stability` tells)"
+    )]
     Energy {
         /// The phase of the run.
         phase: String,
@@ -105,7 +107,10 @@ pub enum Error {
 impl Error {
     /// Whether the state of the run was at fault, so that it makes no sense to continue it.
     pub fn is_of_state(&self) -> bool {
-        matches!(self, Self::Step { .. } | Self::Energy { .. } | Self::Setup(_))
+        matches!(
+            self,
+            Self::Step { .. } | Self::Energy { .. } | Self::Setup(_)
+        )
     }
 
     /// Exit status: 2 where the input was unusable, 1 otherwise.

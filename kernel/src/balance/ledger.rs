@@ -31,7 +31,8 @@ impl<S: Real> Ledger<S> {
         self.bonding += tally.bonding;
     }
 
-    /// Book powers over one step, by the trapezoidal rule between its ends.
+    /// Book powers over one step, by the trapezoidal rule between its ends; methods that do not evaluate
+    /// at the end pass the powers at the beginning twice (E53 of `docs/errata.md`).
     pub(crate) fn advance(&mut self, before: &Tally<S>, after: &Tally<S>, step: f64) {
         let work = |before: S, after: S| (before + after) * (0.5 * step);
         self.friction += work(before.friction_rate, after.friction_rate);

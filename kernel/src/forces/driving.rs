@@ -16,6 +16,8 @@ pub(crate) fn measure<S: Real>(
     let mut sums = Driven {
         number: S::from_f64(driven.len() as f64),
         velocity: S::zero(),
+        known_velocity: S::zero(),
+        haste: 1.0,
         reaction: Vec2::zero(),
         inverse_mass: S::zero(),
         acceleration: S::zero(),

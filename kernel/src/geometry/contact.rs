@@ -6,6 +6,9 @@ use core::f64::consts::PI;
 use gouge_equations::rendered;
 
 /// Which distance of a particle's centre from the contact is its lever arm (d in thesis eq. (7)).
+///
+/// Only the radius is constant: with the others a tangential spring lacks the term in the rate of its
+/// lever arm, so that the balance of energy does not close (E11 of `docs/errata.md`).
 #[doc(alias = "lever arm")]
 #[doc(alias = "branch length")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -49,6 +49,14 @@ impl Integrator {
     pub fn evaluates_first(self) -> bool {
         !self.needs_previous()
     }
+    /// Fraction of a missing speed that a force may make up in a step.
+    ///
+    /// All of it where the step multiplies the present acceleration by its full length. Velocity Verlet
+    /// and Beeman spread an acceleration over two steps and more; a quarter keeps the response damped:
+    /// the error falls by a factor of 0.70 a step.
+    pub fn haste(self) -> f64 {
+        if self.needs_previous() { 0.25 } else { 1.0 }
+    }
     /// Whether accelerations of the previous evaluation are kept.
     pub fn needs_previous(self) -> bool {
         matches!(self, Self::VelocityVerlet | Self::Beeman)

@@ -13,8 +13,10 @@ pub enum Controller {
         /// Rate of the total force in N/s, the same along x and y.
         force_rate: f64,
     },
-    /// The constraints hold at once: the mean velocity is the target at the end of each step and the
-    /// vertical force is the target load.
+    /// The constraints hold at once: the vertical force is the target load, and the horizontal one makes
+    /// the mean acceleration of the driven particles zero, so that their mean velocity stays at the
+    /// target; what it lacks, at first or by rounding, is made up within few steps (E59 of
+    /// `docs/errata.md`).
     Exact,
 }
 
@@ -44,6 +46,10 @@ pub struct Driven<S> {
     pub number: S,
     /// Sum of their horizontal velocities in m/s.
     pub velocity: S,
+    /// Mean of their horizontal velocities at the beginning of the step in m/s.
+    pub known_velocity: S,
+    /// Fraction of a missing speed that the exact controller makes up in a step.
+    pub haste: f64,
     /// Sum of all other forces on them in N: the reaction.
     pub reaction: Vec2<S>,
     /// Sum of their inverse masses in 1/kg.
@@ -68,7 +74,8 @@ impl Driving {
                 )
             }
             Controller::Exact => {
-                let wanted = missing_speed * driven.number * (1.0 / step);
+                let missing = S::from_f64(self.speed) - driven.known_velocity;
+                let wanted = missing * driven.number * (driven.haste / step);
                 let share = (wanted - driven.acceleration) / driven.inverse_mass;
                 Vec2::new(share * driven.number, -load)
             }

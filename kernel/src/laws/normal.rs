@@ -77,7 +77,7 @@ impl NormalLaw for KelvinVoigt {
 pub struct Bshp {
     /// Young's modulus Y in Pa.
     pub youngs_modulus: f64,
-    /// Poisson's ratio, dimensionless, in (-1, 1/2].
+    /// Poisson's ratio, dimensionless, in (-1, 1/2).
     pub poissons_ratio: f64,
     /// Dissipative constant in s.
     pub dissipative_constant: f64,

@@ -60,8 +60,7 @@ impl<S: Real> StrongLinks<S> {
         check_pairs(particles.len(), starts.iter().map(|start| start.between))?;
         let mut links = Vec::with_capacity(starts.len());
         for (position, start) in starts.iter().enumerate() {
-            let link = begin(metric, particles, start, unbreakable_edges);
-            let length = link.rest_distance.to_f64();
+            let length = frame_of(metric, particles, start).distance.to_f64();
             if let Some(width) = period
                 && length > 0.5 * width
             {
@@ -71,6 +70,7 @@ impl<S: Real> StrongLinks<S> {
                     width,
                 });
             }
+            let link = begin(metric, particles, start, unbreakable_edges);
             links.push(link);
         }
         links.sort_by_key(|link| link.pair);
@@ -111,6 +111,15 @@ impl<S: Real> StrongLinks<S> {
     }
 }
 
+fn frame_of<S: Real, M: Metric>(
+    metric: M,
+    particles: &Particles<S>,
+    start: &BondStart,
+) -> PairFrame<S> {
+    let (i, j) = Pair::new(start.between[0], start.between[1]).indices();
+    PairFrame::new(metric.displacement(particles.position[i], particles.position[j]))
+}
+
 fn begin<S: Real, M: Metric>(
     metric: M,
     particles: &Particles<S>,
@@ -119,7 +128,7 @@ fn begin<S: Real, M: Metric>(
 ) -> StrongLink<S> {
     let pair = Pair::new(start.between[0], start.between[1]);
     let (i, j) = pair.indices();
-    let frame = PairFrame::new(metric.displacement(particles.position[i], particles.position[j]));
+    let frame = frame_of(metric, particles, start);
     let angles = start.initial_angles.map(|a| {
         if start.between[0] == i {
             a

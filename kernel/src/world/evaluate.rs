@@ -6,6 +6,7 @@ use crate::balance::Energy;
 use crate::error::StepError;
 use crate::forces::{self, LinkState, Tally};
 use crate::geometry::{Metric, PeriodicX};
+use crate::laws::{Controller, Driven};
 use crate::links::Pair;
 use crate::model::{Ambient, External};
 use crate::scalar::Real;
@@ -146,10 +147,14 @@ impl<S: Real> World<S> {
             ..
         } = self;
         let Some(law) = model.driving else { return };
-        let measured = forces::measure(particles, driven, forces);
+        let measured = Driven {
+            known_velocity: drive.known_velocity,
+            haste: model.integrator.haste(),
+            ..forces::measure(particles, driven, forces)
+        };
         drive.reaction = measured.reaction;
         let before = drive.force;
-        if advances {
+        if advances || law.controller == Controller::Exact {
             drive.force = law.next_force(before, &measured, model.time_step);
         }
         drive.applied = if model.integrator.evaluates_first() {

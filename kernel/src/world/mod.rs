@@ -31,6 +31,8 @@ pub struct Drive<S> {
     pub applied: Vec2<S>,
     /// Sum of all other forces on the driven particles in N, at the latest evaluation.
     pub reaction: Vec2<S>,
+    /// Mean horizontal velocity of the driven particles in m/s when the step began.
+    pub known_velocity: S,
 }
 
 /// The initial state of a scene.
@@ -225,6 +227,7 @@ impl<S: Real> World<S> {
         if self.is_evaluated {
             return Ok(());
         }
+        self.learn_velocity();
         self.evaluate(self.model.integrator.evaluates_first())?;
         self.is_evaluated = true;
         Ok(())
@@ -236,6 +239,17 @@ impl<S: Real> World<S> {
     /// The first particle that violates either.
     pub fn check(&self) -> Result<(), StepError> {
         watch::check(self)
+    }
+
+    /// Note the mean velocity of the driven particles before it is predicted.
+    fn learn_velocity(&mut self) {
+        if !self.driven.is_empty() {
+            let mut sum = S::zero();
+            for &i in &self.driven {
+                sum += self.particles.velocity[i as usize].x;
+            }
+            self.drive.known_velocity = sum * (1.0 / self.driven.len() as f64);
+        }
     }
 
     /// What an integrator may touch.
@@ -262,6 +276,7 @@ impl<S: Real> World<S> {
         let Some(mut previous) = self.previous.take() else {
             return Ok(());
         };
+        self.learn_velocity();
         predict(self.motion(), &mut previous, step);
         self.wrap();
         let outcome = self.evaluate(true);

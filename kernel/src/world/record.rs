@@ -214,6 +214,7 @@ impl World {
             force: reader.vector()?,
             applied: reader.vector()?,
             reaction: reader.vector()?,
+            ..Drive::default()
         };
         let links = reader.list(read_strong_link)?;
         let contacts = reader.list(read_contact)?;

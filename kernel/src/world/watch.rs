@@ -72,7 +72,9 @@ fn most_strained_link<S: Real>(world: &World<S>, particle: usize) -> Option<[usi
     Some([i, j])
 }
 
-/// Estimate of the largest stable step of a world in s, on the safe side for linear forces.
+/// Estimate of the largest stable step of a world in s, on the safe side for linear forces and methods
+/// whose bound falls with damping: symplectic Euler and velocity Verlet. The others need damping in every
+/// mode to be stable at all, which a bound from above does not see.
 ///
 /// By Gershgorin's theorem no mode is stiffer than twice the sum of the stiffnesses on one particle
 /// over its inertia; the same holds for damping. Contacts count as if every pair near enough to touch

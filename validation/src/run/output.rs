@@ -58,7 +58,9 @@ fn row(scene: &Scene, world: &World) -> String {
 pub fn infinite_energy(scene: &Scene, world: &World) -> Option<&'static str> {
     let values = scene.output.energy.then(|| world.energy().values())?;
     let mut named = Energy::<f64>::NAMES.into_iter().zip(values);
-    named.find(|(_, value)| !value.is_finite()).map(|(name, _)| name)
+    named
+        .find(|(_, value)| !value.is_finite())
+        .map(|(name, _)| name)
 }
 
 /// The file `series.csv` as it grows.

@@ -75,7 +75,7 @@ fn contact_normal(table: &Table) -> Result<ContactNormal> {
             ])?;
             Ok(ContactNormal::Bshp(Bshp {
                 youngs_modulus: table.number("youngs_modulus", Range::NonNegative)?,
-                poissons_ratio: table.number("poissons_ratio", Range::Between(-1.0, 1.0))?,
+                poissons_ratio: table.number("poissons_ratio", Range::Between(-1.0, 0.5))?,
                 dissipative_constant: table.number("dissipative_constant", Range::NonNegative)?,
             }))
         }
