@@ -5,6 +5,7 @@ mod bad_input;
 mod collisions;
 mod integrators;
 mod links;
+mod nothing_lost;
 mod original_program;
 mod pay_for_use;
 mod program;

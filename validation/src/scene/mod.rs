@@ -1,26 +1,30 @@
 //! Scene files: what a user says, checked to the last key.
 
 pub mod builtin;
+mod check;
 mod laws;
 mod particles;
 mod setup;
 mod table;
+mod text;
 
 pub use laws::DrivingTable;
 pub use particles::{Place, Placed, role_name};
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
+pub use text::hex;
 
 use crate::error::{Error, SceneError};
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::integrators::Integrator;
 use gouge_kernel::laws::characteristic_length;
-use gouge_kernel::links::{BondStart, ContactStart, Pair};
+use gouge_kernel::links::{BondStart, ContactStart};
 use gouge_kernel::model::{Ambient, Bond, Contact, Domain, External, Model, Reading};
-use gouge_kernel::particles::{Particle, Particles, Role};
+use gouge_kernel::particles::{Particle, Particles};
 use gouge_kernel::{ModelError, Start, World};
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
-use table::{Range, Source, Table, shortened};
+use table::{Range, Source, Table};
+use text::{syntax_error, text_of};
 use toml::de::DeTable;
 
 type Result<T> = std::result::Result<T, SceneError>;
@@ -199,139 +203,6 @@ impl Scene {
         })
     }
 
-    /// What no single table can tell.
-    fn check(&self, root: &Table) -> Result<()> {
-        if self.particles.is_empty() && self.setup.is_none() {
-            return Err(no_particles(root));
-        }
-        let bonds_made = self
-            .setup
-            .as_ref()
-            .is_some_and(|setup| setup.bonding.is_some());
-        if self.bond.is_none() && (!self.bonds.is_empty() || bonds_made) {
-            return Err(root.error(
-                "bond",
-                "missing; a scene with bonds needs the laws in [bond]",
-            ));
-        }
-        let yields = self.bond.is_some_and(|bond| bond.yielding.is_some());
-        if yields && self.bonds.is_empty() && !bonds_made {
-            let accepted = "yielding needs bonds: [[bonds]], bonds_file or [setup.bonding]";
-            return Err(root.table("bond")?.error("yielding", accepted));
-        }
-        if self.contact.is_none() && !self.contacts.is_empty() {
-            return Err(root.error(
-                "contact",
-                "missing; [[contacts]] need the laws in [contact]",
-            ));
-        }
-        self.check_pairs()?;
-        self.check_driving(root)?;
-        self.check_box(root)?;
-        if self.setup.is_none() {
-            self.initial_world()
-                .map_err(|error| self.placed(root, &error))?;
-        }
-        Ok(())
-    }
-
-    fn check_pairs(&self) -> Result<()> {
-        if self.setup.is_some() {
-            let bonds = self.bonds.iter().map(|(bond, place)| (bond.between, place));
-            let contacts = self
-                .contacts
-                .iter()
-                .map(|(contact, place)| (contact.between, place));
-            return match bonds.chain(contacts).next() {
-                Some((between, place)) => Err(place.error(
-                    format!("{between:?}"),
-                    "cannot be listed in a scene with [setup], which makes its own".to_owned(),
-                )),
-                None => Ok(()),
-            };
-        }
-        let number = self.particles.len();
-        check_pairs(
-            number,
-            self.bonds.iter().map(|(bond, place)| (bond.between, place)),
-        )?;
-        check_pairs(
-            number,
-            self.contacts
-                .iter()
-                .map(|(contact, place)| (contact.between, place)),
-        )?;
-        self.check_unbonded()
-    }
-
-    /// No pair is bonded and also in contact.
-    fn check_unbonded(&self) -> Result<()> {
-        let pair = |between: [usize; 2]| Pair::new(between[0], between[1]);
-        let bonded: std::collections::HashSet<Pair> = self
-            .bonds
-            .iter()
-            .map(|(bond, _)| pair(bond.between))
-            .collect();
-        let both = |(contact, _): &&(ContactStart, Place)| bonded.contains(&pair(contact.between));
-        match self.contacts.iter().find(both) {
-            Some((contact, place)) => Err(place.error(
-                format!("{:?}", contact.between),
-                "names a pair that is bonded; a bonded pair has no contact".to_owned(),
-            )),
-            None => Ok(()),
-        }
-    }
-
-    fn check_driving(&self, root: &Table) -> Result<()> {
-        let Some(driving) = self.driving else {
-            return Ok(());
-        };
-        let table = root.table("driving")?;
-        let listed = self.particles.iter().any(|p| p.role == Role::Driven);
-        let roles = self.setup.as_ref().and_then(|setup| setup.roles);
-        if !listed && roles.is_none_or(|roles| roles.driven_above.is_none()) {
-            let accepted = "needs a particle whose role is \"driven\"";
-            return Err(root.error("driving", accepted));
-        }
-        if driving.area.is_none() && self.domain.width.is_none() {
-            let accepted = "missing; without box.width the area must be given, in m^2";
-            return Err(table.error("area", accepted));
-        }
-        Ok(())
-    }
-
-    fn check_box(&self, root: &Table) -> Result<()> {
-        let (true, Some(width)) = (self.domain.periodic, self.domain.width) else {
-            return Ok(());
-        };
-        let listed = self.particles.iter().map(|p| p.radius).fold(0.0, f64::max);
-        let made = self.setup.as_ref().map_or(0.0, |setup| setup.sizes.maximum);
-        let cell = 2.0 * listed.max(made);
-        if width < 2.0 * cell {
-            let accepted = format!(
-                "must be at least two cells wide, {} m: four times the largest radius",
-                2.0 * cell
-            );
-            return Err(root.table("box")?.error("width", &accepted));
-        }
-        Ok(())
-    }
-
-    /// The scene's error for one that the kernel found.
-    fn placed(&self, root: &Table, error: &ModelError) -> SceneError {
-        let bond = |(bond, place): &(BondStart, Place)| (bond.between, place.clone());
-        let contact = |(contact, place): &(ContactStart, Place)| (contact.between, place.clone());
-        let place = match error {
-            ModelError::LongBond { link, .. } => self.bonds.get(*link).map(bond),
-            ModelError::NoOverlap { link, .. } => self.contacts.get(*link).map(contact),
-            _ => None,
-        };
-        match place {
-            Some((between, place)) => place.error(format!("{between:?}"), error.to_string()),
-            None => root.source().error(0, "", "", &error.to_string()),
-        }
-    }
-
     /// The model of the scene proper, for particles of the given radii.
     pub fn model(&self, radii: &[f64]) -> Model {
         let width = self.domain.width.unwrap_or(0.0);
@@ -403,31 +274,6 @@ pub fn wrap(domain: &Domain, particles: &mut Particles) {
     }
 }
 
-fn check_pairs<'a>(
-    particles: usize,
-    pairs: impl Iterator<Item = ([usize; 2], &'a Place)>,
-) -> Result<()> {
-    let mut seen = std::collections::HashSet::new();
-    for ([i, j], place) in pairs {
-        let problem = if i >= particles || j >= particles {
-            let last = particles.saturating_sub(1);
-            Some(format!(
-                "names a particle that does not exist; indices go from 0 to {last}"
-            ))
-        } else if i == j {
-            Some("connects a particle with itself; two different ones are needed".to_owned())
-        } else if !seen.insert(Pair::new(i, j)) {
-            Some("repeats a pair; each pair may be listed once".to_owned())
-        } else {
-            None
-        };
-        if let Some(accepted) = problem {
-            return Err(place.error(format!("[{i}, {j}]"), accepted));
-        }
-    }
-    Ok(())
-}
-
 fn domain(root: &Table) -> Result<Domain> {
     let Some(table) = root.optional_table("box")? else {
         return Ok(Domain {
@@ -484,79 +330,10 @@ fn output(root: &Table, end: f64) -> Result<Output> {
     })
 }
 
-fn text_of<'a>(file: &str, bytes: &'a [u8]) -> Result<&'a str> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let valid = &bytes[..error.valid_up_to()];
-        SceneError {
-            file: file.to_owned(),
-            line: 1 + valid.iter().filter(|&&b| b == b'\n').count(),
-            key: String::new(),
-            value: format!("byte 0x{:02x}", bytes[error.valid_up_to()]),
-            accepted: "must be a TOML file in UTF-8".to_owned(),
-        }
-    })
-}
-
 fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = vec![PathBuf::from(root.source().file)];
     for key in ["particles_file", "bonds_file", "contacts_file"] {
         files.extend(root.optional_text(key)?.map(|name| folder.join(name)));
     }
     Ok(files)
-}
-
-fn no_particles(root: &Table) -> SceneError {
-    if root.has("particles_file") {
-        return root.error("particles_file", "must list at least one particle");
-    }
-    let accepted = "a scene needs [[particles]], particles_file or [setup]";
-    match root.has("particles") {
-        true => root.error("particles", accepted),
-        false => root.error("particles", &format!("missing; {accepted}")),
-    }
-}
-
-/// An error in a file that is no TOML, with the key that the line seems to mean.
-fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
-    let at = error.span().map_or(0, |span| span.start);
-    let before = source.line(at) - 1;
-    let line = source.text.lines().nth(before).unwrap_or_default().trim();
-    let table = enclosing_table(source.text, before);
-    let (key, value) = match line.split_once('=') {
-        _ if line.starts_with('[') => (String::new(), line),
-        Some((key, value)) if table.is_empty() => (shortened(key.trim()), value.trim()),
-        Some((key, value)) => (format!("{table}.{}", shortened(key.trim())), value.trim()),
-        None => (table, line),
-    };
-    let accepted = format!("must be TOML: {}", error.message());
-    source.error(at, &key, &shortened(value), &accepted)
-}
-
-/// Dotted path of the table whose header is the last one among the first lines of a text.
-fn enclosing_table(text: &str, lines: usize) -> String {
-    let headers = || text.lines().take(lines).filter_map(header);
-    match headers().last() {
-        None => String::new(),
-        Some((name, false)) => name.to_owned(),
-        Some(last) => format!(
-            "{}[{}]",
-            last.0,
-            headers().filter(|&h| h == last).count() - 1
-        ),
-    }
-}
-
-/// Name in a line such as `[name]` or `[[name]]`, and whether it is of the latter kind.
-fn header(line: &str) -> Option<(&str, bool)> {
-    let (inner, _) = line.trim_start().strip_prefix('[')?.split_once(']')?;
-    let name = inner.strip_prefix('[');
-    let (name, is_list) = (name.unwrap_or(inner).trim(), name.is_some());
-    let is_key = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
-    let is_name = name.len() <= 60 && !name.is_empty() && name.chars().all(is_key);
-    is_name.then_some((name, is_list))
-}
-
-/// Bytes in hexadecimal digits.
-pub fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
