@@ -249,7 +249,7 @@ impl<'a> Run<'a> {
             .sample_step(self.samples + 1)
             .min(self.phases[self.phase].steps);
         let links = bonds(&self.world) + self.world.contacts();
-        self.link_steps += links as f64 * (steps - self.world.steps()) as f64;
+        self.link_steps += links as f64 * steps.saturating_sub(self.world.steps()) as f64;
         self.samples += 1;
         Ok(())
     }
