@@ -127,7 +127,7 @@ fn a_run_leaves_what_the_contract_lists() {
         assert!(!summary[key].is_null(), "{key} is missing");
     }
     assert_eq!(summary["status"], "done");
-    assert_eq!(summary["steps"], 600);
+    assert_eq!(summary["steps"], 1200);
     let columns = "time,kinetic,contact,external,ambient,friction,breaking,bonding,driving,residual,\
         friction_load,friction_feedback,drive_force_x,drive_force_y,bonds,fragments";
     let series = read("series.csv");

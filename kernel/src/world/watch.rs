@@ -77,8 +77,8 @@ fn most_strained_link<S: Real>(world: &World<S>, particle: usize) -> Option<[usi
 /// mode to be stable at all, which a bound from above does not see.
 ///
 /// By Gershgorin's theorem no mode is stiffer than twice the sum of the stiffnesses on one particle
-/// over its inertia; the same holds for damping. Contacts count as if every pair near enough to touch
-/// did.
+/// over its inertia; the same holds for damping. The largest of both are taken together. Contacts count
+/// as if every pair near enough to touch did.
 pub fn stable_step_estimate<S: Real>(world: &World<S>) -> f64 {
     let number = world.particles.len();
     let mut stiffness = vec![0.0; number];
@@ -106,15 +106,18 @@ pub fn stable_step_estimate<S: Real>(world: &World<S>) -> f64 {
             add((i, j), k, c);
         }
     }
-    let of = |i: usize| {
-        let per_mass = 2.0 * world.inverse_mass[i].to_f64();
-        let oscillator = Oscillator {
-            stiffness: stiffness[i] * per_mass,
-            damping: damping[i] * per_mass,
-        };
-        critical_step(world.model.integrator, oscillator)
+    let largest = |sums: &[f64]| {
+        let per_mass = sums
+            .iter()
+            .zip(&world.inverse_mass)
+            .map(|(sum, m)| 2.0 * sum * m.to_f64());
+        per_mass.fold(0.0, f64::max)
     };
-    (0..number).map(of).fold(f64::INFINITY, f64::min)
+    let stiffest = Oscillator {
+        stiffness: largest(&stiffness),
+        damping: largest(&damping),
+    };
+    critical_step(world.model.integrator, stiffest)
 }
 
 /// How much stiffer than k the tangential spring of a contact acts on a pair: its mode of rolling has

@@ -190,8 +190,21 @@ impl<'a> Run<'a> {
         if self.is_main() {
             self.bonds_initial = bonds(&self.world);
             self.series = Some(Series::open(self.scene, &self.folder, None)?);
+            self.warn_of_step();
         }
         Ok(())
+    }
+
+    /// Say so, where the time step may be too large.
+    fn warn_of_step(&self) {
+        let estimate = gouge_kernel::stable_step_estimate(&self.world);
+        if self.scene.step > estimate && !self.manner.quiet {
+            eprintln!(
+                "gouge: warning: {}: time.step = {:?}: above the estimated stability bound, \
+                 {estimate:.3e} s (`gouge stability` tells more)",
+                self.scene.file, self.scene.step
+            );
+        }
     }
 
     /// Step at which a sample is due.
