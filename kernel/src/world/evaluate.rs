@@ -14,7 +14,7 @@ use crate::scalar::Real;
 impl<S: Real> World<S> {
     /// Forces at the present positions and velocities; bonds break, contacts begin and end.
     pub(super) fn evaluate(&mut self, advances_drive: bool) -> Result<(), StepError> {
-        self.watch()?;
+        self.refresh_neighbors()?;
         self.forces.clear();
         self.tally = Tally::default();
         self.add_strong_links();
@@ -32,8 +32,11 @@ impl<S: Real> World<S> {
         Ok(())
     }
 
-    /// Keep the neighbour list valid, and stop if the state has become senseless.
-    fn watch(&mut self) -> Result<(), StepError> {
+    /// Keep the neighbour list valid for the present positions; changes no motion.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check), if particles have moved far.
+    pub fn refresh_neighbors(&mut self) -> Result<(), StepError> {
         let Self {
             model,
             particles,

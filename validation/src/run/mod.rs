@@ -240,12 +240,18 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// Write down the present state. What the next step will do in it first, evaluate the forces and
+    /// break bonds, is looked at in a copy, for the reaction to the driving force.
     fn sample(&mut self) -> Result<(), Error> {
-        let pending = self
+        let refreshed = self
             .world
-            .evaluate_if_pending()
+            .refresh_neighbors()
             .and_then(|()| self.world.check());
-        pending.map_err(|source| self.step_error(source))?;
+        refreshed.map_err(|source| self.step_error(source))?;
+        let mut ahead = self.world.clone();
+        ahead
+            .evaluate_if_pending()
+            .map_err(|source| self.step_error(source))?;
         if let Some(name) = output::infinite_energy(self.scene, &self.world) {
             return Err(Error::Energy {
                 phase: self.phases[self.phase].name.clone(),
@@ -255,7 +261,7 @@ impl<'a> Run<'a> {
         }
         self.good = self.world.clone();
         if let Some(series) = &mut self.series {
-            series.sample(self.scene, &self.world)?;
+            series.sample(self.scene, &self.world, ahead.drive())?;
         }
         trajectory::write_frame(self.scene, &self.folder, self.samples, &self.world)?;
         let steps = self

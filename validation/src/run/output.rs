@@ -3,9 +3,9 @@
 use super::checkpoint::write_whole;
 use crate::error::Error;
 use crate::scene::{Scene, role_name};
-use gouge_kernel::World;
 use gouge_kernel::estimators::{Energy, fragments, friction_feedback, friction_load};
 use gouge_kernel::particles::Particles;
+use gouge_kernel::{Drive, World};
 use serde::Serialize;
 use std::fs::File;
 use std::io::{Seek, SeekFrom, Write};
@@ -32,13 +32,12 @@ pub fn columns(scene: &Scene) -> Vec<&'static str> {
 }
 
 /// One row of the series.
-fn row(scene: &Scene, world: &World) -> String {
+fn row(scene: &Scene, world: &World, drive: &Drive<f64>) -> String {
     let mut cells = vec![format!("{:?}", world.time())];
     if scene.output.energy {
         cells.extend(world.energy().values().map(|value| format!("{value:?}")));
     }
     if scene.driving.is_some() {
-        let drive = world.drive();
         let numbers = [
             friction_load(drive),
             friction_feedback(drive),
@@ -112,8 +111,13 @@ impl Series {
     ///
     /// # Errors
     /// Failures of the file system; what was there before is kept.
-    pub fn sample(&mut self, scene: &Scene, world: &World) -> Result<(), Error> {
-        self.append(&row(scene, world))
+    pub fn sample(
+        &mut self,
+        scene: &Scene,
+        world: &World,
+        drive: &Drive<f64>,
+    ) -> Result<(), Error> {
+        self.append(&row(scene, world, drive))
     }
 
     fn append(&mut self, text: &str) -> Result<(), Error> {
