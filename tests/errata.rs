@@ -1,6 +1,6 @@
 //! Errata that change forces or motion, pinned by closed forms, invariants and derivatives.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{INTEGRATORS, advance, head, particle, world};
 use gouge_kernel::World;
 use gouge_kernel::estimators::{friction_feedback, friction_load};
 use gouge_kernel::geometry::{Metric, PeriodicX, Vec2, contact_half_length, overlap_factor};
@@ -376,13 +376,7 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
 fn exact_driving_settles_with_every_integrator() {
     // A grain in a viscous medium begins at rest, has to move at 2 m/s, and is then held there against
     // a drag of 6 pi eta r v, which is all that the force has to balance.
-    for integrator in [
-        "euler",
-        "symplectic-euler",
-        "taylor",
-        "velocity-verlet",
-        "beeman",
-    ] {
+    for integrator in INTEGRATORS {
         let text = head(integrator, 1e-6)
             + "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
                [driving]\ncontroller = \"exact\"\nspeed = 2.0\npressure = 0.0\narea = 1.0\n"

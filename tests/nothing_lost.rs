@@ -1,7 +1,7 @@
 //! Runs that are killed, fail or meet a full disk: what was computed stays and can be continued.
 
 use crate::program::{gouge, run, stderr, stdout, write_scene};
-use crate::worlds::{head, particle};
+use crate::worlds::{INTEGRATORS, head, particle};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use serde_json::Value;
@@ -508,13 +508,7 @@ fn chain(integrator: &str, step: f64, end: f64) -> String {
 
 #[test]
 fn a_time_step_far_too_large_ends_with_its_cause_and_the_last_good_state() {
-    for integrator in [
-        "euler",
-        "symplectic-euler",
-        "taylor",
-        "velocity-verlet",
-        "beeman",
-    ] {
+    for integrator in INTEGRATORS {
         for step in [1e-5, 1e-4] {
             let folder = tempfile::tempdir().expect("a folder");
             let scene = write_scene(folder.path(), &chain(integrator, step, 1e5 * step));

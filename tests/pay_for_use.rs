@@ -1,6 +1,6 @@
 //! What is absent costs nothing and changes nothing; a step allocates nothing.
 
-use crate::worlds::{advance, bits, head, particle, world};
+use crate::worlds::{INTEGRATORS, advance, bits, head, particle, world};
 use gouge_validation::run::{enter, phases};
 use gouge_validation::scene::Scene;
 use gouge_validation::scene::builtin;
@@ -88,13 +88,7 @@ fn sheared(integrator: &str, friction: &str) -> gouge_kernel::World {
 
 #[test]
 fn a_step_allocates_nothing() {
-    for integrator in [
-        "euler",
-        "symplectic-euler",
-        "taylor",
-        "velocity-verlet",
-        "beeman",
-    ] {
+    for integrator in INTEGRATORS {
         let mut world = sheared(integrator, "cundall-strack-truncated");
         let bonds = |world: &gouge_kernel::World| world.strong_links().map(|s| s.links.len());
         advance(&mut world, 2000);
@@ -111,13 +105,7 @@ fn a_step_allocates_nothing() {
 
 #[test]
 fn a_recorded_state_continues_with_the_same_bits() {
-    for integrator in [
-        "euler",
-        "symplectic-euler",
-        "taylor",
-        "velocity-verlet",
-        "beeman",
-    ] {
+    for integrator in INTEGRATORS {
         for friction in ["cundall-strack", "cundall-strack-truncated"] {
             let mut world = sheared(integrator, friction);
             for _ in 0..5 {

@@ -4,6 +4,15 @@ use gouge_kernel::World;
 use gouge_validation::scene::Scene;
 use std::path::Path;
 
+/// Names of all integrators.
+pub const INTEGRATORS: [&str; 5] = [
+    "euler",
+    "symplectic-euler",
+    "taylor",
+    "velocity-verlet",
+    "beeman",
+];
+
 /// The scene of a text.
 pub fn scene(text: &str) -> Scene {
     match Scene::parse("scene.toml", text.as_bytes(), Path::new(".")) {

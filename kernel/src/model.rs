@@ -37,6 +37,35 @@ pub enum ContactTangential {
     CundallStrackTruncated(CundallStrackTruncated),
 }
 
+/// Overlap, in smaller radii, at which the slope of a non-linear normal law counts as its stiffness.
+const TYPICAL_OVERLAP: f64 = 0.1;
+
+impl ContactNormal {
+    /// Stiffness in kg/s^2 and damping in kg/s for small motions of a pair with radii in m; for BSHP at an
+    /// overlap of a tenth of the smaller radius.
+    pub fn constants(&self, radii: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::KelvinVoigt(law) => [law.stiffness, law.damping],
+            Self::Bshp(law) => {
+                let xi = TYPICAL_OVERLAP * radii[0].min(radii[1]);
+                let slope = 1.5 * law.prefactor(radii) * xi.sqrt();
+                [slope, slope / 1.5 * law.dissipative_constant]
+            }
+        }
+    }
+}
+
+impl ContactTangential {
+    /// Stiffness in kg/s^2 and damping in kg/s below the Coulomb limit.
+    pub fn constants(&self) -> [f64; 2] {
+        match self {
+            Self::HaffWerner(law) => [0.0, law.damping],
+            Self::CundallStrack(law) => [law.stiffness, 0.0],
+            Self::CundallStrackTruncated(law) => [law.stiffness, 0.0],
+        }
+    }
+}
+
 /// Laws of weak links.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
@@ -109,6 +138,13 @@ pub struct Domain {
     pub periodic: bool,
 }
 
+impl Domain {
+    /// The periodic width in m, if x is periodic.
+    pub fn period(&self) -> Option<f64> {
+        self.width.filter(|_| self.periodic)
+    }
+}
+
 /// Everything a scene chooses, except its particles. What is `None` is not there: no array, no pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
@@ -137,10 +173,6 @@ pub struct Model {
 impl Model {
     /// The periodic width in m, if x is periodic.
     pub fn period(&self) -> Option<f64> {
-        if self.domain.periodic {
-            self.domain.width
-        } else {
-            None
-        }
+        self.domain.period()
     }
 }

@@ -7,7 +7,7 @@ use crate::scene::{INTEGRATORS, Scene, builtin};
 use gouge_kernel::forces::LinkKind;
 use gouge_kernel::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
 use gouge_kernel::material::Elastic;
-use gouge_kernel::model::{ContactNormal, ContactTangential};
+use gouge_kernel::model::ContactNormal;
 use gouge_kernel::{World, stable_step_estimate};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -138,27 +138,15 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     };
     let mut bounds = Vec::new();
     if let Some(contact) = &scene.contact {
-        let (k, c) = match contact.normal {
-            ContactNormal::KelvinVoigt(law) => (law.stiffness, law.damping),
-            ContactNormal::Bshp(law) => {
-                let xi = 0.1 * smallest;
-                let slope = 1.5 * law.prefactor([smallest; 2]) * xi.sqrt();
-                (slope, slope / 1.5 * law.dissipative_constant)
-            }
-        };
+        let [k, c] = contact.normal.constants([smallest; 2]);
         bounds.push(bound(
             "contact normal",
             "collision of the two lightest particles",
             push * k,
             push * c,
         ));
-        let (k, c) = match contact.tangential {
-            None => (0.0, 0.0),
-            Some(ContactTangential::HaffWerner(law)) => (0.0, law.damping),
-            Some(ContactTangential::CundallStrack(law)) => (law.stiffness, 0.0),
-            Some(ContactTangential::CundallStrackTruncated(law)) => (law.stiffness, 0.0),
-        };
-        if contact.tangential.is_some() {
+        if let Some(law) = contact.tangential {
+            let [k, c] = law.constants();
             bounds.push(bound(
                 "contact tangential",
                 "sticking or viscous slip of the same pair",

@@ -152,8 +152,8 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
 
 /// Add the forces of all pairs that overlap, and begin or end their memory.
 ///
-/// `broken` holds the pairs whose bonds broke in this evaluation, in order: if they overlap, their
-/// stored energy is booked as work of bonding. Allocates nothing.
+/// `is_broken` tells the pairs whose bonds broke in this evaluation: if they overlap, their stored
+/// energy is booked as work of bonding. Allocates nothing.
 #[inline(never)]
 pub(crate) fn weak_links<
     S: Real,

@@ -34,8 +34,7 @@ pub struct Neighbors<S> {
 
 impl<S: Real> Neighbors<S> {
     /// Cells for the given box; the margin is as large as the box allows, up to a fraction of the mean
-    /// radius. Returns the side of the smallest cell that a periodic box would need, if it is too
-    /// narrow.
+    /// radius.
     pub fn new(particles: &Particles<S>, extent: [Option<f64>; 2], period: Option<f64>) -> Self {
         let largest = 2.0 * particles.largest_radius();
         let number = particles.len().max(1);

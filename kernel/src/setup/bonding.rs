@@ -11,7 +11,7 @@ pub const REACH: f64 = 1.224_744_871_391_589;
 /// All pairs whose distance is at most `reach` times the sum of their radii, in order.
 pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<Pair> {
     use crate::geometry::{Metric, Open, PeriodicX};
-    let period = if domain.periodic { domain.width } else { None };
+    let period = domain.period();
     let displacement = |from: Vec2, to: Vec2| match period {
         Some(length) => PeriodicX { length }.displacement(from, to),
         None => Open.displacement(from, to),

@@ -145,20 +145,7 @@ fn contact_constants(
     tangential: &Option<ContactTangential>,
     radii: [f64; 2],
 ) -> (f64, f64) {
-    let (k_n, c_n) = match normal {
-        ContactNormal::KelvinVoigt(law) => (law.stiffness, law.damping),
-        ContactNormal::Bshp(law) => {
-            // Slope of the force at an overlap of a tenth of the smaller radius.
-            let xi = 0.1 * radii[0].min(radii[1]);
-            let slope = 1.5 * law.prefactor(radii) * xi.sqrt();
-            (slope, slope / 1.5 * law.dissipative_constant)
-        }
-    };
-    let (k_t, c_t) = match tangential {
-        None => (0.0, 0.0),
-        Some(ContactTangential::HaffWerner(law)) => (0.0, law.damping),
-        Some(ContactTangential::CundallStrack(law)) => (law.stiffness, 0.0),
-        Some(ContactTangential::CundallStrackTruncated(law)) => (law.stiffness, 0.0),
-    };
+    let [k_n, c_n] = normal.constants(radii);
+    let [k_t, c_t] = tangential.map_or([0.0; 2], |law| law.constants());
     (k_n.max(ROLLING * k_t), c_n.max(ROLLING * c_t))
 }

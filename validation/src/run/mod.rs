@@ -13,7 +13,7 @@ pub use plan::{Kind, Phase, enter, phases};
 use crate::error::Error;
 use crate::scene::Scene;
 use checkpoint::Checkpoint;
-use gouge_kernel::World;
+use gouge_kernel::{Drive, World};
 use output::{Series, Summary};
 use progress::Progress;
 use std::path::{Path, PathBuf};
@@ -240,18 +240,14 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Write down the present state. What the next step will do in it first, evaluate the forces and
-    /// break bonds, is looked at in a copy, for the reaction to the driving force.
+    /// Write down the present state.
     fn sample(&mut self) -> Result<(), Error> {
         let refreshed = self
             .world
             .refresh_neighbors()
             .and_then(|()| self.world.check());
         refreshed.map_err(|source| self.step_error(source))?;
-        let mut ahead = self.world.clone();
-        ahead
-            .evaluate_if_pending()
-            .map_err(|source| self.step_error(source))?;
+        let drive = self.present_drive()?;
         if let Some(name) = output::infinite_energy(self.scene, &self.world) {
             return Err(Error::Energy {
                 phase: self.phases[self.phase].name.clone(),
@@ -261,7 +257,7 @@ impl<'a> Run<'a> {
         }
         self.good = self.world.clone();
         if let Some(series) = &mut self.series {
-            series.sample(self.scene, &self.world, ahead.drive())?;
+            series.sample(self.scene, &self.world, &drive)?;
         }
         trajectory::write_frame(self.scene, &self.folder, self.samples, &self.world)?;
         let steps = self
@@ -271,6 +267,19 @@ impl<'a> Run<'a> {
         self.link_steps += links as f64 * steps.saturating_sub(self.world.steps()) as f64;
         self.samples += 1;
         Ok(())
+    }
+
+    /// The driving force and the reaction to it in the present state. What the next step will do first,
+    /// evaluate the forces and break bonds, is done in a copy.
+    fn present_drive(&self) -> Result<Drive<f64>, Error> {
+        if self.scene.driving.is_none() {
+            return Ok(*self.world.drive());
+        }
+        let mut ahead = self.world.clone();
+        ahead
+            .evaluate_if_pending()
+            .map_err(|source| self.step_error(source))?;
+        Ok(*ahead.drive())
     }
 
     fn seconds(&self) -> [f64; 2] {

@@ -207,3 +207,15 @@ pub fn write_summary(folder: &Path, summary: &Summary) -> Result<(), Error> {
         .map_err(|error| Error::file("write", &path, std::io::Error::other(error)))?;
     write_whole(&path, (text + "\n").as_bytes())
 }
+
+/// Bonds that can be drawn as lines between their grains: not those across the seam of a periodic box.
+pub fn unbroken_lines(scene: &Scene, world: &World) -> impl Iterator<Item = (usize, usize)> {
+    let position = &world.particles().position;
+    let half = scene
+        .domain
+        .period()
+        .map_or(f64::INFINITY, |width| 0.5 * width);
+    let links = world.strong_links().map_or(&[][..], |strong| &strong.links);
+    let pairs = links.iter().map(|link| link.pair.indices());
+    pairs.filter(move |&(i, j)| (position[i].x - position[j].x).abs() <= half)
+}

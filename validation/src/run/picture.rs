@@ -1,6 +1,7 @@
 //! One picture of the final state, fragments coloured, after thesis figure 11.
 
 use super::checkpoint::write_whole;
+use super::output::unbroken_lines;
 use crate::error::Error;
 use crate::scene::Scene;
 use gouge_kernel::World;
@@ -33,7 +34,7 @@ impl View {
                 view.high[axis] = view.high[axis].max(x + r);
             }
         }
-        if let (true, Some(width)) = (scene.domain.periodic, scene.domain.width) {
+        if let Some(width) = scene.domain.period() {
             (view.low[0], view.high[0]) = (0.0, width);
         }
         view
@@ -117,16 +118,8 @@ fn pastel(hue: f64) -> String {
 fn bonds(view: &View, scene: &Scene, world: &World) -> Group {
     let mut group = Group::new().set("stroke", "#222").set("stroke-width", 0.8);
     let p = world.particles();
-    let half = match scene.domain.width {
-        Some(width) if scene.domain.periodic => 0.5 * width,
-        _ => f64::INFINITY,
-    };
-    for link in world.strong_links().map_or(&[][..], |strong| &strong.links) {
-        let (i, j) = link.pair.indices();
+    for (i, j) in unbroken_lines(scene, world) {
         let (a, b) = (p.position[i], p.position[j]);
-        if (a.x - b.x).abs() > half {
-            continue;
-        }
         let ([x1, y1], [x2, y2]) = (view.at(a.x, a.y), view.at(b.x, b.y));
         let line = Line::new()
             .set("x1", rounded(x1))

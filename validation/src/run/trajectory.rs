@@ -1,6 +1,7 @@
 //! Frames of a trajectory, for ParaView (VTK) and OVITO (extended XYZ).
 
 use super::checkpoint::write_whole;
+use super::output::unbroken_lines;
 use crate::error::Error;
 use crate::scene::{Scene, Trajectory, role_name};
 use gouge_kernel::World;
@@ -131,7 +132,9 @@ fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
         })
         .collect();
     let vertices = (0..p.len() as u32).flat_map(|i| [1, i]).collect();
-    let bonds = bonds(scene, world);
+    let bonds: Vec<u32> = unbroken_lines(scene, world)
+        .flat_map(|(i, j)| [2, i as u32, j as u32])
+        .collect();
     let piece = PolyDataPiece {
         points: flat(&p.position).into(),
         verts: Some(VertexNumbers::Legacy {
@@ -175,20 +178,4 @@ fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
         )
     })?;
     Ok(text)
-}
-
-/// Bonds as lines of two points, without those across the seam of a periodic box.
-fn bonds(scene: &Scene, world: &World) -> Vec<u32> {
-    let position = &world.particles().position;
-    let half = match scene.domain.width {
-        Some(width) if scene.domain.periodic => 0.5 * width,
-        _ => f64::INFINITY,
-    };
-    let links = world.strong_links().map_or(&[][..], |strong| &strong.links);
-    let is_near = |i: u32, j: u32| (position[i as usize].x - position[j as usize].x).abs() <= half;
-    links
-        .iter()
-        .filter(|link| is_near(link.pair.i, link.pair.j))
-        .flat_map(|link| [2, link.pair.i, link.pair.j])
-        .collect()
 }

@@ -112,7 +112,7 @@ impl Scene {
     }
 
     fn check_box(&self, root: &Table) -> Result<()> {
-        let (true, Some(width)) = (self.domain.periodic, self.domain.width) else {
+        let Some(width) = self.domain.period() else {
             return Ok(());
         };
         let listed = self.particles.iter().map(|p| p.radius).fold(0.0, f64::max);

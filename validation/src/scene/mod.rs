@@ -266,7 +266,7 @@ pub fn steps_for(duration: f64, step: f64) -> u64 {
 /// Represent all particles of a periodic box in it.
 pub fn wrap(domain: &Domain, particles: &mut Particles) {
     use gouge_kernel::geometry::{Metric, PeriodicX};
-    if let (true, Some(length)) = (domain.periodic, domain.width) {
+    if let Some(length) = domain.period() {
         particles
             .position
             .iter_mut()

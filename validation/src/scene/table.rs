@@ -3,7 +3,7 @@
 use crate::error::SceneError;
 use std::collections::BTreeMap;
 use toml::Spanned;
-use toml::de::{DeArray, DeTable, DeValue};
+use toml::de::{DeTable, DeValue};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
@@ -38,13 +38,6 @@ impl Source<'_> {
             accepted: accepted.to_owned(),
         }
     }
-}
-
-/// A value with its place.
-#[derive(Clone, Copy)]
-pub struct Value<'a> {
-    source: Source<'a>,
-    value: &'a Spanned<DeValue<'a>>,
 }
 
 /// A table, its place and its keys.
@@ -210,11 +203,8 @@ impl<'a> Table<'a> {
         self.error(key, &format!("missing; {accepted}"))
     }
 
-    fn value(&self, key: &str) -> Option<Value<'a>> {
-        self.keys.get(key).map(|(_, value)| Value {
-            source: self.source,
-            value,
-        })
+    fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.keys.get(key).map(|(_, value)| *value)
     }
 
     /// A number, if the key is there.
@@ -222,9 +212,9 @@ impl<'a> Table<'a> {
         let Some(value) = self.value(key) else {
             return Ok(None);
         };
-        match number_of(value.value.get_ref()) {
+        match number_of(value.get_ref()) {
             Some(number) if range.contains(number) => Ok(Some(number)),
-            None if is_integer(value.value.get_ref()) => Err(self.error(key, TOO_LONG)),
+            None if is_integer(value.get_ref()) => Err(self.error(key, TOO_LONG)),
             _ => Err(self.error(key, &range.text())),
         }
     }
@@ -252,7 +242,7 @@ impl<'a> Table<'a> {
         let Some(value) = self.value(key) else {
             return Ok(None);
         };
-        match integer_of(value.value.get_ref()).and_then(|n| u64::try_from(n).ok()) {
+        match integer_of(value.get_ref()).and_then(|n| u64::try_from(n).ok()) {
             Some(number) => Ok(Some(number)),
             None => Err(self.error(key, "must be a whole number, zero or greater, below 2^63")),
         }
@@ -260,7 +250,7 @@ impl<'a> Table<'a> {
 
     /// A truth value, if the key is there.
     pub fn optional_truth(&self, key: &str) -> Result<Option<bool>> {
-        match self.value(key).map(|value| value.value.get_ref()) {
+        match self.value(key).map(|value| value.get_ref()) {
             None => Ok(None),
             Some(DeValue::Boolean(truth)) => Ok(Some(*truth)),
             Some(_) => Err(self.error(key, "must be true or false")),
@@ -269,7 +259,7 @@ impl<'a> Table<'a> {
 
     /// A text, if the key is there.
     pub fn optional_text(&self, key: &str) -> Result<Option<&'a str>> {
-        match self.value(key).map(|value| value.value.get_ref()) {
+        match self.value(key).map(|value| value.get_ref()) {
             None => Ok(None),
             Some(DeValue::String(text)) => Ok(Some(text.as_ref())),
             Some(_) => Err(self.error(key, "must be a text")),
@@ -283,7 +273,7 @@ impl<'a> Table<'a> {
         }
         let list: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
         let accepted = format!("must be one of: {}", list.join(", "));
-        let found = match self.value(key).map(|value| value.value.get_ref()) {
+        let found = match self.value(key).map(|value| value.get_ref()) {
             Some(DeValue::String(text)) => names.iter().find(|(name, _)| *name == text.as_ref()),
             _ => None,
         };
@@ -305,7 +295,7 @@ impl<'a> Table<'a> {
             return Ok(None);
         };
         let accepted = "must be an array of two finite numbers";
-        let pair = value.array().and_then(|array| match array {
+        let pair = array_of(value).and_then(|array| match array {
             [a, b] => Some([number_of(a.get_ref())?, number_of(b.get_ref())?]),
             _ => None,
         });
@@ -328,7 +318,7 @@ impl<'a> Table<'a> {
             return Err(self.missing(key, accepted));
         };
         let index = |v: &Spanned<DeValue>| usize::try_from(integer_of(v.get_ref())?).ok();
-        let pair = value.array().and_then(|array| match array {
+        let pair = array_of(value).and_then(|array| match array {
             [a, b] => Some([index(a)?, index(b)?]),
             _ => None,
         });
@@ -358,7 +348,7 @@ impl<'a> Table<'a> {
             return Ok(Vec::new());
         };
         let accepted = "must be an array of tables";
-        let Some(array) = value.array() else {
+        let Some(array) = array_of(value) else {
             return Err(self.error(key, accepted));
         };
         let item = |(i, value): (usize, &'a Spanned<DeValue<'a>>)| match value.get_ref() {
@@ -372,16 +362,9 @@ impl<'a> Table<'a> {
     }
 }
 
-impl<'a> Value<'a> {
-    fn array(&self) -> Option<&'a [Spanned<DeValue<'a>>]> {
-        let _ = self.source;
-        match self.value.get_ref() {
-            DeValue::Array(array) => Some(as_slice(array)),
-            _ => None,
-        }
+fn array_of<'a>(value: &'a Spanned<DeValue<'a>>) -> Option<&'a [Spanned<DeValue<'a>>]> {
+    match value.get_ref() {
+        DeValue::Array(array) => Some(array),
+        _ => None,
     }
-}
-
-fn as_slice<'a>(array: &'a DeArray<'a>) -> &'a [Spanned<DeValue<'a>>] {
-    array
 }
