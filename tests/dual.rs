@@ -7,154 +7,8 @@ use gouge_kernel::laws::{
     ExternalLaw, Gravity, HarmonicWell, KelvinVoigt, NormalLaw, Slide, TangentialLaw,
 };
 use gouge_kernel::scalar::Real;
+use gouge_validation::scalars::Dual;
 use proptest::prelude::*;
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
-
-/// A number and its derivative. Kinks return the derivative of the branch taken.
-#[derive(Clone, Copy, Debug, Default)]
-struct Dual {
-    value: f64,
-    slope: f64,
-}
-
-impl Dual {
-    fn variable(value: f64) -> Self {
-        Self { value, slope: 1.0 }
-    }
-    fn chain(self, value: f64, derivative: f64) -> Self {
-        Self {
-            value,
-            slope: derivative * self.slope,
-        }
-    }
-}
-
-impl PartialEq for Dual {
-    fn eq(&self, other: &Self) -> bool {
-        self.value == other.value
-    }
-}
-impl PartialOrd for Dual {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        self.value.partial_cmp(&other.value)
-    }
-}
-impl Add for Dual {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            slope: self.slope + other.slope,
-        }
-    }
-}
-impl Sub for Dual {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self {
-            value: self.value - other.value,
-            slope: self.slope - other.slope,
-        }
-    }
-}
-impl Mul for Dual {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let slope = self.slope * other.value + self.value * other.slope;
-        Self {
-            value: self.value * other.value,
-            slope,
-        }
-    }
-}
-impl Div for Dual {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        Self {
-            value,
-            slope: (self.slope - value * other.slope) / other.value,
-        }
-    }
-}
-impl Mul<f64> for Dual {
-    type Output = Self;
-    fn mul(self, factor: f64) -> Self {
-        Self {
-            value: self.value * factor,
-            slope: self.slope * factor,
-        }
-    }
-}
-impl Neg for Dual {
-    type Output = Self;
-    fn neg(self) -> Self {
-        self * -1.0
-    }
-}
-impl AddAssign for Dual {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-impl SubAssign for Dual {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-impl Real for Dual {
-    fn from_f64(value: f64) -> Self {
-        Self { value, slope: 0.0 }
-    }
-    fn to_f64(self) -> f64 {
-        self.value
-    }
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        self.chain(root, 0.5 / root)
-    }
-    fn abs(self) -> Self {
-        self.chain(self.value.abs(), self.value.signum())
-    }
-    fn floor(self) -> Self {
-        self.chain(self.value.floor(), 0.0)
-    }
-    fn asin_small(self) -> Self {
-        self.asin()
-    }
-    fn atan2(self, other: Self) -> Self {
-        let squared = self.value * self.value + other.value * other.value;
-        let slope = (self.slope * other.value - other.slope * self.value) / squared;
-        Self {
-            value: self.value.atan2(other.value),
-            slope,
-        }
-    }
-    fn asinh(self) -> Self {
-        self.chain(
-            self.value.asinh(),
-            1.0 / (1.0 + self.value * self.value).sqrt(),
-        )
-    }
-    fn asin(self) -> Self {
-        self.chain(
-            self.value.asin(),
-            1.0 / (1.0 - self.value * self.value).sqrt(),
-        )
-    }
-    fn acos(self) -> Self {
-        self.chain(
-            self.value.acos(),
-            -1.0 / (1.0 - self.value * self.value).sqrt(),
-        )
-    }
-    fn sin(self) -> Self {
-        self.chain(self.value.sin(), self.value.cos())
-    }
-    fn is_finite(self) -> bool {
-        self.value.is_finite() && self.slope.is_finite()
-    }
-}
 
 /// Whether a force is minus a slope, to a few roundings.
 fn is_minus(force: f64, slope: f64) -> bool {
@@ -169,12 +23,12 @@ proptest! {
         let x = Dual::variable(xi);
         let radii = [r, s].map(Dual::from_f64);
         let kv = KelvinVoigt { stiffness: k, damping: 7.0 };
-        prop_assert!(is_minus(kv.force([r, s], xi, 0.0), kv.stored_energy(radii, x).slope));
+        prop_assert!(is_minus(kv.force([r, s], xi, 0.0), kv.stored_energy(radii, x).slope()));
         let bshp = Bshp { youngs_modulus: k, poissons_ratio: nu, dissipative_constant: 1e-4 };
-        prop_assert!(is_minus(bshp.force([r, s], xi, 0.0), bshp.stored_energy(radii, x).slope));
-        prop_assert!(is_minus(bshp.elastic_force([r, s], xi), bshp.stored_energy(radii, x).slope));
+        prop_assert!(is_minus(bshp.force([r, s], xi, 0.0), bshp.stored_energy(radii, x).slope()));
+        prop_assert!(is_minus(bshp.elastic_force([r, s], xi), bshp.stored_energy(radii, x).slope()));
         let akv = AdjustedKelvinVoigt { stiffness: k, damping: 7.0 };
-        prop_assert!(is_minus(akv.force(-xi, 0.0), -akv.stored_energy(-x).slope));
+        prop_assert!(is_minus(akv.force(-xi, 0.0), -akv.stored_energy(-x).slope()));
     }
 
     #[test]
@@ -183,15 +37,15 @@ proptest! {
     ) {
         let x = Dual::variable(zeta);
         let eb = EulerBernoulli { stiffness: k, damping: 3.0 };
-        prop_assert!(is_minus(eb.force(zeta, 0.0), eb.stored_energy(x).slope));
+        prop_assert!(is_minus(eb.force(zeta, 0.0), eb.stored_energy(x).slope()));
         let normal = Dual::from_f64(-load);
         let slide = Slide { displacement: zeta, velocity: 1.0 };
         let cs = CundallStrack { friction: 1e9, stiffness: k, grips_at_rest: false };
         let force = cs.friction(slide, -load, &mut 0.0).force;
-        prop_assert!(is_minus(force, cs.stored_energy(x, normal, Dual::default()).slope));
+        prop_assert!(is_minus(force, cs.stored_energy(x, normal, Dual::default()).slope()));
         let cut = CundallStrackTruncated { friction: 1e9, stiffness: k };
         let force = cut.friction(slide, -load, &mut 0.0).force;
-        prop_assert!(is_minus(force, cut.stored_energy(x, normal, Dual::default()).slope));
+        prop_assert!(is_minus(force, cut.stored_energy(x, normal, Dual::default()).slope()));
     }
 
     #[test]
@@ -201,11 +55,11 @@ proptest! {
         let at = Vec2::new(Dual::from_f64(0.3), Dual::variable(y));
         let gravity = Gravity { acceleration: strength };
         let force = gravity.force(mass, Vec2::new(0.3, y));
-        let slope = gravity.potential(Dual::from_f64(mass), at).slope;
+        let slope = gravity.potential(Dual::from_f64(mass), at).slope();
         prop_assert!(force.x == 0.0 && is_minus(force.y, slope));
         let well = HarmonicWell { stiffness: strength, centre: 0.1 };
         let force = well.force(mass, Vec2::new(0.3, y));
-        let slope = well.potential(Dual::from_f64(mass), at).slope;
+        let slope = well.potential(Dual::from_f64(mass), at).slope();
         prop_assert!(force.x == 0.0 && is_minus(force.y, slope));
     }
 
@@ -214,7 +68,7 @@ proptest! {
         // At touch u = y = r, and du/dy = 2/3 from both sides.
         for offset in [-1e-7, -1e-9, 1e-9, 1e-7] {
             let u = mean_distance(Dual::from_f64(r), Dual::variable(r * (1.0 + offset)));
-            prop_assert!((u.slope - 2.0 / 3.0).abs() < 1e-5, "{offset}: {}", u.slope);
+            prop_assert!((u.slope() - 2.0 / 3.0).abs() < 1e-5, "{offset}: {}", u.slope());
         }
     }
 }

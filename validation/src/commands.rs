@@ -1,6 +1,6 @@
 //! The commands of the program, apart from reading arguments.
 
-use crate::checks::register;
+use crate::checks::{Check, register};
 use crate::error::Error;
 use crate::report::{self, Record};
 use crate::scene::{INTEGRATORS, Scene, builtin};
@@ -218,10 +218,14 @@ fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
 /// # Errors
 /// Patterns that match nothing, failures of the file system, failed checks.
 pub fn verify(only: Option<&str>, folder: &Path) -> Result<(), Error> {
-    let mut checks = register();
-    checks.retain(|check| only.is_none_or(|pattern| check.id.contains(pattern)));
+    let all: Vec<Check> = register()
+        .into_iter()
+        .flat_map(|topic| topic.checks)
+        .collect();
+    let chosen = |check: &&Check| only.is_none_or(|pattern| check.id.contains(pattern));
+    let checks: Vec<&Check> = all.iter().filter(chosen).collect();
     if checks.is_empty() {
-        let all: Vec<&str> = register().iter().map(|check| check.id).collect();
+        let all: Vec<&str> = all.iter().map(|check| check.id).collect();
         return Err(Error::Argument(format!(
             "no check matches; there are: {}",
             all.join(", ")
@@ -229,10 +233,10 @@ pub fn verify(only: Option<&str>, folder: &Path) -> Result<(), Error> {
     }
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
     let mut records = Vec::new();
-    for check in &checks {
+    for check in checks {
         let began = Instant::now();
-        let found = (check.measure)();
-        let record = Record::new(check, found, began.elapsed().as_secs_f64());
+        let outcome = (check.measure)();
+        let record = Record::new(check, &outcome, began.elapsed().as_secs_f64());
         println!("{}", record.line());
         records.push(record);
     }

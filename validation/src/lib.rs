@@ -6,4 +6,5 @@ pub mod error;
 pub mod oracles;
 pub mod report;
 pub mod run;
+pub mod scalars;
 pub mod scene;

@@ -1,106 +1,91 @@
-//! The register of checks: a claim, how it was measured, and why the tolerance is what it is.
+//! The register of checks: a claim, how it is measured, and why the tolerance is what it is.
+//!
+//! The gate (`cargo test`) and the report (`gouge verify`) run the same register.
 
+mod beams;
+mod benchmarks;
+mod calibration;
 mod closure;
-mod collision;
-mod integration;
-mod links;
+mod economy;
+mod estimators;
+mod exhibit;
+mod extremes;
+mod identities;
+mod laws;
+mod measurement;
+mod order;
+mod pairs;
+pub mod scenes;
+mod strength;
+mod time_step;
+mod work_precision;
 
-use gouge_kernel::World;
-use serde::Serialize;
+pub use exhibit::{Axis, Curve, Exhibit, Plot, Style, Table};
+pub use measurement::{Failure, Finding, Measurement, Origin, Outcome, unit_in_last_place};
 
-/// Where a tolerance comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Origin {
-    /// Rounding alone.
-    Exact,
-    /// The order of the method and a known constant.
-    Convergent,
-    /// A margin and a power fixed beforehand.
-    Statistical,
+/// How long a check takes, and so who runs it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Effort {
+    /// Below about 0.2 s: run by the gate and against deliberate faults.
+    Quick,
+    /// A few seconds: run by the gate.
+    Thorough,
+    /// Longer, or a measurement of time: run for the report only.
+    Report,
 }
 
 /// A check, before it is run.
 pub struct Check {
-    /// Identifier.
+    /// Identifier: topic, point, name.
     pub id: &'static str,
     /// The claim, one sentence.
     pub claim: &'static str,
     /// Equations of the thesis that it stands for.
     pub equations: &'static str,
+    /// What is run.
+    pub scene: &'static str,
+    /// What it is compared with.
+    pub oracle: &'static str,
+    /// What is called the error.
+    pub norm: &'static str,
     /// Where the tolerance comes from.
     pub origin: Origin,
+    /// Why the tolerance is what it is.
+    pub reason: &'static str,
+    /// How long it takes.
+    pub effort: Effort,
     /// The measurement.
-    pub measure: fn() -> Measurement,
+    pub measure: fn() -> Outcome,
 }
 
-/// What a check found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measurement {
-    /// What should come out.
-    pub expected: f64,
-    /// What came out.
-    pub measured: f64,
-    /// Their distance in the norm of the check.
-    pub error: f64,
-    /// The largest distance that passes.
-    pub tolerance: f64,
+/// A chapter of the report: checks of one subject.
+pub struct Topic {
+    /// Identifier, with which the identifiers of its checks begin.
+    pub id: &'static str,
+    /// Heading.
+    pub title: &'static str,
+    /// What the chapter is about, in one or two sentences.
+    pub about: &'static str,
+    /// Its checks.
+    pub checks: Vec<Check>,
 }
 
-impl Measurement {
-    /// A comparison by relative error.
-    pub fn relative(expected: f64, measured: f64, tolerance: f64) -> Self {
-        Self {
-            expected,
-            measured,
-            error: (measured / expected - 1.0).abs(),
-            tolerance,
-        }
-    }
-    /// A comparison by absolute error.
-    pub fn absolute(expected: f64, measured: f64, tolerance: f64) -> Self {
-        Self {
-            expected,
-            measured,
-            error: (measured - expected).abs(),
-            tolerance,
-        }
-    }
-    /// Whether the error is within the tolerance; an undefined error is not.
-    pub fn passes(&self) -> bool {
-        self.error <= self.tolerance
-    }
-    /// Correct decimal digits, at most those of a double.
-    pub fn digits(&self) -> f64 {
-        (-self.error.max(1e-16).log10()).max(0.0)
-    }
-}
-
-/// All checks, in the order of the report.
-pub fn register() -> Vec<Check> {
-    [
-        collision::checks(),
-        links::checks(),
-        integration::checks(),
-        closure::checks(),
+/// All topics, in the order of the report.
+pub fn register() -> Vec<Topic> {
+    vec![
+        identities::topic(),
+        laws::topic(),
+        pairs::topic(),
+        calibration::topic(),
+        benchmarks::topic(),
+        beams::topic(),
+        strength::topic(),
+        time_step::topic(),
+        order::topic(),
+        closure::topic(),
+        extremes::topic(),
+        estimators::topic(),
+        economy::topic(),
+        work_precision::topic(),
     ]
-    .into_iter()
-    .flatten()
-    .collect()
-}
-
-/// The world of a scene's text; checks use only scenes that are valid.
-fn world(text: &str) -> Option<World> {
-    let scene = crate::scene::Scene::parse("check", text.as_bytes(), std::path::Path::new("."));
-    scene.ok()?.initial_world().ok()
-}
-
-/// Advance so many steps; false where the state became senseless.
-fn advance(world: &mut World, steps: u64) -> bool {
-    (0..steps).all(|_| world.step().is_ok())
-}
-
-/// A measurement that could not be made: it fails.
-fn impossible() -> Measurement {
-    Measurement::absolute(0.0, f64::NAN, 0.0)
 }

@@ -1,4 +1,5 @@
 //! Independent models that the kernel is compared with; none of them calls the kernel.
 
+pub mod flow;
 pub mod original;
 pub mod oscillator;

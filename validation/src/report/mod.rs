@@ -1,6 +1,6 @@
 //! What `gouge verify` leaves: one page for people, one file for programs.
 
-use crate::checks::{Check, Measurement, Origin};
+use crate::checks::{Check, Measurement, Origin, Outcome};
 use crate::error::Error;
 use crate::run::write_whole;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -35,8 +35,12 @@ pub struct Record {
 }
 
 impl Record {
-    /// The record of a measurement.
-    pub fn new(check: &Check, found: Measurement, seconds: f64) -> Self {
+    /// The record of an outcome.
+    pub fn new(check: &Check, outcome: &Outcome, seconds: f64) -> Self {
+        let nothing = Measurement::absolute(f64::NAN, f64::NAN, 0.0);
+        let found = outcome
+            .as_ref()
+            .map_or(nothing, |finding| finding.measurement);
         Self {
             id: check.id,
             claim: check.claim,

@@ -20,6 +20,7 @@ use gouge_kernel::laws::characteristic_length;
 use gouge_kernel::links::{BondStart, ContactStart};
 use gouge_kernel::model::{Ambient, Bond, Contact, Domain, External, Model, Reading};
 use gouge_kernel::particles::{Particle, Particles};
+use gouge_kernel::scalar::Real;
 use gouge_kernel::{ModelError, Start, World};
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
@@ -227,9 +228,18 @@ impl Scene {
     /// # Errors
     /// States that the kernel refuses.
     pub fn initial_world(&self) -> std::result::Result<World, ModelError> {
-        let mut particles: Particles = self.particles.iter().copied().collect();
+        self.initial_world_in()
+    }
+
+    /// The same in another number type.
+    ///
+    /// # Errors
+    /// States that the kernel refuses.
+    pub fn initial_world_in<S: Real>(&self) -> std::result::Result<World<S>, ModelError> {
+        let mut particles: Particles<S> = self.particles.iter().copied().collect();
         wrap(&self.domain, &mut particles);
-        let model = self.model(&particles.radius);
+        let radii: Vec<f64> = self.particles.iter().map(|one| one.radius).collect();
+        let model = self.model(&radii);
         let start = Start {
             bonds: self.bonds.iter().map(|(bond, _)| *bond).collect(),
             contacts: self.contacts.iter().map(|(contact, _)| *contact).collect(),
@@ -264,7 +274,7 @@ pub fn steps_for(duration: f64, step: f64) -> u64 {
 }
 
 /// Represent all particles of a periodic box in it.
-pub fn wrap(domain: &Domain, particles: &mut Particles) {
+pub fn wrap<S: Real>(domain: &Domain, particles: &mut Particles<S>) {
     use gouge_kernel::geometry::{Metric, PeriodicX};
     if let Some(length) = domain.period() {
         particles

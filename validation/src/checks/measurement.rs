@@ -1,0 +1,181 @@
+//! What a check finds, and how far off that may be.
+
+use super::Exhibit;
+use crate::error::{Error, SceneError};
+use gouge_kernel::{ModelError, StepError};
+use serde::Serialize;
+use thiserror::Error;
+
+/// Where a tolerance comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Origin {
+    /// Rounding alone.
+    Exact,
+    /// The order of the method and a known constant.
+    Convergent,
+    /// A margin and a power fixed beforehand.
+    Statistical,
+}
+
+/// What should come out, what came out, and how far apart they may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// What should come out.
+    pub expected: f64,
+    /// What came out.
+    pub measured: f64,
+    /// Their distance in the norm of the check.
+    pub error: f64,
+    /// The largest distance that passes.
+    pub tolerance: f64,
+}
+
+impl Measurement {
+    /// A comparison by relative error.
+    pub fn relative(expected: f64, measured: f64, tolerance: f64) -> Self {
+        Self {
+            expected,
+            measured,
+            error: ((measured - expected) / expected).abs(),
+            tolerance,
+        }
+    }
+    /// A comparison by absolute error.
+    pub fn absolute(expected: f64, measured: f64, tolerance: f64) -> Self {
+        Self::scaled(expected, measured, 1.0, tolerance)
+    }
+    /// A comparison by the error in units of a scale.
+    pub fn scaled(expected: f64, measured: f64, scale: f64, tolerance: f64) -> Self {
+        Self {
+            expected,
+            measured,
+            error: ((measured - expected) / scale).abs(),
+            tolerance,
+        }
+    }
+    /// A comparison in units in the last place of the expected value.
+    pub fn ulp(expected: f64, measured: f64, tolerance: f64) -> Self {
+        Self::scaled(expected, measured, unit_in_last_place(expected), tolerance)
+    }
+    /// How often something happened that must not happen at all.
+    pub fn count(cases: usize) -> Self {
+        Self::absolute(0.0, cases as f64, 0.0)
+    }
+    /// Whether the error is within the tolerance; an undefined error is not.
+    pub fn passes(&self) -> bool {
+        self.error <= self.tolerance
+    }
+    /// The worst of several measurements: the one with the largest error for its tolerance. An undefined
+    /// error is worse than any; no measurement at all is one.
+    pub fn worst(all: impl IntoIterator<Item = Self>) -> Self {
+        let severity = |one: &Self| match one.error / one.tolerance {
+            _ if one.error.is_nan() => f64::INFINITY,
+            ratio if ratio.is_nan() => 0.0,
+            ratio => ratio,
+        };
+        let worse = |a: &Self, b: &Self| severity(a).total_cmp(&severity(b));
+        let nothing = Self::absolute(f64::NAN, f64::NAN, 0.0);
+        all.into_iter().max_by(worse).unwrap_or(nothing)
+    }
+    /// Correct decimal digits of the measured value, at most those of a double.
+    pub fn digits(&self) -> f64 {
+        if self.measured == self.expected {
+            return MOST_DIGITS;
+        }
+        let scale = if self.expected == 0.0 {
+            1.0
+        } else {
+            self.expected.abs()
+        };
+        let relative = (self.measured - self.expected).abs() / scale;
+        (-relative.log10()).clamp(0.0, MOST_DIGITS)
+    }
+}
+
+/// Decimal digits of a double.
+const MOST_DIGITS: f64 = 16.0;
+
+/// Distance from a number to the next larger one in absolute value.
+pub fn unit_in_last_place(number: f64) -> f64 {
+    let size = number.abs();
+    if size.is_finite() {
+        size.next_up() - size
+    } else {
+        f64::NAN
+    }
+}
+
+/// What a check shows: its measurement, and what a reader wants to see of it.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The measurement that decides.
+    pub measurement: Measurement,
+    /// Figures and tables for the report.
+    pub exhibits: Vec<Exhibit>,
+}
+
+impl From<Measurement> for Finding {
+    fn from(measurement: Measurement) -> Self {
+        Self {
+            measurement,
+            exhibits: Vec::new(),
+        }
+    }
+}
+
+impl Measurement {
+    /// The finding of this measurement, with something to show.
+    pub fn showing(self, exhibits: impl IntoIterator<Item = Exhibit>) -> Finding {
+        Finding {
+            measurement: self,
+            exhibits: exhibits.into_iter().collect(),
+        }
+    }
+}
+
+/// Why a check found nothing; it then fails.
+#[derive(Debug, Error)]
+pub enum Failure {
+    /// The scene cannot be read.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+    /// The kernel refused the scene.
+    #[error("{0}")]
+    Model(#[from] ModelError),
+    /// A run stopped.
+    #[error("{0}")]
+    Step(#[from] StepError),
+    /// A command failed.
+    #[error("{0}")]
+    Command(#[from] Error),
+    /// An oracle has no answer.
+    #[error("{0}")]
+    Oracle(String),
+}
+
+/// What a check returns.
+pub type Outcome = Result<Finding, Failure>;
+
+#[cfg(test)]
+mod tests {
+    use super::Measurement;
+
+    #[test]
+    fn an_undefined_error_is_the_worst() {
+        let fine = Measurement::absolute(1.0, 1.0, 0.0);
+        let poor = Measurement::absolute(1.0, 2.0, 0.1);
+        let lost = Measurement::absolute(1.0, f64::NAN, 1.0);
+        assert!(Measurement::worst([fine, poor]) == poor);
+        assert!(Measurement::worst([lost, poor, fine]).error.is_nan());
+        assert!(fine.passes() && !poor.passes() && !lost.passes());
+        assert!(!Measurement::worst([]).passes());
+    }
+
+    #[test]
+    fn digits_are_those_of_the_relative_error() {
+        assert_eq!(Measurement::relative(2.0, 2.0, 0.0).digits(), 16.0);
+        assert!((Measurement::relative(1.0, 1.001, 0.0).digits() - 3.0).abs() < 1e-9);
+        assert_eq!(Measurement::relative(1.0, f64::INFINITY, 0.0).digits(), 0.0);
+    }
+}

@@ -1,0 +1,59 @@
+//! Small scenes for checks, written as text, the way users write them.
+
+use super::Failure;
+use crate::scene::Scene;
+use gouge_kernel::World;
+use gouge_kernel::scalar::Real;
+use std::path::Path;
+
+/// Head of a scene in an open box: integrator, step, density 2700 kg/m^3, an end that nothing reaches.
+pub fn head(integrator: &str, step: f64) -> String {
+    format!(
+        "[time]\nstep = {step:e}\nend = 1e300\nintegrator = \"{integrator}\"\n\
+         [material]\ndensity = 2700.0\n"
+    )
+}
+
+/// One particle of a scene.
+pub fn particle(position: [f64; 2], velocity: [f64; 2], spin: f64, radius: f64) -> String {
+    format!(
+        "[[particles]]\nposition = [{:e}, {:e}]\nvelocity = [{:e}, {:e}]\n\
+         angular_velocity = {spin:e}\nradius = {radius:e}\n",
+        position[0], position[1], velocity[0], velocity[1]
+    )
+}
+
+/// The scene of a text.
+///
+/// # Errors
+/// Mistakes in the text.
+pub fn scene(text: &str) -> Result<Scene, Failure> {
+    Ok(Scene::parse("check", text.as_bytes(), Path::new("."))?)
+}
+
+/// The world at t = 0 of a scene's text.
+///
+/// # Errors
+/// Mistakes in the text, states that the kernel refuses.
+pub fn world(text: &str) -> Result<World, Failure> {
+    world_in(text)
+}
+
+/// The world at t = 0 of a scene's text, in another number type.
+///
+/// # Errors
+/// As [`world`].
+pub fn world_in<S: Real>(text: &str) -> Result<World<S>, Failure> {
+    Ok(scene(text)?.initial_world_in()?)
+}
+
+/// Advance a world by so many steps.
+///
+/// # Errors
+/// States that became senseless.
+pub fn advance<S: Real>(world: &mut World<S>, steps: u64) -> Result<(), Failure> {
+    for _ in 0..steps {
+        world.step()?;
+    }
+    Ok(())
+}

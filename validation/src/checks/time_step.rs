@@ -1,0 +1,13 @@
+//! Time step.
+
+use super::Topic;
+
+/// The topic.
+pub fn topic() -> Topic {
+    Topic {
+        id: "time-step",
+        title: "Time step",
+        about: "Where each integrator becomes unstable: by theory, by running, for pairs and for whole packings.",
+        checks: Vec::new(),
+    }
+}
