@@ -9,8 +9,9 @@ use std::path::Path;
 /// Head of a scene in an open box: integrator, step, density 2700 kg/m^3, an end that nothing reaches.
 pub fn head(integrator: &str, step: f64) -> String {
     format!(
-        "[time]\nstep = {step:e}\nend = 1e300\nintegrator = \"{integrator}\"\n\
-         [material]\ndensity = 2700.0\n"
+        "[time]\nstep = {step:e}\nend = {:e}\nintegrator = \"{integrator}\"\n\
+         [material]\ndensity = 2700.0\n",
+        1e12 * step
     )
 }
 
