@@ -1,8 +1,6 @@
 //! The commands of the program, apart from reading arguments.
 
-use crate::checks::{Check, register};
 use crate::error::Error;
-use crate::report::{self, Record};
 use crate::scene::{INTEGRATORS, Scene, builtin};
 use gouge_kernel::forces::LinkKind;
 use gouge_kernel::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
@@ -11,8 +9,6 @@ use gouge_kernel::model::ContactNormal;
 use gouge_kernel::{World, stable_step_estimate};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::Path;
-use std::time::Instant;
 
 /// Characteristic Mach number of cracks in thesis section 4.2.
 const MACH_NUMBER: f64 = 15.0;
@@ -211,44 +207,6 @@ fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
             crack_bound(elastic, scene.density, radius, MACH_NUMBER),
         ),
     ]
-}
-
-/// Run the checks whose identifier contains a pattern; print one line each and write the reports.
-///
-/// # Errors
-/// Patterns that match nothing, failures of the file system, failed checks.
-pub fn verify(only: Option<&str>, folder: &Path) -> Result<(), Error> {
-    let all: Vec<Check> = register()
-        .into_iter()
-        .flat_map(|topic| topic.checks)
-        .collect();
-    let chosen = |check: &&Check| only.is_none_or(|pattern| check.id.contains(pattern));
-    let checks: Vec<&Check> = all.iter().filter(chosen).collect();
-    if checks.is_empty() {
-        let all: Vec<&str> = all.iter().map(|check| check.id).collect();
-        return Err(Error::Argument(format!(
-            "no check matches; there are: {}",
-            all.join(", ")
-        )));
-    }
-    std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
-    let mut records = Vec::new();
-    for check in checks {
-        let began = Instant::now();
-        let outcome = (check.measure)();
-        let record = Record::new(check, &outcome, began.elapsed().as_secs_f64());
-        println!("{}", record.line());
-        records.push(record);
-    }
-    report::write(folder, &records)?;
-    match records
-        .iter()
-        .filter(|record| record.status == "fail")
-        .count()
-    {
-        0 => Ok(()),
-        failed => Err(Error::Checks(failed, records.len())),
-    }
 }
 
 /// The built-in scenes, or the text of one.

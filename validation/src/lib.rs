@@ -8,3 +8,4 @@ pub mod report;
 pub mod run;
 pub mod scalars;
 pub mod scene;
+pub mod verify;

@@ -3,7 +3,7 @@
 use clap::{Parser, Subcommand};
 use gouge_validation::error::Error;
 use gouge_validation::scene::Scene;
-use gouge_validation::{commands, run};
+use gouge_validation::{commands, run, verify};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -84,7 +84,7 @@ fn execute(command: Command) -> Result<(), Error> {
             };
             return run::run(&Scene::load(&scene)?, &out, manner);
         }
-        Command::Verify { only, out } => return commands::verify(only.as_deref(), &out),
+        Command::Verify { only, out } => return verify::verify(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,
         Command::Stability { scene } => commands::stability(&Scene::load(&scene)?)?,
         Command::Scenes { name } => commands::scenes(name.as_deref())?,

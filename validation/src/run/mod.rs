@@ -8,7 +8,8 @@ mod progress;
 mod trajectory;
 
 pub use checkpoint::write_whole;
-pub use plan::{Kind, Phase, enter, phases};
+pub use picture::document;
+pub use plan::{Kind, Phase, enter, phases, prepared};
 
 use crate::error::Error;
 use crate::scene::Scene;

@@ -53,9 +53,15 @@ impl View {
 /// # Errors
 /// Failures of the file system.
 pub fn write(folder: &Path, scene: &Scene, world: &World) -> Result<(), Error> {
+    let text = document(scene, world).to_string();
+    write_whole(&folder.join("picture.svg"), text.as_bytes())
+}
+
+/// The state of a scene as a picture.
+pub fn document(scene: &Scene, world: &World) -> Document {
     let view = View::of(scene, world.particles());
     let [width, height] = view.at(view.high[0], view.low[1]);
-    let document = Document::new()
+    Document::new()
         .set("viewBox", (0.0, 0.0, width.round(), height.round()))
         .set("width", width.round())
         .set("height", height.round())
@@ -71,8 +77,7 @@ pub fn write(folder: &Path, scene: &Scene, world: &World) -> Result<(), Error> {
                 .set("fill", "white"),
         )
         .add(grains(&view, world))
-        .add(bonds(&view, scene, world));
-    write_whole(&folder.join("picture.svg"), document.to_string().as_bytes())
+        .add(bonds(&view, scene, world))
 }
 
 fn grains(view: &View, world: &World) -> Group {

@@ -1,5 +1,6 @@
 //! The phases of a run: those of the set-up, then the scene proper.
 
+use crate::error::Error;
 use crate::scene::{Amount, PhaseTable, Scene, Setup, steps_for, wrap};
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::links::BondStart;
@@ -131,6 +132,25 @@ pub fn enter(
     let gets_roles = matches!(kind, Kind::Press(_) | Kind::Main) && !had_roles;
     let roles = gets_roles.then(|| roles(scene, setup, world.particles()));
     world.continue_with(model(scene, kind, &radii), roles)
+}
+
+/// The world at t = 0 of the scene proper, after all phases of its set-up, without any output.
+///
+/// # Errors
+/// States that the kernel refuses or that become senseless.
+pub fn prepared(scene: &Scene) -> Result<World, Error> {
+    let phases = phases(scene);
+    let mut world = enter(scene, &phases, 0, None)?;
+    for (index, phase) in phases.iter().enumerate().take(phases.len() - 1) {
+        for _ in 0..phase.steps {
+            world.step().map_err(|source| Error::Step {
+                phase: phase.name.clone(),
+                source,
+            })?;
+        }
+        world = enter(scene, &phases, index + 1, Some(world))?;
+    }
+    Ok(world)
 }
 
 /// Streams of random numbers, one a purpose, so that none depends on how much another used.

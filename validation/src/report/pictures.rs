@@ -1,0 +1,83 @@
+//! Pictures of the built-in scenes.
+
+use crate::error::Error;
+use crate::run::{document, prepared};
+use crate::scene::{Scene, builtin};
+use gouge_kernel::World;
+use maud::{Markup, PreEscaped, html};
+use rayon::prelude::*;
+
+/// A built-in scene, drawn.
+pub struct Picture {
+    name: &'static str,
+    purpose: &'static str,
+    moment: String,
+    svg: String,
+}
+
+/// Steps up to which a scene is run for its picture: a few seconds of computing.
+const MOST_STEPS: u64 = 1_500_000;
+/// Products of grains and steps up to which a scene is run for its picture.
+const MOST_WORK: u64 = 400_000_000;
+
+/// All built-in scenes, at their end, or at t = 0 where the end is too far.
+///
+/// # Errors
+/// States that become senseless.
+pub fn pictures() -> Result<Vec<Picture>, Error> {
+    let draw = |&(name, purpose, _): &(&'static str, &'static str, &str)| {
+        let scene = Scene::load(name)?;
+        let mut world = prepared(&scene)?;
+        let work = scene.steps() * world.particles().len() as u64;
+        let runs = scene.steps() <= MOST_STEPS && work <= MOST_WORK;
+        if runs {
+            run(&mut world, scene.steps())?;
+        }
+        Ok(Picture {
+            name,
+            purpose,
+            moment: format!("t = {} s", world.time()),
+            svg: document(&scene, &world).to_string(),
+        })
+    };
+    builtin::SCENES.par_iter().map(draw).collect()
+}
+
+fn run(world: &mut World, steps: u64) -> Result<(), Error> {
+    for _ in 0..steps {
+        world.step().map_err(|source| Error::Step {
+            phase: "run".to_owned(),
+            source,
+        })?;
+    }
+    Ok(())
+}
+
+/// The chapter of all pictures.
+pub fn chapter(pictures: &[Picture]) -> Markup {
+    html! {
+        section id="scenes" {
+            h2 { "Built-in scenes" }
+            p.about { "Fragments are coloured, single grains white, driven and fixed grains grey." }
+            div.pictures {
+                @for picture in pictures {
+                    figure {
+                        (PreEscaped(without_size(&picture.svg)))
+                        figcaption { b { (picture.name) } ": " (picture.purpose) "; " (picture.moment) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The picture without a size of its own: the page scales it.
+fn without_size(svg: &str) -> String {
+    let Some(end) = svg.find('>') else {
+        return svg.to_owned();
+    };
+    let (head, rest) = svg.split_at(end);
+    let sized = |word: &&str| !word.starts_with("width=") && !word.starts_with("height=");
+    let kept: Vec<&str> = head.split(' ').filter(sized).collect();
+    kept.join(" ") + rest
+}

@@ -1,0 +1,136 @@
+//! `gouge verify`: the register is run, a line printed a check, and the reports are written.
+
+use crate::checks::{Check, Effort, Topic, register};
+use crate::error::Error;
+use crate::report::{self, Entry, Record};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::time::Instant;
+
+/// Run the checks whose identifier contains a pattern; print one line each and write the reports.
+///
+/// # Errors
+/// Patterns that match nothing, failures of the file system, failed checks.
+pub fn verify(only: Option<&str>, folder: &Path) -> Result<(), Error> {
+    let topics = register();
+    let checks = chosen(&topics, only)?;
+    std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
+    let progress = bar(checks.len());
+    let entries = run_all(&checks, &progress);
+    progress.set_message("pictures");
+    let pictures = match only {
+        None => report::pictures()?,
+        Some(_) => Vec::new(),
+    };
+    progress.finish_and_clear();
+    report::write(folder, &topics, &entries, &pictures)?;
+    match entries
+        .iter()
+        .filter(|entry| !entry.record.passed())
+        .count()
+    {
+        0 => Ok(()),
+        failed => Err(Error::Checks(failed, entries.len())),
+    }
+}
+
+/// The checks that a pattern selects, in the order of the report.
+fn chosen<'a>(topics: &'a [Topic], only: Option<&str>) -> Result<Vec<&'a Check>, Error> {
+    let all = || topics.iter().flat_map(|topic| &topic.checks);
+    let matches = |check: &&Check| only.is_none_or(|pattern| check.id.contains(pattern));
+    let checks: Vec<&Check> = all().filter(matches).collect();
+    if checks.is_empty() {
+        let names: Vec<&str> = all().map(|check| check.id).collect();
+        return Err(Error::Argument(format!(
+            "no check matches; there are: {}",
+            names.join(", ")
+        )));
+    }
+    Ok(checks)
+}
+
+/// A bar on standard error, where a person watches.
+fn bar(checks: usize) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(checks as u64), ProgressDrawTarget::stderr());
+    let style = "{msg:32} {wide_bar} {pos}/{len}  {elapsed} gone";
+    if let Ok(style) = ProgressStyle::with_template(style) {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// Run short checks on all cores, then long ones, which may measure time, one after the other.
+fn run_all(checks: &[&Check], progress: &ProgressBar) -> Vec<Entry> {
+    let (long, short): (Vec<usize>, Vec<usize>) =
+        (0..checks.len()).partition(|&place| checks[place].effort == Effort::Report);
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let mut lines = Lines::default();
+    let mut entries = BTreeMap::new();
+    for (places, threads) in [(short, threads), (long, 1)] {
+        run_on(threads, checks, &places, progress, |place, entry| {
+            lines.add(place, entry.record.line(), progress);
+            entries.insert(place, entry);
+        });
+    }
+    entries.into_values().collect()
+}
+
+/// Run some checks on so many threads and hand over each as it is done.
+fn run_on(
+    threads: usize,
+    checks: &[&Check],
+    places: &[usize],
+    progress: &ProgressBar,
+    mut done: impl FnMut(usize, Entry),
+) {
+    let next = AtomicUsize::new(0);
+    let (sender, receiver) = mpsc::channel();
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            let (sender, next) = (sender.clone(), &next);
+            scope.spawn(move || {
+                while let Some(&place) = places.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    progress.set_message(checks[place].id);
+                    if sender.send((place, run(checks[place]))).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        for (place, entry) in receiver {
+            progress.inc(1);
+            done(place, entry);
+        }
+    });
+}
+
+fn run(check: &Check) -> Entry {
+    let began = Instant::now();
+    let outcome = (check.measure)();
+    Entry {
+        record: Record::new(check, &outcome, began.elapsed().as_secs_f64()),
+        exhibits: outcome.map_or_else(|_| Vec::new(), |finding| finding.exhibits),
+    }
+}
+
+/// Lines for standard output, kept back until all before them are there, so that their order is always
+/// that of the register.
+#[derive(Default)]
+struct Lines {
+    waiting: BTreeMap<usize, String>,
+    next: usize,
+}
+
+impl Lines {
+    fn add(&mut self, place: usize, line: String, progress: &ProgressBar) {
+        self.waiting.insert(place, line);
+        while let Some(line) = self.waiting.remove(&self.next) {
+            progress.suspend(|| println!("{line}"));
+            self.next += 1;
+        }
+    }
+}
