@@ -184,16 +184,62 @@ fn sums_of_the_balance_are_those_of_the_summary() {
 fn verify_selects_and_reports() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
-    let output = run(&["verify", "--only", "order", "--out", out]);
+    let output = run(&["verify", "--only", "order.smooth", "--out", out]);
     assert!(output.status.success(), "{}", stderr(&output));
     let text = std::fs::read_to_string(folder.path().join("report.json")).expect("report");
-    let checks = json(&text)["checks"].as_array().expect("a list").len();
-    assert_eq!(stdout(&output).lines().count(), checks);
-    assert!(folder.path().join("report.html").exists());
+    let report = json(&text);
+    let checks = report["checks"].as_array().expect("a list");
+    assert_eq!(stdout(&output).lines().count(), checks.len());
+    for key in [
+        "id",
+        "claim",
+        "equations",
+        "status",
+        "expected",
+        "measured",
+        "error",
+        "tolerance",
+        "tolerance_origin",
+        "digits",
+        "seconds",
+    ] {
+        assert!(!checks[0][key].is_null(), "{key}");
+    }
     assert_eq!(
         run(&["verify", "--only", "nonsense", "--out", out])
             .status
             .code(),
         Some(2)
     );
+}
+
+/// The two reports of a run of some checks, without what was timed.
+fn timeless_reports() -> (Value, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let output = run(&["verify", "--only", "smooth", "--out", out]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("report");
+    let mut report = json(&read("report.json"));
+    for check in report["checks"].as_array_mut().expect("a list") {
+        check.as_object_mut().expect("an object").remove("seconds");
+    }
+    let page = read("report.html");
+    let mut parts = page.split("<td class=\"n time\">");
+    let first = parts.next().expect("the head").to_owned();
+    let rest = parts.map(|part| part.split_once("</td>").expect("the end of a cell").1);
+    (report, first + &rest.collect::<String>())
+}
+
+#[test]
+fn two_verifications_differ_only_in_their_timings() {
+    assert!(timeless_reports() == timeless_reports());
+}
+
+#[test]
+fn the_report_needs_nothing_beside_it() {
+    let (_, page) = timeless_reports();
+    for outside in ["src=", "<link", "<script", "@import", "url("] {
+        assert!(!page.contains(outside), "{outside}");
+    }
 }

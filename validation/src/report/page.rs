@@ -80,7 +80,7 @@ fn summary(shown: &[(&Topic, Vec<&Entry>)]) -> Markup {
                         td.n { (passed(entries)) }
                         td.n { (format!("{:.1}", digits(entries, 0.0))) }
                         td.n { (format!("{:.1}", digits(entries, 0.5))) }
-                        td.n { (format!("{:.1}", entries.iter().map(|entry| entry.record.seconds).sum::<f64>())) }
+                        td.n.time { (format!("{:.1}", entries.iter().map(|entry| entry.record.seconds).sum::<f64>())) }
                     }
                 }
             }
@@ -156,7 +156,7 @@ fn numbers(record: &Record) -> Markup {
                 td.n { (format!("{:.2e}", record.error)) }
                 td.n { (format!("{:.2e}", record.tolerance)) }
                 td.n { (format!("{:.1}", record.digits)) }
-                td.n { (format!("{:.2}", record.seconds)) }
+                td.n.time { (format!("{:.2}", record.seconds)) }
             }
         }
     }

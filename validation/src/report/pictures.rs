@@ -36,7 +36,7 @@ pub fn pictures() -> Result<Vec<Picture>, Error> {
         Ok(Picture {
             name,
             purpose,
-            moment: format!("t = {} s", world.time()),
+            moment: format!("t = {:.3e} s", world.time()),
             svg: document(&scene, &world).to_string(),
         })
     };

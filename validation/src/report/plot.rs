@@ -136,6 +136,7 @@ fn frame<'a>(
     let (x_label, y_label) = (label_of(&plot.x, &x), label_of(&plot.y, &y));
     let mut chart = ChartBuilder::on(area)
         .margin(16)
+        .margin_right(44)
         .x_label_area_size(74)
         .y_label_area_size(120)
         .build_cartesian_2d(x, y)?;
