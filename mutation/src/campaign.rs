@@ -120,6 +120,7 @@ pub fn build(root: &Path, folder: &Path, targets: &[Target]) -> Result<PathBuf> 
             "json-render-diagnostics",
         ])
         .env("RUSTFLAGS", "--cap-lints allow")
+        .env("CARGO_TARGET_DIR", root.join("target/perturbations"))
         .current_dir(folder)
         .stderr(Stdio::inherit())
         .output()?;

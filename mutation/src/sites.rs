@@ -166,6 +166,11 @@ fn is_test(attributes: &[Attribute]) -> bool {
     })
 }
 
+/// Whether fields of a value may be absent: the sides of the box.
+fn is_optional(base: &Expr) -> bool {
+    matches!(base, Expr::Path(path) if path.path.is_ident("domain"))
+}
+
 /// Methods that read a number; others may need the place itself.
 const READS: &[&str] = &["abs", "clamp", "max", "min", "sqrt", "to_f64"];
 
@@ -197,7 +202,7 @@ impl<'ast> Visit<'ast> for Finder<'_> {
                 self.add(path.span());
             }
             Expr::Field(field) => {
-                if COEFFICIENTS.contains(&name_of(field).as_str()) {
+                if COEFFICIENTS.contains(&name_of(field).as_str()) && !is_optional(&field.base) {
                     self.add(field.span());
                 } else {
                     self.visit_place(&field.base);
