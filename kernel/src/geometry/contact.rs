@@ -165,6 +165,8 @@ pub fn cylinder_displaced_volume<S: Real>(depth: S, radii: [S; 2], distance: S) 
     }
     let y = FocalArm.distances(radii, distance);
     let z = contact_half_length(radii[0], y[0]);
-    let segment = |r: S, y: S| (y / r).acos() * r * r - y * z;
+    // Rounding may put the chord of circles that just touch beyond either of them.
+    let one = S::from_f64(1.0);
+    let segment = |r: S, y: S| (y / r).min(one).max(-one).acos() * r * r - y * z;
     depth * (segment(radii[0], y[0]) + segment(radii[1], y[1]))
 }

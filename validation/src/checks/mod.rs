@@ -15,6 +15,7 @@ mod laws;
 mod measurement;
 mod order;
 mod pairs;
+mod random;
 pub mod scenes;
 mod strength;
 mod time_step;

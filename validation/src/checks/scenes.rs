@@ -3,6 +3,10 @@
 use super::Failure;
 use crate::scene::Scene;
 use gouge_kernel::World;
+use gouge_kernel::geometry::Vec2;
+use gouge_kernel::integrators::Integrator;
+use gouge_kernel::model::{Domain, Model, Reading};
+use gouge_kernel::particles::{Particle, Role};
 use gouge_kernel::scalar::Real;
 use std::path::Path;
 
@@ -57,4 +61,37 @@ pub fn advance<S: Real>(world: &mut World<S>, steps: u64) -> Result<(), Failure>
         world.step()?;
     }
     Ok(())
+}
+
+/// A model with nothing in it: an open box without links, fields and ledger.
+pub fn empty_model(integrator: Integrator, time_step: f64) -> Model {
+    Model {
+        reading: Reading::Corrected,
+        integrator,
+        time_step,
+        domain: Domain {
+            width: None,
+            height: None,
+            periodic: false,
+        },
+        contact: None,
+        bond: None,
+        ambient: None,
+        external: None,
+        driving: None,
+        ledger: false,
+    }
+}
+
+/// A free sphere of density 2700 kg/m^3.
+pub fn sphere(position: Vec2, velocity: Vec2, spin: f64, radius: f64) -> Particle {
+    Particle {
+        position,
+        velocity,
+        angle: 0.0,
+        angular_velocity: spin,
+        radius,
+        density: 2700.0,
+        role: Role::Free,
+    }
 }
