@@ -1,5 +1,6 @@
 //! Independent models that the kernel is compared with; none of them calls the kernel.
 
+pub mod arcs;
 pub mod flow;
 pub mod lens;
 pub mod original;
