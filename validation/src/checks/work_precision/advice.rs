@@ -2,7 +2,6 @@
 
 use super::case::Case;
 use super::sweep::{Rung, Sweep};
-use crate::scene::INTEGRATORS;
 
 /// Accuracies that the advice is given for.
 pub const TARGETS: [f64; 4] = [1e-2, 1e-3, 1e-6, 1e-9];
@@ -84,28 +83,25 @@ pub fn thesis(case: &Case, sweeps: &[Sweep]) -> Option<Thesis> {
     })
 }
 
-/// How many times longer than the fastest a method takes, over all errors that it reaches: least and most.
-pub fn slowdown(sweeps: &[Sweep], method: usize) -> Option<[f64; 2]> {
-    let grid = (2..=24).map(|half| 10.0_f64.powf(-0.5 * f64::from(half)));
-    let ratio = |error: f64| {
-        let (_, best) = fastest(sweeps, error)?;
-        Some(time_for(sweeps.get(method)?, error)? / best)
-    };
-    let ratios: Vec<f64> = grid.filter_map(ratio).collect();
-    let least = ratios.iter().copied().reduce(f64::min)?;
-    Some([least, ratios.iter().copied().fold(least, f64::max)])
-}
+/// Times within this ratio count as equal: two that are taken on a busy machine differ by as much.
+const ALIKE: f64 = 1.25;
+/// An error that is smaller by this factor is clearly smaller.
+const CLEARLY: f64 = 2.0;
 
-/// Beyond this ratio of times a method counts as slower: a quarter, more than two times that are taken on a
-/// busy machine differ by.
-const SLOWER: f64 = 1.25;
-
-/// Methods that are slower than another at every accuracy they reach.
+/// Methods no run of which is worth its time: in as much, another method has clearly the smaller error.
 pub fn useless(sweeps: &[Sweep]) -> Vec<&'static str> {
-    let methods = INTEGRATORS.iter().enumerate();
-    methods
-        .filter(|&(method, _)| slowdown(sweeps, method).is_none_or(|[least, _]| least > SLOWER))
-        .map(|(_, (name, _))| *name)
+    let beaten = |sweep: &Sweep, [time, error]: [f64; 2]| {
+        let others = sweeps
+            .iter()
+            .filter(|one| one.integrator != sweep.integrator);
+        others
+            .flat_map(points)
+            .any(|other| other[0] <= ALIKE * time && CLEARLY * other[1] <= error)
+    };
+    sweeps
+        .iter()
+        .filter(|sweep| points(sweep).all(|point| beaten(sweep, point)))
+        .map(|sweep| sweep.integrator)
         .collect()
 }
 
@@ -121,27 +117,28 @@ fn factor(x: f64) -> String {
 pub fn words(case: &Case, sweeps: &[Sweep]) -> String {
     let mut sentences = Vec::new();
     for error in TARGETS {
-        let Some((best, _)) = fastest(sweeps, error) else {
+        let Some((best, time)) = fastest(sweeps, error) else {
             sentences.push(format!("No run comes within {error:e}."));
             continue;
         };
         let name = best.integrator;
         sentences.push(match time_for(&sweeps[0], error) {
-            Some(_) if name == sweeps[0].integrator => format!("For {error:e} take {name}."),
+            Some(euler) if euler <= ALIKE * time => format!("For {error:e} even euler will do."),
             Some(euler) => {
-                let ratio = factor(euler / fastest(sweeps, error).map_or(euler, |best| best.1));
+                let ratio = factor(euler / time);
                 format!("For {error:e} take {name}; euler needs {ratio} times its time.")
             }
-            None => format!("For {error:e} take {name}; euler is never so accurate here."),
+            None => format!("For {error:e} take {name}; no run of euler is so accurate."),
         });
     }
-    match useless(sweeps).as_slice() {
-        [] => sentences.push("No method is always slower than another.".to_owned()),
-        names => sentences.push(format!(
-            "Nobody should use {}: another method is faster at every accuracy.",
+    sentences.push(match useless(sweeps).as_slice() {
+        [] => "No method is useless.".to_owned(),
+        names => format!(
+            "Nobody should use {}: in at most {ALIKE} times the time of any of its runs, another method has \
+             at most half the error.",
             names.join(" or ")
-        )),
-    }
+        ),
+    });
     sentences.extend(thesis(case, sweeps).map(|thesis| thesis_words(case, &thesis)));
     sentences.join(" ")
 }

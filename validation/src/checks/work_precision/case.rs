@@ -32,8 +32,8 @@ pub struct Case {
     pub brief: Range<u32>,
     /// The state from which all runs start.
     pub origin: fn() -> Result<Origin, Failure>,
-    /// The state at the end.
-    pub truth: fn(&Case, &Origin) -> Result<Truth, Failure>,
+    /// The state at the end, good enough for runs up to a rung.
+    pub truth: fn(&Case, &Origin, u32) -> Result<Truth, Failure>,
 }
 
 impl Case {

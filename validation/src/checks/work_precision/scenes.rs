@@ -42,7 +42,7 @@ pub const PAIR: Case = Case {
     rungs: 17,
     brief: 9..13,
     origin: pair,
-    truth: |case, origin| extrapolation::limit(case, origin, 3..10),
+    truth: |case, origin, _| extrapolation::limit(case, origin, 3..10),
 };
 
 /// Grains that bounce, each between two others.
@@ -53,10 +53,10 @@ pub const BOUNCING: Case = Case {
     thesis_step: GRANITE_STEP,
     thesis_steps: 4096,
     doublings: 6,
-    rungs: 17,
-    brief: 5..14,
+    rungs: 16,
+    brief: 5..13,
     origin: bouncing,
-    truth: |case, origin| {
+    truth: |case, origin, _| {
         let fields = [0.0; 3];
         Ok(grains_truth::<48>(
             case,
@@ -77,7 +77,7 @@ pub const ROLLING: Case = Case {
     thesis_step: 250.0 * GRANITE_STEP,
     thesis_steps: 8192,
     doublings: 6,
-    rungs: 16,
+    rungs: 15,
     brief: 8..13,
     origin: rolling,
     truth: rolling_truth,
@@ -94,7 +94,7 @@ pub const BEAM: Case = Case {
     rungs: 12,
     brief: 1..5,
     origin: beam,
-    truth: |case, origin| extrapolation::limit(case, origin, 1..6),
+    truth: |case, origin, _| extrapolation::limit(case, origin, 1..6),
 };
 
 /// Grains that fall onto each other.
@@ -108,7 +108,7 @@ pub const PACKING: Case = Case {
     rungs: 11,
     brief: 0..8,
     origin: packing,
-    truth: |case, origin| {
+    truth: |case, origin, _| {
         let fields = [6.0 * PI * VISCOSITY, WELL, 0.5 * HEIGHT];
         Ok(grains_truth::<48>(
             case,
@@ -131,7 +131,7 @@ pub const FAULT: Case = Case {
     rungs: 10,
     brief: 1..6,
     origin: fault::origin,
-    truth: |case, origin| extrapolation::limit(case, origin, 3..8),
+    truth: |case, origin, finest| extrapolation::limit(case, origin, finest - 3..finest + 1),
 };
 
 fn bonds(damping: f64) -> String {
@@ -345,7 +345,7 @@ fn rolled(case: &Case, origin: &Origin, (slices, tolerance): (u32, f64)) -> ([Df
     )
 }
 
-fn rolling_truth(case: &Case, origin: &Origin) -> Result<Truth, Failure> {
+fn rolling_truth(case: &Case, origin: &Origin, _: u32) -> Result<Truth, Failure> {
     let (truth, slips) = rolled(case, origin, (192, 1e-18));
     if slips == 0 {
         return Err(Failure::Oracle("the ball never slips".to_owned()));

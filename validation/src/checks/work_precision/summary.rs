@@ -34,7 +34,7 @@ fn measure() -> Outcome {
         "error of the thesis's choice",
         "times slower than the best",
         "times less accurate than the best in its time",
-        "always slower than another",
+        "nobody should use",
     ];
     let title = "What to use, and what forward Euler with the step of the thesis costs";
     let mut table = Table::new(title, &columns);
@@ -89,7 +89,7 @@ fn row(curves: &Curves) -> Vec<String> {
     ]
 }
 
-/// Methods that are slower than another in every scene.
+/// Methods that nobody should use in any scene.
 fn everywhere(all: &[&super::Taken]) -> String {
     let mut common: Option<Vec<&str>> = None;
     for (_, curves) in all {
@@ -103,10 +103,10 @@ fn everywhere(all: &[&super::Taken]) -> String {
         });
     }
     match common.unwrap_or_default().as_slice() {
-        [] => "No method is slower than another at every accuracy in every scene.".to_owned(),
+        [] => "No method is useless in every scene.".to_owned(),
         names => format!(
-            "In every scene, at every accuracy, another method is faster than {}.",
-            names.join(" and than ")
+            "Nobody should use {} in any of the scenes.",
+            names.join(" or ")
         ),
     }
 }
