@@ -43,9 +43,9 @@ fn scalars() -> Check {
         equations: "(43)-(45), (51)-(55)",
         scene: "Two bonded grains, velocity Verlet, steps from 1.25 to 0.16 ns; double-double from 40 to 5 ns",
         oracle: "Limit of vanishing steps in double-double, by extrapolation, the same for velocity Verlet and Beeman",
-        norm: "Largest distance of an order from two, of the order in single from none if it is positive, and of an error in single over its bound",
+        norm: "Largest distance of an order from two, of the order in single from none if it is positive, of an error in single over its bound, and of the uncertainty of the reference from zero in units of the smallest error",
         origin: Origin::Convergent,
-        reason: "The next term of the error is smaller by the step over the time scale, at most 0.05 here; rounding is bounded by half a unit in the last place of the largest coordinate a step",
+        reason: "The next term of the error is smaller by the step over the time scale, at most 0.05 here; rounding is bounded by half a unit in the last place of the largest coordinate a step; the reference may be off by a tenth of the smallest error",
         effort: Effort::Quick,
         measure: || Ok(verdict::scalars(&Bench::new(CASES[0], Clock::Ignored)?)?.into()),
     }

@@ -13,10 +13,14 @@ pub fn verdict(bench: &Bench, sweeps: &[Sweep]) -> Measurement {
     let orders = sweeps.iter().zip(case.orders).map(|(sweep, order)| {
         Measurement::absolute(order, observed_order(bench, sweep), case.margin)
     });
-    let rungs = sweeps.iter().flat_map(|sweep| &sweep.rungs);
+    Measurement::worst(orders.chain([trust(bench, sweeps)]))
+}
+
+/// How far off the reference may be, in units of the smallest error.
+fn trust<'a>(bench: &Bench, sweeps: impl IntoIterator<Item = &'a Sweep>) -> Measurement {
+    let rungs = sweeps.into_iter().flat_map(|sweep| &sweep.rungs);
     let smallest = rungs.map(|rung| rung.error).fold(f64::INFINITY, f64::min);
-    let trust = Measurement::absolute(0.0, bench.truth.uncertainty / smallest, A_TENTH);
-    Measurement::worst(orders.chain([trust]))
+    Measurement::absolute(0.0, bench.truth.uncertainty / smallest, A_TENTH)
 }
 
 /// Slope of the logarithm of the error over that of the step, over the rungs that are asymptotic and stand
@@ -82,9 +86,12 @@ pub fn scalars(bench: &Bench) -> Result<Measurement, Failure> {
     let start = brief.start - DEARER;
     let wide = sweep(Precision::DoubleDouble, start..brief.end - DEARER)?;
     let double = sweep(Precision::Double, brief)?;
+    let trust = trust(bench, [&double, &wide]);
     let orders = [&double, &wide]
         .map(|one| Measurement::absolute(2.0, slope(one.rungs.iter()), bench.case.margin));
-    Ok(Measurement::worst(bounds.chain([rest]).chain(orders)))
+    Ok(Measurement::worst(
+        bounds.chain([rest, trust]).chain(orders),
+    ))
 }
 
 /// By how many halvings of the step double-double stops earlier, because it takes some thirty times longer.
