@@ -2,6 +2,8 @@
 
 pub mod arcs;
 pub mod flow;
+pub mod grains;
 pub mod lens;
 pub mod original;
 pub mod oscillator;
+pub mod rolling;

@@ -1,0 +1,183 @@
+//! The initial state of the sheared fault: made once, by the protocol of the thesis, in doubles.
+
+use super::case::Origin;
+use crate::checks::Failure;
+use crate::checks::scenes::{advance, scene};
+use crate::run::{enter, phases};
+use gouge_kernel::geometry::{Metric, Open, PairFrame, PeriodicX, Vec2, angle_of, reversed, turn};
+use gouge_kernel::links::{BondStart, ContactMemory, ContactStart, Pair, StrongLink};
+use gouge_kernel::particles::{Particles, Role};
+use gouge_kernel::{Start, World};
+
+/// The protocol of granite-fault on a box of a few grains; the upper block is driven at its target speed
+/// from the first step, by the controller that holds the constraints.
+const TEXT: &str = r#"
+[time]
+step = 10e-9
+end = 1e-3
+integrator = "velocity-verlet"
+[box]
+width = 10e-3
+height = 12e-3
+boundary = "periodic-x"
+[material]
+density = 2700.0
+[contact.normal]
+law = "kelvin-voigt"
+stiffness = 1e7
+damping = 10.0
+[contact.tangential]
+law = "cundall-strack-truncated"
+friction = 0.7
+stiffness = 1e8
+[bond.normal]
+stiffness = 1e7
+damping = 10.0
+[bond.tangential]
+law = "euler-bernoulli"
+stiffness = 1e7
+damping = 10.0
+[bond.yielding]
+law = "zhang-eckert"
+normal_strength = 280e6
+tangential_strength = 168e6
+[driving]
+controller = "exact"
+speed = 2.0
+pressure = 28e6
+[output]
+energy = false
+[setup]
+seed = 3
+clip = true
+correct_density = true
+[setup.sizes]
+mean = 1e-3
+[setup.lattice]
+arrangement = "square"
+perturbation = 0.05e-3
+filling = 0.9069
+[[setup.settle]]
+duration = 1e-3
+step = 100e-9
+ambient = { law = "creeping", viscosity = 10.0 }
+external = { law = "harmonic-well", stiffness = 4e3 }
+[setup.bonding]
+reach = 1.224744871391589
+strength_spread = 0.1
+[setup.fault]
+height = 0.5e-3
+jags = 1
+[[setup.relax]]
+duration = 0.2e-3
+step = 40e-9
+ambient = { law = "creeping", viscosity = 1.0 }
+external = { law = "harmonic-well", stiffness = 4e2 }
+[setup.roles]
+fixed_below = 2.5e-3
+driven_above = 9.5e-3
+[[setup.press]]
+duration = 0.4e-3
+step = 40e-9
+speed = 0.0
+ambient = { law = "creeping", viscosity = 1.0 }
+"#;
+
+/// The two blocks, pressed.
+pub fn origin() -> Result<Origin, Failure> {
+    let scene = scene(TEXT)?;
+    let phases = phases(&scene);
+    let mut world = enter(&scene, &phases, 0, None)?;
+    for index in 1..phases.len() {
+        advance(&mut world, phases[index - 1].steps)?;
+        world = enter(&scene, &phases, index, Some(world))?;
+    }
+    let mut particles = world.particles().clone();
+    drive_at(
+        &mut particles,
+        world.model().driving.map_or(0.0, |law| law.speed),
+    );
+    Ok(Origin {
+        model: *world.model(),
+        start: start(&world),
+        particles,
+    })
+}
+
+/// Give the driven particles a mean velocity, so that the driving has nothing to make up at once.
+fn drive_at(particles: &mut Particles, speed: f64) {
+    let driven: Vec<usize> = particles.with_role(Role::Driven).collect();
+    let sum: f64 = driven.iter().map(|&i| particles.velocity[i].x).sum();
+    let missing = speed - sum / driven.len() as f64;
+    for i in driven {
+        particles.velocity[i].x += missing;
+    }
+}
+
+/// What a world remembers, in the words of a scene.
+fn start(world: &World) -> Start {
+    let p = world.particles();
+    let strong = world.strong_links().map_or(&[][..], |strong| &strong.links);
+    let touches = |pair: &Pair| {
+        let (i, j) = pair.indices();
+        frame(world, *pair).distance < p.radius[i] + p.radius[j]
+    };
+    let weak = world
+        .weak_links()
+        .into_iter()
+        .flat_map(|weak| weak.remembered());
+    Start {
+        bonds: strong.iter().map(|link| bond(world, link)).collect(),
+        contacts: weak
+            .filter(|(pair, _)| touches(pair))
+            .map(|(pair, memory)| contact(world, pair, memory))
+            .collect(),
+        drive_force: world.drive().force,
+    }
+}
+
+fn frame(world: &World, pair: Pair) -> PairFrame<f64> {
+    let (i, j) = pair.indices();
+    let (a, b) = (world.particles().position[i], world.particles().position[j]);
+    PairFrame::new(match world.model().period() {
+        Some(length) => PeriodicX { length }.displacement(a, b),
+        None => Open.displacement(a, b),
+    })
+}
+
+/// Angles of both ends in the frame, and how far they have turned since the link began.
+fn ends(world: &World, pair: Pair, reference: Vec2, rest: [f64; 2]) -> [[f64; 2]; 2] {
+    let (i, j) = pair.indices();
+    let normal = frame(world, pair).normal;
+    let (turned, _) = turn(reference, normal);
+    let lambda = angle_of(normal);
+    let angles = [world.particles().angle[i], world.particles().angle[j]];
+    [
+        [angles[0] - lambda, angles[1] - reversed(lambda)],
+        [0, 1].map(|end| angles[end] - rest[end] - turned),
+    ]
+}
+
+fn bond(world: &World, link: &StrongLink<f64>) -> BondStart {
+    let (i, j) = link.pair.indices();
+    let [now, since] = ends(world, link.pair, link.reference, link.rest_angles);
+    BondStart {
+        between: [i, j],
+        strength_factor: link.strength_factor,
+        initial_distance: Some(link.rest_distance),
+        initial_angles: Some([now[0] - since[0], now[1] - since[1]]),
+    }
+}
+
+/// The slip of a contact is counted as if both ends had turned less.
+fn contact(world: &World, pair: Pair, memory: &ContactMemory<f64>) -> ContactStart {
+    let (i, j) = pair.indices();
+    let [now, since] = ends(world, pair, memory.reference, memory.rest_angles);
+    let radii = [world.particles().radius[i], world.particles().radius[j]];
+    let stretch = radii[0] * since[0] + radii[1] * since[1] - memory.state;
+    let turned = stretch / (radii[0] + radii[1]);
+    ContactStart {
+        between: [i, j],
+        initial_angles: [now[0] - turned, now[1] - turned],
+    }
+}

@@ -1,0 +1,171 @@
+//! What is shown of a case: the diagrams, the times and the advice.
+
+use super::advice::{front, words};
+use super::case::Case;
+use super::sweep::{Precision, Rung, Sweep};
+use crate::checks::{Axis, Curve, Exhibit, Plot, Style, Table};
+
+/// Sweeps of a case: all methods in double, then the best of them in single and double-double.
+pub struct Curves {
+    /// The case.
+    pub case: &'static Case,
+    /// All methods in double.
+    pub methods: Vec<Sweep>,
+    /// The best method in the other number types.
+    pub others: Vec<Sweep>,
+    /// Estimated error of the reference.
+    pub uncertainty: f64,
+}
+
+impl Curves {
+    /// Everything that the report shows of the case.
+    pub fn exhibits(&self) -> Vec<Exhibit> {
+        let name = self.case.name;
+        let methods = format!("{name}: error against run time, five integrators in f64");
+        let types = format!("{name}: error against run time, three number types");
+        let best = self.others.first().map(|other| other.integrator);
+        let double = self
+            .methods
+            .iter()
+            .filter(|one| Some(one.integrator) == best);
+        let numbers: Vec<&Sweep> = double.chain(&self.others).collect();
+        vec![
+            Exhibit::Plot(
+                self.plot(methods, &self.methods.iter().collect::<Vec<_>>(), |sweep| {
+                    sweep.integrator.to_owned()
+                }),
+            ),
+            Exhibit::Plot(self.plot(types, &numbers, |sweep| {
+                format!("{} in {}", sweep.integrator, sweep.precision.name())
+            })),
+            Exhibit::Table(self.table()),
+            Exhibit::Text(words(self.case, &self.methods)),
+            Exhibit::Text(self.scalar_words()),
+        ]
+    }
+
+    /// Wall seconds of a run per simulated millisecond.
+    fn per_unit(&self, seconds: f64) -> f64 {
+        seconds / (1e3 * self.case.end())
+    }
+
+    fn plot(&self, title: String, sweeps: &[&Sweep], label: fn(&Sweep) -> String) -> Plot {
+        let point = |rung: &Rung| Some([self.per_unit(rung.time?.median), rung.error]);
+        let curve = |sweep: &&Sweep| {
+            Curve::marked_line(&label(sweep), sweep.rungs.iter().filter_map(point))
+        };
+        let mut curves: Vec<Curve> = sweeps.iter().map(curve).collect();
+        let front = front(sweeps.iter().copied());
+        curves.push(Curve {
+            style: Style::Dashed,
+            ..Curve::line(
+                "Pareto front",
+                front
+                    .iter()
+                    .map(|&[time, error]| [self.per_unit(time), error]),
+            )
+        });
+        Plot {
+            title,
+            x: Axis::logarithmic("wall time per simulated millisecond in s"),
+            y: Axis::logarithmic("largest error of a position over the largest displacement"),
+            curves,
+        }
+    }
+
+    fn table(&self) -> Table {
+        let title = format!(
+            "{}: time (median, quartiles) and error of selected runs",
+            self.case.name
+        );
+        let columns = [
+            "integrator",
+            "number type",
+            "step in s",
+            "steps",
+            "time in s",
+            "quartiles in s",
+            "error",
+        ];
+        let mut table = Table::new(&title, &columns);
+        for sweep in self.methods.iter().chain(&self.others) {
+            for rung in self.selected(sweep) {
+                table.push(row(sweep, rung));
+            }
+        }
+        table
+    }
+
+    /// The coarsest run that is stable, that with the step of the thesis, and the finest.
+    fn selected<'a>(&self, sweep: &'a Sweep) -> Vec<&'a Rung> {
+        let stable = sweep.rungs.iter().find(|rung| rung.error.is_finite());
+        let thesis = sweep.rungs.get(self.case.doublings as usize);
+        let chosen = [stable, thesis, sweep.rungs.last()];
+        let mut rungs: Vec<&Rung> = chosen.into_iter().flatten().collect();
+        rungs.dedup_by_key(|rung| rung.steps);
+        rungs
+    }
+
+    /// What the number types cost and give.
+    fn scalar_words(&self) -> String {
+        let Some(best) = self.others.first().map(|other| other.integrator) else {
+            return String::new();
+        };
+        let double = self.methods.iter().find(|one| one.integrator == best);
+        let pace = |sweep: &Sweep| {
+            let last = sweep
+                .rungs
+                .iter()
+                .rev()
+                .find_map(|rung| Some(rung.time?.median / rung.steps as f64));
+            last.unwrap_or(f64::NAN)
+        };
+        let base = double.map_or(f64::NAN, pace);
+        let words = |sweep: &Sweep| {
+            let smallest = sweep
+                .rungs
+                .iter()
+                .map(|rung| rung.error)
+                .fold(f64::INFINITY, f64::min);
+            format!(
+                "{} takes {:.2} times as long a step as f64, and its smallest error here is {smallest:.1e}.",
+                sweep.precision.name(),
+                pace(sweep) / base,
+            )
+        };
+        let others: Vec<String> = self.others.iter().map(words).collect();
+        format!(
+            "With {best} {} A step takes {:.2e} s in f64. The reference is off by {:.0e} at most, by its own estimate.",
+            others.join(" "),
+            base,
+            self.uncertainty
+        )
+    }
+}
+
+fn row(sweep: &Sweep, rung: &Rung) -> Vec<String> {
+    let error = if rung.error.is_finite() {
+        format!("{:.2e}", rung.error)
+    } else {
+        "unstable".to_owned()
+    };
+    let (median, quartiles) = match rung.time {
+        Some(time) => (
+            format!("{:.3e}", time.median),
+            format!("{:.3e} to {:.3e}", time.quartiles[0], time.quartiles[1]),
+        ),
+        None => ("-".to_owned(), "-".to_owned()),
+    };
+    vec![
+        sweep.integrator.to_owned(),
+        sweep.precision.name().to_owned(),
+        format!("{:.2e}", rung.step),
+        rung.steps.to_string(),
+        median,
+        quartiles,
+        error,
+    ]
+}
+
+/// Names of number types beside double.
+pub const OTHERS: [Precision; 2] = [Precision::Single, Precision::DoubleDouble];
