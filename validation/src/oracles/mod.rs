@@ -1,5 +1,7 @@
 //! Independent models that the kernel is compared with; none of them calls the kernel.
 
+pub mod amplification;
 pub mod flow;
 pub mod original;
 pub mod oscillator;
+pub mod spectrum;

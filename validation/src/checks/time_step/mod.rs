@@ -1,5 +1,11 @@
 //! Time step.
 
+mod amplification;
+mod bracket;
+mod modes;
+mod running;
+mod waves;
+
 use super::Topic;
 
 /// The topic.
@@ -8,6 +14,9 @@ pub fn topic() -> Topic {
         id: "time-step",
         title: "Time step",
         about: "Where each integrator becomes unstable: by theory, by running, for pairs and for whole packings.",
-        checks: Vec::new(),
+        checks: [amplification::checks(), bracket::checks(), waves::checks()]
+            .into_iter()
+            .flatten()
+            .collect(),
     }
 }
