@@ -3,6 +3,8 @@
 mod amplification;
 mod bracket;
 mod modes;
+mod network;
+mod packing;
 mod running;
 mod waves;
 
@@ -14,9 +16,14 @@ pub fn topic() -> Topic {
         id: "time-step",
         title: "Time step",
         about: "Where each integrator becomes unstable: by theory, by running, for pairs and for whole packings.",
-        checks: [amplification::checks(), bracket::checks(), waves::checks()]
-            .into_iter()
-            .flatten()
-            .collect(),
+        checks: [
+            amplification::checks(),
+            bracket::checks(),
+            packing::checks(),
+            waves::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
     }
 }

@@ -45,8 +45,9 @@ pub fn linearise(world: &World, model: Model) -> Result<Linearisation, Failure> 
     for (variable, entries) in variables.into_iter().zip(&mut entries) {
         for colour in 0..number {
             for coordinate in 0..COORDINATES {
-                let moved: Vec<usize> =
-                    (0..colours.len()).filter(|&i| colours[i] == colour).collect();
+                let moved: Vec<usize> = (0..colours.len())
+                    .filter(|&i| colours[i] == colour)
+                    .collect();
                 let forces = slopes(world, model, variable, coordinate, &moved)?;
                 for &i in &moved {
                     let column = COORDINATES * i + coordinate;
@@ -96,8 +97,8 @@ fn colours(neighbours: &[Vec<usize>]) -> Vec<usize> {
     for i in 0..neighbours.len() {
         let near = neighbours[i].iter();
         let taken: Vec<usize> = near
-            .flat_map(|&j| neighbours[j].iter().chain([&j]))
-            .map(|&k| colours[k])
+            .flat_map(|&j| neighbours[j].iter().copied().chain([j]))
+            .map(|k| colours[k])
             .collect();
         colours[i] = (0..).find(|colour| !taken.contains(colour)).unwrap_or(0);
     }
@@ -121,7 +122,9 @@ fn slopes(
                 &mut particles.angular_velocity[i],
             ),
         };
-        let moving = [&mut place.x, &mut place.y, angle].into_iter().nth(coordinate);
+        let moving = [&mut place.x, &mut place.y, angle]
+            .into_iter()
+            .nth(coordinate);
         if let Some(moving) = moving {
             *moving = Dual::variable(moving.value());
         }
@@ -155,8 +158,7 @@ fn in_duals(p: &Particles) -> Particles<Dual> {
 }
 
 /// The bonds of the world, their beginning in numbers: it does not move with the particles.
-fn start(world: &World) -> Start {
-    let p = world.particles();
+pub fn start(world: &World) -> Start {
     let bond = |link: &gouge_kernel::links::StrongLink<f64>| {
         let (i, j) = link.pair.indices();
         let normal = displacement(world, i, j);
@@ -171,7 +173,6 @@ fn start(world: &World) -> Start {
         }
     };
     let strong = world.strong_links();
-    debug_assert!(p.len() < u32::MAX as usize);
     Start {
         bonds: strong.map_or_else(Vec::new, |strong| strong.links.iter().map(bond).collect()),
         ..Start::default()
@@ -190,9 +191,13 @@ fn displacement(world: &World, i: usize, j: usize) -> Vec2 {
 
 /// Largest difference of an entry from its mirror, in units of the largest entry.
 fn asymmetry(entries: &[Entry]) -> f64 {
-    let map: std::collections::BTreeMap<(usize, usize), f64> =
-        entries.iter().map(|&(i, j, value)| ((i, j), value)).collect();
-    let largest = entries.iter().fold(0.0, |most: f64, entry| most.max(entry.2.abs()));
+    let map: std::collections::BTreeMap<(usize, usize), f64> = entries
+        .iter()
+        .map(|&(i, j, value)| ((i, j), value))
+        .collect();
+    let largest = entries
+        .iter()
+        .fold(0.0, |most: f64, entry| most.max(entry.2.abs()));
     let differs = |(&(i, j), value): (&(usize, usize), &f64)| {
         (value - map.get(&(j, i)).copied().unwrap_or(0.0)).abs()
     };

@@ -11,6 +11,9 @@ const MARGIN: f64 = 0.02;
 /// Factor from which on there is no doubt.
 const BEYOND_DOUBT: f64 = 1e60;
 
+/// Part of the first amplitude below which only rounding is left.
+const DEAD: f64 = 1e-12;
+
 /// Whether an amplitude that is given step by step, from about one, grows: the peak of a block of steps
 /// against that of the block before, in blocks twice as long until the two differ. What neither grows nor
 /// dies in thirty thousand steps does not grow.
@@ -38,7 +41,7 @@ pub fn grows(mut amplitude: impl FnMut() -> Result<f64, Failure>) -> Result<bool
         if after > BEYOND_DOUBT {
             return Ok(true);
         }
-        if after * BEYOND_DOUBT < 1.0 {
+        if after < DEAD {
             return Ok(false);
         }
         let ratio = (after / before).ln();
