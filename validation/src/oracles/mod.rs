@@ -1,5 +1,6 @@
 //! Independent models that the kernel is compared with; none of them calls the kernel.
 
+pub mod amplification;
 pub mod arcs;
 pub mod flow;
 pub mod grains;
@@ -7,3 +8,4 @@ pub mod lens;
 pub mod original;
 pub mod oscillator;
 pub mod rolling;
+pub mod spectrum;

@@ -1,0 +1,118 @@
+//! The boundary of stability, bracketed by runs.
+
+use super::modes::{Linearised, Mode, integrator_name};
+use super::running::grows;
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Table};
+use crate::oracles::amplification::{Method, boundary};
+use rayon::prelude::*;
+
+/// The checks of this file.
+pub fn checks() -> Vec<Check> {
+    let check = |id, effort, measure| Check {
+        id,
+        claim: "Half a per cent below the critical step of theory no run of the kernel grows, half a per cent above it every run does: bonds along, across and bending, squeezed, sticking and rubbing contacts and drag, with every integrator.",
+        equations: "(17)-(19), (36), (41)-(45), (55)-(58)",
+        scene: "Seven modes of two or three grains in linear motion; damping ratios from 0.1 to 4",
+        oracle: "Step at which the largest eigenvalue of the one-step matrix reaches one",
+        norm: "Runs on the wrong side",
+        origin: Origin::Exact,
+        reason: "At half a per cent from the boundary amplitudes change by at least 1e-4 a step; blocks of 512 steps and more tell that from rounding",
+        effort,
+        measure,
+    };
+    vec![
+        check("time-step.bracket.few", Effort::Quick, few),
+        check("time-step.bracket.all", Effort::Thorough, all),
+    ]
+}
+
+/// A mode, a method, a damping ratio and the critical step.
+type Case = (Mode, Method, f64, f64);
+
+/// Cases with a critical step to bracket. Methods that never are stable have none, and are run at two
+/// steps that both grow.
+fn cases(ratios: &[f64]) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for mode in Mode::ALL {
+        for method in Method::ALL {
+            for zeta in mode.ratios(ratios) {
+                let rates = mode.rates(mode.constants(zeta));
+                cases.push((mode, method, zeta, boundary(method, rates, 1e-12)));
+            }
+        }
+    }
+    cases
+}
+
+/// Whether the linearised run of a mode grows.
+fn runs_away(mode: Mode, method: Method, step: f64, constants: [f64; 2]) -> Result<bool, Failure> {
+    let mut run = Linearised::new(mode, method, step, constants)?;
+    let mut scale = None;
+    grows(|| {
+        run.advance()?;
+        let [amplitude, change] = run.state();
+        // A mode without stiffness has no amplitude to come back to, only a speed.
+        let size = if mode == Mode::Viscous {
+            change
+        } else {
+            amplitude
+        };
+        let scale = *scale.get_or_insert(size.abs());
+        Ok(size / scale)
+    })
+}
+
+/// Runs on the wrong side of the boundary, of two.
+fn wrong((mode, method, zeta, critical): Case) -> Result<usize, Failure> {
+    let constants = mode.constants(zeta);
+    if critical < 1e-8 {
+        // Never stable: at a step of 1/2 of the time scale it has to grow.
+        let grows = runs_away(mode, method, 0.5e-6, constants)?;
+        return Ok(usize::from(!grows));
+    }
+    let below = runs_away(mode, method, 0.995 * critical, constants)?;
+    let above = runs_away(mode, method, 1.005 * critical, constants)?;
+    Ok(usize::from(below) + usize::from(!above))
+}
+
+fn bracket(ratios: &[f64]) -> Outcome {
+    let cases = cases(ratios);
+    let wrong = cases
+        .par_iter()
+        .map(|&case| wrong(case))
+        .collect::<Result<Vec<usize>, Failure>>()?;
+    let mut table = Table::new(
+        "Critical steps in units of 1/w (of 1/rate without stiffness), each bracketed by two runs within half a per cent",
+        &[
+            "mode",
+            "integrator",
+            "damping ratio",
+            "critical step",
+            "runs on the wrong side",
+        ],
+    );
+    for (&(mode, method, zeta, critical), wrong) in cases.iter().zip(&wrong) {
+        let step = if critical < 1e-8 {
+            "none: grows at any step".to_owned()
+        } else {
+            format!("{:.5}", critical * 1e6)
+        };
+        table.push([
+            mode.name().to_owned(),
+            integrator_name(method).to_owned(),
+            format!("{zeta}"),
+            step,
+            wrong.to_string(),
+        ]);
+    }
+    let count = wrong.into_iter().sum();
+    Ok(Measurement::count(count).showing([crate::checks::Exhibit::Table(table)]))
+}
+
+fn few() -> Outcome {
+    bracket(&[0.5])
+}
+
+fn all() -> Outcome {
+    bracket(&[0.1, 0.3, 0.7, 1.0, 2.0, 4.0])
+}

@@ -1,0 +1,29 @@
+//! Time step.
+
+mod amplification;
+mod bracket;
+mod modes;
+mod network;
+mod packing;
+mod running;
+mod waves;
+
+use super::Topic;
+
+/// The topic.
+pub fn topic() -> Topic {
+    Topic {
+        id: "time-step",
+        title: "Time step",
+        about: "Where each integrator becomes unstable: by theory, by running, for pairs and for whole packings.",
+        checks: [
+            amplification::checks(),
+            bracket::checks(),
+            packing::checks(),
+            waves::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+    }
+}
