@@ -1,4 +1,9 @@
-//! Community benchmarks.
+//! Community benchmarks: Chung and Ooi 1-8 and MFiX DEM01-06, in planar form.
+
+mod chung_ooi_oblique;
+mod literature;
+mod plane;
+mod sweep;
 
 use super::Topic;
 
@@ -8,6 +13,6 @@ pub fn topic() -> Topic {
         id: "benchmarks",
         title: "Community benchmarks",
         about: "Chung and Ooi 1-8 and MFiX DEM01-06 in planar form, whole curves.",
-        checks: Vec::new(),
+        checks: chung_ooi_oblique::checks(),
     }
 }
