@@ -54,7 +54,9 @@ impl Spring {
         let period = std::f64::consts::TAU / (self.stiffness - b * b).sqrt();
         let ends = |time: f64| function(self.state(speed, time)) <= 0.0;
         let slice = period / 256.0;
-        let count = (1..256).find(|&n| ends(slice * f64::from(n))).unwrap_or(256);
+        let count = (1..256)
+            .find(|&n| ends(slice * f64::from(n)))
+            .unwrap_or(256);
         let (mut low, mut high) = (slice * f64::from(count - 1), slice * f64::from(count));
         for _ in 0..64 {
             let middle = 0.5 * (low + high);

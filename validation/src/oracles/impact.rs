@@ -80,6 +80,9 @@ enum Phase {
 /// Root of the overlap or overlap, its rate, time, shear, both surface speeds, stretch of the spring.
 type State = [f64; 7];
 
+/// Force at which a contact counts as over, in units of momentum over duration: below it friction is as
+/// large as the rounding of the sliding velocity, and its events have no meaning.
+const SPENT: f64 = 1e-12;
 /// More pieces than any contact has.
 const LONGEST: usize = 4096;
 /// Error of a component a step of the integration.
@@ -118,9 +121,7 @@ impl Normal {
     fn force_rate(self, s: f64, v: f64, dv: f64) -> f64 {
         match self {
             Self::Linear([k, gamma]) => k * v + gamma * dv,
-            Self::Hertzian([p, lambda]) => {
-                p * (1.5 * s * s * v + lambda * (0.5 * v * v + s * dv))
-            }
+            Self::Hertzian([p, lambda]) => p * (1.5 * s * s * v + lambda * (0.5 * v * v + s * dv)),
         }
     }
     /// Duration of the collision without dissipation in s, and its largest overlap in m.
@@ -171,7 +172,7 @@ impl Impact {
             let happens = event(0.0, &end) <= 0.0;
             y = end;
             moments.push(course.moment(&y));
-            if happens && course.force(&y) <= 0.0 {
+            if happens && course.force(&y) <= SPENT * self.mass * start.approach / duration {
                 return Some(moments);
             }
             if happens {
@@ -348,7 +349,10 @@ pub fn dissipative_constant(wanted: f64) -> Option<f64> {
         let law = Normal::Hertzian([1.0, log.exp() * duration]);
         Some(restitution(law, 1.0, 1.0)?.ln() - wanted.ln())
     };
-    let mut x = [(0.4 * (1.0 - wanted)).ln(), (0.6 * (1.0 / wanted - 1.0)).ln()];
+    let mut x = [
+        (0.4 * (1.0 - wanted)).ln(),
+        (0.6 * (1.0 / wanted - 1.0)).ln(),
+    ];
     let mut y = [excess(x[0])?, excess(x[1])?];
     for _ in 0..32 {
         if y[1].abs() < 1e-14 || (x[1] - x[0]).abs() < 1e-14 {
@@ -362,6 +366,9 @@ pub fn dissipative_constant(wanted: f64) -> Option<f64> {
 
 /// Damping ratio of a truncated linear contact with the given restitution; by bisection.
 pub fn damping_ratio(wanted: f64) -> f64 {
+    if wanted >= 1.0 {
+        return 0.0;
+    }
     let (mut low, mut high) = (0.0, 100.0);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
@@ -401,7 +408,10 @@ mod tests {
         // To first order 1 - e is 1.15345 in units of (v^2 / kappa)^(2/5) / v.
         let unit = duration;
         let small = dissipative_constant(0.9999).map(|c| c * unit * 1.15345);
-        assert!(small.is_some_and(|x| (x / 1e-4 - 1.0).abs() < 1e-4), "{small:?}");
+        assert!(
+            small.is_some_and(|x| (x / 1e-4 - 1.0).abs() < 1e-4),
+            "{small:?}"
+        );
     }
 
     #[test]

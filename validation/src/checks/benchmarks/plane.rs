@@ -72,9 +72,7 @@ pub fn tangential(law: Tangential) -> String {
         Tangential::Viscous([mu, gamma]) => ("haff-werner", mu, "damping", gamma),
         Tangential::Spring([mu, k]) => ("cundall-strack-truncated", mu, "stiffness", k),
     };
-    format!(
-        "[contact.tangential]\nlaw = \"{name}\"\nfriction = {friction:e}\n{key} = {value:e}\n"
-    )
+    format!("[contact.tangential]\nlaw = \"{name}\"\nfriction = {friction:e}\n{key} = {value:e}\n")
 }
 
 /// A fixed sphere.

@@ -156,10 +156,7 @@ impl Sweep {
         let [duration, _] = Normal::Hertzian([factor, 0.0]).elastic(mass, speed);
         let stiffness = mass * (PI / duration).powi(2);
         let nu = solid.poissons_ratio;
-        let spring = [
-            self.friction,
-            2.0 * (1.0 - nu) / (2.0 - nu) * stiffness,
-        ];
+        let spring = [self.friction, 2.0 * (1.0 - nu) / (2.0 - nu) * stiffness];
         let hertzian = Normal::Hertzian([factor, calibration.dissipation * duration]);
         let damping = 2.0 * calibration.damping * (stiffness * mass).sqrt();
         let (normal, tangential) = match laws {
