@@ -7,7 +7,7 @@
 
 use super::flow::Flow;
 use super::oscillator::truncated_restitution;
-use statrs::function::beta::beta;
+use statrs::function::beta::{beta, beta_reg};
 use std::f64::consts::PI;
 
 /// Normal force, truncated where it would attract.
@@ -319,6 +319,31 @@ impl Course {
             },
         }
     }
+}
+
+/// Time of an elastic Hertzian collision, in units of largest overlap over speed of impact, at an overlap
+/// over the largest and a rate over that of impact.
+///
+/// t = (2/5) B(z; 2/5, 1/2) with z = xi^(5/2) = 1 - v^2 on the way in, mirrored on the way out; z is taken
+/// from whichever of the two determines it better.
+pub fn time_of_elastic_overlap(overlap: f64, rate: f64) -> f64 {
+    let by_overlap = overlap.max(0.0).powf(2.5);
+    let z = if by_overlap < 0.5 {
+        by_overlap
+    } else {
+        1.0 - rate * rate
+    };
+    let time = 0.4 * beta_inc(0.4, 0.5, z.clamp(0.0, 1.0));
+    if rate > 0.0 {
+        time
+    } else {
+        0.8 * beta(0.4, 0.5) - time
+    }
+}
+
+/// Incomplete beta function, not regularised.
+fn beta_inc(a: f64, b: f64, x: f64) -> f64 {
+    beta_reg(a, b, x) * beta(a, b)
 }
 
 /// Restitution of a head-on collision.

@@ -1,5 +1,6 @@
 //! Community benchmarks: Chung and Ooi 1-8 and MFiX DEM01-06, in planar form.
 
+mod chung_ooi_head_on;
 mod chung_ooi_oblique;
 mod literature;
 mod plane;
@@ -13,6 +14,9 @@ pub fn topic() -> Topic {
         id: "benchmarks",
         title: "Community benchmarks",
         about: "Chung and Ooi 1-8 and MFiX DEM01-06 in planar form, whole curves.",
-        checks: chung_ooi_oblique::checks(),
+        checks: [chung_ooi_head_on::checks(), chung_ooi_oblique::checks()]
+            .into_iter()
+            .flatten()
+            .collect(),
     }
 }
