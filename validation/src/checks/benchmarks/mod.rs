@@ -2,6 +2,7 @@
 
 mod chung_ooi_head_on;
 mod chung_ooi_oblique;
+mod chung_ooi_pairs;
 mod literature;
 mod plane;
 mod sweep;
@@ -14,9 +15,13 @@ pub fn topic() -> Topic {
         id: "benchmarks",
         title: "Community benchmarks",
         about: "Chung and Ooi 1-8 and MFiX DEM01-06 in planar form, whole curves.",
-        checks: [chung_ooi_head_on::checks(), chung_ooi_oblique::checks()]
-            .into_iter()
-            .flatten()
-            .collect(),
+        checks: [
+            chung_ooi_head_on::checks(),
+            chung_ooi_oblique::checks(),
+            chung_ooi_pairs::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::plane::{Flight, Material, OnPlane, material};
 use crate::checks::{Failure, Measurement};
-use crate::oracles::impact::{Normal, Tangential, damping_ratio, dissipative_constant};
+use crate::oracles::impact::{Impact, Normal, Tangential, damping_ratio, dissipative_constant};
 use std::f64::consts::PI;
 
 /// Laws of a collision.
@@ -222,30 +222,11 @@ impl Point {
     }
 
     /// Kernel against oracle, in units of the normal speed of impact.
-    ///
-    /// The tolerance is the sum of what velocity Verlet can miss: where the force has a kink the
-    /// trapezoidal rule errs by at most an eighth of the jump of its rate times dt^2; where it begins like
-    /// the root of time, by zeta(-1/2) = -0.2079 times its coefficient times dt^(3/2).
     pub fn comparisons(&self) -> [Measurement; 3] {
         let speed = self.before.normal;
+        let impact = self.contact.impact();
         let step = self.contact.duration(speed) / self.steps as f64;
-        let mass = self.contact.mass();
-        let slope = (PI / self.contact.duration(speed)).powi(2);
-        let (Tangential::Viscous([friction, _]) | Tangential::Spring([friction, _])) =
-            self.contact.tangential;
-        let stretch = match self.contact.tangential {
-            Tangential::Viscous(_) => 0.0,
-            Tangential::Spring([_, k]) => k / mass * self.slip(&self.before).abs() / speed,
-        };
-        let beginning = match self.contact.normal {
-            Normal::Linear(_) => 0.0,
-            Normal::Hertzian([p, lambda]) => {
-                ROOT * p / mass * lambda * speed.sqrt() * step * step.sqrt()
-            }
-        };
-        let kinks = 0.125 * step * step;
-        let normal = 2.0 * kinks * slope + beginning;
-        let along = MOST_KINKS * kinks * (stretch + friction * slope) + friction * beginning;
+        let [normal, along] = step_errors(&impact, speed, self.slip(&self.before), step);
         let (a, b) = (self.expected, self.measured);
         let turning = speed / self.contact.radius;
         [
@@ -254,6 +235,33 @@ impl Point {
             Measurement::scaled(a.spin, b.spin, turning, 2.5 * along),
         ]
     }
+}
+
+/// What velocity Verlet with a step can miss of the relative velocities along normal and tangent, in units
+/// of the normal speed.
+///
+/// Where the force has a kink the trapezoidal rule errs by at most an eighth of the jump of its rate times
+/// dt^2; where it begins like the root of time, by zeta(-1/2) = -0.2079 times its coefficient times
+/// dt^(3/2).
+pub fn step_errors(impact: &Impact, speed: f64, slip: f64, step: f64) -> [f64; 2] {
+    let mass = impact.mass;
+    let [duration, _] = impact.normal.elastic(mass, speed);
+    let slope = (PI / duration).powi(2);
+    let (friction, stretch) = match impact.tangential {
+        Tangential::Viscous([friction, _]) => (friction, 0.0),
+        Tangential::Spring([friction, k]) => (friction, k / mass * slip.abs() / speed),
+    };
+    let beginning = match impact.normal {
+        Normal::Linear(_) => 0.0,
+        Normal::Hertzian([p, lambda]) => {
+            ROOT * p / mass * lambda * speed.sqrt() * step * step.sqrt()
+        }
+    };
+    let kinks = 0.125 * step * step;
+    [
+        2.0 * kinks * slope + beginning,
+        MOST_KINKS * kinks * (stretch + friction * slope) + friction * beginning,
+    ]
 }
 
 /// The Riemann zeta function at -1/2, without its sign.
