@@ -1,4 +1,6 @@
-//! A sphere under gravity on a damped spring, in closed form.
+//! Spheres under gravity on damped springs, in closed form.
+
+use nalgebra::{Matrix5, Vector5};
 
 /// A damped spring under a mass, with gravity.
 #[derive(Clone, Copy, Debug)]
@@ -78,4 +80,67 @@ impl Spring {
 /// Height in m above contact that a released sphere reaches: v^2 / (2 g) less the overlap left.
 pub fn apex(release: &Release, gravity: f64) -> f64 {
     release.speed * release.speed / (2.0 * gravity) - release.overlap
+}
+
+/// Spheres in a vertical stack between two walls, on linear springs with damping: heights and velocities
+/// after a time, by the matrix exponential.
+#[derive(Clone, Copy, Debug)]
+pub struct Stack {
+    /// Masses in kg, from below.
+    pub masses: [f64; 2],
+    /// Radius of both in m.
+    pub radius: f64,
+    /// Distance of the walls in m.
+    pub height: f64,
+    /// Stiffness of all three contacts in kg/s^2.
+    pub stiffness: f64,
+    /// Damping of all three contacts in kg/s.
+    pub damping: f64,
+    /// Acceleration downwards in m/s^2.
+    pub gravity: f64,
+}
+
+impl Stack {
+    /// Heights in m and velocities in m/s after a time in s, if no contact opens.
+    ///
+    /// With y the heights, M y'' = B - K y - C y', where K / k = C / c = [[2, -1], [-1, 2]] and B holds
+    /// weights and rest lengths.
+    pub fn state(&self, heights: [f64; 2], time: f64) -> [f64; 4] {
+        let [m, n] = self.masses;
+        let (k, c) = (self.stiffness, self.damping);
+        // Lower wall pushes up from r, the partner down from 2 r; the upper wall stands at its height.
+        let below = k * (self.radius - 2.0 * self.radius);
+        let above = k * (2.0 * self.radius + self.height - self.radius);
+        let g = self.gravity;
+        let rate = Matrix5::new(
+            0.0,
+            0.0,
+            1.0,
+            0.0,
+            0.0, //
+            0.0,
+            0.0,
+            0.0,
+            1.0,
+            0.0, //
+            -2.0 * k / m,
+            k / m,
+            -2.0 * c / m,
+            c / m,
+            below / m - g, //
+            k / n,
+            -2.0 * k / n,
+            c / n,
+            -2.0 * c / n,
+            above / n - g, //
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+        );
+        let start = Vector5::new(heights[0], heights[1], 0.0, 0.0, 1.0);
+        let end = (rate * time).exp() * start;
+        [end[0], end[1], end[2], end[3]]
+    }
 }

@@ -5,3 +5,4 @@ pub mod flow;
 pub mod impact;
 pub mod original;
 pub mod oscillator;
+pub mod settling;

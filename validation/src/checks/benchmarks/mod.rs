@@ -4,6 +4,8 @@ mod chung_ooi_head_on;
 mod chung_ooi_oblique;
 mod chung_ooi_pairs;
 mod literature;
+mod mfix_bounce;
+mod mfix_drag;
 mod plane;
 mod sweep;
 
@@ -19,6 +21,8 @@ pub fn topic() -> Topic {
             chung_ooi_head_on::checks(),
             chung_ooi_oblique::checks(),
             chung_ooi_pairs::checks(),
+            mfix_bounce::checks(),
+            mfix_drag::checks(),
         ]
         .into_iter()
         .flatten()
