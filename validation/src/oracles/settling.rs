@@ -59,7 +59,8 @@ impl Settling {
     /// which the drag is analytic.
     pub fn speed(&self, constant: f64, time: f64) -> f64 {
         let flow = Flow {
-            // With v = s^2 and dt = s dT: s' = a / 2; the second component is the time.
+            // With v = s^2 and dt = s dT: s' = a / 2; the second component is the time, lifted so that it
+            // does not begin at zero with a slope of zero.
             rate: |_, y: &[f64; 2]| {
                 let speed = y[0] * y[0];
                 [
@@ -70,7 +71,7 @@ impl Settling {
             tolerance: 1e-14,
         };
         let latest = 4.0 * (time / self.gravity).sqrt() + 4.0 * time;
-        let (_, end) = flow.until([0.0, 0.0], latest.max(1e3 * time), |_, y| time - y[1]);
+        let (_, end) = flow.until([0.0, time], latest, |_, y| 2.0 * time - y[1]);
         end[0] * end[0]
     }
 }

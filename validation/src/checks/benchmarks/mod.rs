@@ -6,6 +6,7 @@ mod chung_ooi_pairs;
 mod literature;
 mod mfix_bounce;
 mod mfix_drag;
+mod mfix_slip;
 mod plane;
 mod sweep;
 
@@ -22,6 +23,7 @@ pub fn topic() -> Topic {
             chung_ooi_oblique::checks(),
             chung_ooi_pairs::checks(),
             mfix_bounce::checks(),
+            mfix_slip::checks(),
             mfix_drag::checks(),
         ]
         .into_iter()

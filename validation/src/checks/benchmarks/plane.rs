@@ -151,6 +151,10 @@ impl OnPlane {
     }
     /// The scene, with so many steps in the duration without dissipation.
     pub fn scene(&self, before: Flight, steps: u64) -> String {
+        self.scene_with_step(before, self.duration(before.normal) / steps as f64)
+    }
+    /// The scene with a step in s.
+    pub fn scene_with_step(&self, before: Flight, step: f64) -> String {
         let radius = self.radius;
         let law = match self.normal {
             Normal::Linear([stiffness, damping]) => linear(stiffness, damping),
@@ -158,10 +162,8 @@ impl OnPlane {
             Normal::Hertzian([_, dissipation]) => self.material.hertzian(2.0, dissipation),
         };
         let velocity = [before.along, -before.normal];
-        head(
-            "velocity-verlet",
-            self.duration(before.normal) / steps as f64,
-        ) + &particle([0.0, radius.next_down()], velocity, before.spin, radius)
+        head("velocity-verlet", step)
+            + &particle([0.0, radius.next_down()], velocity, before.spin, radius)
             + &format!("density = {:e}\n", self.material.density)
             + &fixed([0.0, -FLATNESS * radius], FLATNESS * radius)
             + &law
