@@ -2,7 +2,7 @@
 
 use super::literature;
 use super::plane::{FLATNESS, Flight};
-use super::sweep::{Laws, Point, Sweep, angles, spinning, tangential_speeds};
+use super::sweep::{Laws, Point, Run, Sweep, angles, spinning, tangential_speeds};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
 };
@@ -85,12 +85,12 @@ fn slip() -> Outcome {
     );
     for sweep in [angles(), tangential_speeds(), spinning()] {
         for solid in sweep.solids {
-            let points = sweep.curve(solid, Laws::HertzViscous, 150)?;
-            for point in points.iter().filter(|point| slides(&sweep, point)) {
-                let (after, checks) = balance(&sweep, point);
+            let runs = sweep.runs(solid, Laws::HertzViscous, 150)?;
+            for run in runs.iter().filter(|run| slides(&sweep, run)) {
+                let (after, checks) = balance(&sweep, run);
                 all.extend(checks);
                 if solid.name == "aluminium oxide" {
-                    table.push(row(point, after));
+                    table.push(row(run, after));
                 }
             }
         }
@@ -100,19 +100,19 @@ fn slip() -> Outcome {
 
 /// Whether the contact slides until it ends, with a margin of two tenths of friction times normal speed
 /// for the viscous branch of the law.
-fn slides(sweep: &Sweep, point: &Point) -> bool {
+fn slides(sweep: &Sweep, run: &Run) -> bool {
     let lost = 3.5 * (1.0 + sweep.restitution) + 0.2;
-    point.slip(&point.before) > lost * sweep.friction * point.before.normal
+    run.slip(&run.before) > lost * sweep.friction * run.before.normal
 }
 
 /// Velocity along the plane and spin after sliding all the time, and how far the kernel is from them.
-fn balance(sweep: &Sweep, point: &Point) -> ([f64; 2], [Measurement; 2]) {
-    let (before, after) = (point.before, point.measured);
+fn balance(sweep: &Sweep, run: &Run) -> ([f64; 2], [Measurement; 2]) {
+    let (before, after) = (run.before, run.measured);
     let impulse = sweep.friction * (before.normal + after.normal);
     let along = before.along - impulse;
-    let spin = before.spin - 2.5 * impulse / point.contact.radius;
+    let spin = before.spin - 2.5 * impulse / run.contact.radius;
     let speed = before.normal;
-    let way = before.along * point.contact.duration(speed) / point.contact.radius;
+    let way = before.along * run.contact.duration(speed) / run.contact.radius;
     let fast = 1.0 + before.along / speed;
     let tolerance = ROUNDING * fast + 2.0 * way / FLATNESS * fast;
     let checks = [
@@ -120,21 +120,21 @@ fn balance(sweep: &Sweep, point: &Point) -> ([f64; 2], [Measurement; 2]) {
         Measurement::scaled(
             spin,
             after.spin,
-            speed / point.contact.radius,
+            speed / run.contact.radius,
             2.5 * tolerance,
         ),
     ];
     ([along, spin], checks)
 }
 
-fn row(point: &Point, [along, spin]: [f64; 2]) -> [String; 7] {
+fn row(run: &Run, [along, spin]: [f64; 2]) -> [String; 7] {
     let rebound = |along: f64, spin: f64| {
-        let slip = along + point.contact.radius * spin;
-        slip.atan2(point.measured.normal).to_degrees()
+        let slip = along + run.contact.radius * spin;
+        slip.atan2(run.measured.normal).to_degrees()
     };
-    let (before, after) = (point.before, point.measured);
+    let (before, after) = (run.before, run.measured);
     [
-        format!("{:.0}", point.abscissa),
+        format!("{:.0}", run.abscissa),
         format!("{:.12}", along / before.along),
         format!("{:.12}", after.along / before.along),
         format!("{spin:.9}"),
@@ -198,8 +198,8 @@ fn test_4() -> Outcome {
         &curves,
         |point, kernel| {
             [
-                point.abscissa,
-                after(point, kernel).along / point.before.along,
+                point.run.abscissa,
+                after(point, kernel).along / point.run.before.along,
             ]
         },
         &[
@@ -214,7 +214,7 @@ fn test_4() -> Outcome {
         "The spin is largest where sliding just begins to last all the collision",
         [angle, "angular velocity (rad/s)"],
         &curves,
-        |point, kernel| [point.abscissa, after(point, kernel).spin],
+        |point, kernel| [point.run.abscissa, after(point, kernel).spin],
         &[
             (simulated, column(2).collect()),
             (
@@ -232,8 +232,8 @@ fn test_4() -> Outcome {
         &curves,
         |point, kernel| {
             let after = after(point, kernel);
-            let angle = point.slip(&after).atan2(after.normal);
-            [point.abscissa, angle.to_degrees()]
+            let angle = point.run.slip(&after).atan2(after.normal);
+            [point.run.abscissa, angle.to_degrees()]
         },
         &[(simulated, column(3).collect())],
     );
@@ -243,11 +243,11 @@ fn test_4() -> Outcome {
 fn test_5() -> Outcome {
     let curves = curves(&tangential_speeds())?;
     let number = "tangential over friction times normal speed, before";
-    let unit = |point: &Point| 0.3 * point.before.normal;
+    let unit = |point: &Point| 0.3 * point.run.before.normal;
     let shown: Vec<(String, Vec<Point>)> = curves
         .iter()
         .map(|(label, points)| {
-            let near = points.iter().filter(|point| point.abscissa < 13.0);
+            let near = points.iter().filter(|point| point.run.abscissa < 13.0);
             (label.clone(), near.copied().collect())
         })
         .collect();
@@ -257,7 +257,7 @@ fn test_5() -> Outcome {
         &shown,
         |point, kernel| {
             let after = after(point, kernel);
-            [point.abscissa, point.slip(&after) / unit(point)]
+            [point.run.abscissa, point.run.slip(&after) / unit(point)]
         },
         &[(
             "literature: finite elements, digitised",
@@ -273,8 +273,8 @@ fn test_5() -> Outcome {
         &shown,
         |point, kernel| {
             let after = after(point, kernel);
-            let surface = point.contact.radius * after.spin;
-            [point.abscissa, surface / unit(point)]
+            let surface = point.run.contact.radius * after.spin;
+            [point.run.abscissa, surface / unit(point)]
         },
         &[(
             "literature: finite elements, digitised",
@@ -286,7 +286,7 @@ fn test_5() -> Outcome {
 
 fn test_6() -> Outcome {
     let curves = curves(&spinning())?;
-    let number = |point: &Point| 2.1 * point.before.normal / point.slip(&point.before);
+    let number = |point: &Point| 2.1 * point.run.before.normal / point.run.slip(&point.run.before);
     let plot = figure(
         "Below one the sphere slides all the time; above, the rebound of the slip is a matter of the law",
         [
@@ -295,7 +295,7 @@ fn test_6() -> Outcome {
         ],
         &curves,
         |point, kernel| {
-            let ratio = point.slip(&after(point, kernel)) / point.slip(&point.before);
+            let ratio = point.run.slip(&after(point, kernel)) / point.run.slip(&point.run.before);
             [number(point), -ratio]
         },
         &[(
@@ -309,7 +309,7 @@ fn test_6() -> Outcome {
 /// The motion after the collision, by the kernel or the oracle.
 fn after(point: &Point, kernel: bool) -> Flight {
     if kernel {
-        point.measured
+        point.run.measured
     } else {
         point.expected
     }

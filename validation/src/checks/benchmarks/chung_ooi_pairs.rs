@@ -213,11 +213,11 @@ impl Unequal {
     fn totals(&self, world: &World, spin: f64) -> [f64; 3] {
         let p = world.particles();
         let mut sums = [0.0; 3];
-        for i in 0..2 {
+        for (i, radius) in RADII.iter().enumerate() {
             let (m, v) = (self.masses[i], p.velocity[i]);
             sums[0] += m * v.x;
             sums[1] += m * v.y;
-            let inertia = 0.4 * m * RADII[i] * RADII[i];
+            let inertia = 0.4 * m * radius * radius;
             sums[2] += m * p.position[i].cross(v) + inertia * p.angular_velocity[i];
         }
         let linear = self.masses[0] * SPEED;

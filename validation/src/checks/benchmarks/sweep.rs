@@ -178,57 +178,87 @@ impl Sweep {
         }
     }
 
-    /// The curve of one solid with one set of laws.
+    /// The kernel's curve of one solid with one set of laws.
     ///
     /// # Errors
-    /// Scenes that cannot be run, collisions without an end.
-    pub fn curve(&self, solid: Material, laws: Laws, steps: u64) -> Result<Vec<Point>, Failure> {
+    /// Scenes that cannot be run.
+    pub fn runs(&self, solid: Material, laws: Laws, steps: u64) -> Result<Vec<Run>, Failure> {
         let calibration = self.calibrate()?;
-        let point = |&(abscissa, before): &(f64, Flight)| {
+        let run = |&(abscissa, before): &(f64, Flight)| {
             let contact = self.contact(solid, laws, &calibration, before.normal);
-            Ok(Point {
+            Ok(Run {
                 abscissa,
                 contact,
                 before,
-                expected: contact.expected(before)?,
                 measured: contact.measured(before, steps)?,
                 steps,
             })
         };
-        self.impacts.iter().map(point).collect()
+        self.impacts.iter().map(run).collect()
+    }
+
+    /// The same with the oracle's answers.
+    ///
+    /// # Errors
+    /// Scenes that cannot be run, collisions without an end.
+    pub fn curve(&self, solid: Material, laws: Laws, steps: u64) -> Result<Vec<Point>, Failure> {
+        let point = |run: Run| {
+            Ok(Point {
+                run,
+                expected: run.contact.expected(run.before)?,
+            })
+        };
+        let runs = self.runs(solid, laws, steps)?;
+        runs.into_iter().map(point).collect()
     }
 }
 
-/// One impact of a curve.
+/// One impact of a curve by the kernel.
 #[derive(Clone, Copy, Debug)]
-pub struct Point {
+pub struct Run {
     /// Abscissa.
     pub abscissa: f64,
     /// The contact.
     pub contact: OnPlane,
     /// Motion before the collision.
     pub before: Flight,
-    /// Motion after it by the oracle.
-    pub expected: Flight,
-    /// Motion after it by the kernel.
+    /// Motion after it.
     pub measured: Flight,
     steps: u64,
 }
 
-impl Point {
+/// One impact of a curve with what it should give.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// The impact by the kernel.
+    pub run: Run,
+    /// Motion after it by the oracle.
+    pub expected: Flight,
+}
+
+impl Run {
     /// Sliding velocity of the contact point in m/s.
     pub fn slip(&self, flight: &Flight) -> f64 {
         flight.along + self.contact.radius * flight.spin
     }
+}
 
+impl Point {
     /// Kernel against oracle, in units of the normal speed of impact.
     pub fn comparisons(&self) -> [Measurement; 3] {
-        let speed = self.before.normal;
-        let impact = self.contact.impact();
-        let step = self.contact.duration(speed) / self.steps as f64;
-        let [normal, along] = step_errors(&impact, speed, self.slip(&self.before), step);
-        let (a, b) = (self.expected, self.measured);
-        let turning = speed / self.contact.radius;
+        let Run {
+            contact,
+            before,
+            measured,
+            steps,
+            ..
+        } = self.run;
+        let speed = before.normal;
+        let impact = contact.impact();
+        let step = contact.duration(speed) / steps as f64;
+        let [normal, along] = step_errors(&impact, speed, self.run.slip(&before), step);
+        let (a, b) = (self.expected, measured);
+        let turning = speed / contact.radius;
         [
             Measurement::scaled(a.normal, b.normal, speed, normal),
             Measurement::scaled(a.along, b.along, speed, along),
