@@ -2,10 +2,13 @@
 
 pub mod amplification;
 pub mod arcs;
+pub mod bounce;
 pub mod flow;
 pub mod grains;
+pub mod impact;
 pub mod lens;
 pub mod original;
 pub mod oscillator;
 pub mod rolling;
+pub mod settling;
 pub mod spectrum;
