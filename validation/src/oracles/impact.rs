@@ -1,7 +1,9 @@
 //! Head-on collisions as ordinary differential equations without dimensions.
 
 use super::flow::Flow;
+use super::quadrature::{limit, root};
 use num_traits::Float;
+use xprec::Df64;
 
 /// What a collision leaves.
 #[derive(Clone, Copy, Debug)]
@@ -97,6 +99,32 @@ fn leave<F: Float>(b: F, tolerance: F, from: [F; 2]) -> (F, F) {
     let ends = |gone: F, s: &[F; 2]| start - gone - (b * -s[0]).max(F::zero()).sqrt();
     let (_, end) = flow.until([from[1], F::zero()], start, ends);
     (end[1], end[0])
+}
+
+/// Dissipation b with which viscoelastic spheres have a restitution, by bisection of the integration.
+pub fn dissipation_for(restitution: f64) -> f64 {
+    root(0.0, 100.0, |b| {
+        viscoelastic(b, 1e-14).restitution - restitution
+    })
+}
+
+/// Coefficients of b and b^2 in the restitution, from integrations with b that halve.
+///
+/// After these the series goes on with half powers, 5/2, 3, 7/2, ...: the force ends before the overlap
+/// does.
+pub fn series() -> [f64; 2] {
+    let slopes: Vec<[f64; 2]> = (0..9)
+        .map(|level| {
+            let b = 0.25 * 0.5_f64.powi(level);
+            let loss = viscoelastic(Df64::from(b), Df64::from(1e-22)).restitution - 1.0;
+            [b, f64::from(loss) / b]
+        })
+        .collect();
+    let values: Vec<[f64; 1]> = slopes.iter().map(|[_, slope]| [*slope]).collect();
+    let [first] = limit(&values, &[1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5]);
+    let values: Vec<[f64; 1]> = slopes.iter().map(|[b, s]| [(s - first) / b]).collect();
+    let [second] = limit(&values, &[0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]);
+    [first, second]
 }
 
 #[cfg(test)]

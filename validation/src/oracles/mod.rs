@@ -2,5 +2,8 @@
 
 pub mod flow;
 pub mod impact;
+pub mod normal;
 pub mod original;
 pub mod oscillator;
+pub mod quadrature;
+pub mod solid;

@@ -2,6 +2,7 @@
 
 use crate::checks::Failure;
 use crate::checks::scenes::{advance, head, particle, world};
+use crate::oracles::quadrature::limit;
 use gouge_kernel::World;
 use std::f64::consts::PI;
 
@@ -217,19 +218,4 @@ fn at_zero(
         }
     }
     values.first().copied().unwrap_or(f64::NAN)
-}
-
-/// The limit of results at steps that halve, whose errors are a sum of the given powers of the step.
-///
-/// As many powers are removed as there are results less one.
-pub fn limit<const N: usize>(results: &[[f64; N]], powers: &[f64]) -> [f64; N] {
-    let mut column = results.to_vec();
-    for power in &powers[..results.len() - 1] {
-        let weight = (power.exp2() - 1.0).recip();
-        column = column
-            .windows(2)
-            .map(|pair| std::array::from_fn(|n| pair[1][n] + (pair[1][n] - pair[0][n]) * weight))
-            .collect();
-    }
-    column.first().copied().unwrap_or([f64::NAN; N])
 }

@@ -1,8 +1,9 @@
 //! Viscoelastic and elastic spheres.
 
-use super::collision::{Collision, Figures, Refinement, Sample, limit};
+use super::collision::{Collision, Figures, Refinement, Sample};
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table};
 use crate::oracles::impact::{Rebound, viscoelastic};
+use crate::oracles::quadrature::limit;
 use statrs::function::beta::beta;
 
 /// Young's modulus in Pa and Poisson's ratio.
