@@ -7,16 +7,17 @@ const NODES: i32 = 60;
 /// Distance of the nodes in the transformed variable.
 const STEP: f64 = 0.055;
 
-/// Integral of a function that is analytic between the ends, where it may have roots or logarithms.
+/// Nodes and weights for integrals of functions that are analytic between the ends, where they may
+/// have roots or logarithms.
 ///
 /// The substitution x = tanh((pi/2) sinh u) makes the integrand fall doubly exponentially, and the
 /// trapezoidal rule then converges exponentially: 1e-13 for smooth functions.
-pub fn integral(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
+pub fn nodes(low: f64, high: f64) -> impl Iterator<Item = [f64; 2]> {
     let half = 0.5 * (high - low);
-    let term = |k: i32| {
+    (-NODES..=NODES).map(move |k| {
         let u = STEP * f64::from(k);
         let inner = FRAC_PI_2 * u.sinh();
-        let weight = FRAC_PI_2 * u.cosh() / inner.cosh().powi(2);
+        let weight = half * STEP * FRAC_PI_2 * u.cosh() / inner.cosh().powi(2);
         // Measured from the nearer end, so that nothing cancels there.
         let from_end = half * 2.0 / (1.0 + (2.0 * inner.abs()).exp());
         let x = if k < 0 {
@@ -24,17 +25,27 @@ pub fn integral(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
         } else {
             high - from_end
         };
-        weight * function(x)
-    };
-    half * STEP * (-NODES..=NODES).map(term).sum::<f64>()
+        [x, weight]
+    })
 }
 
 /// The same, piece by piece between points where the function is not analytic.
-pub fn integral_over(points: &[f64], function: impl Fn(f64) -> f64) -> f64 {
+pub fn nodes_over(points: &[f64]) -> impl Iterator<Item = [f64; 2]> {
     points
         .windows(2)
         .filter(|pair| pair[1] > pair[0])
-        .map(|pair| integral(pair[0], pair[1], &function))
+        .flat_map(|pair| nodes(pair[0], pair[1]))
+}
+
+/// Integral of a function between two points.
+pub fn integral(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
+    integral_over(&[low, high], function)
+}
+
+/// Integral of a function, piece by piece.
+pub fn integral_over(points: &[f64], function: impl Fn(f64) -> f64) -> f64 {
+    nodes_over(points)
+        .map(|[x, weight]| weight * function(x))
         .sum()
 }
 
