@@ -17,6 +17,20 @@ const SPEED: f64 = 1.0;
 const STIFFNESS: f64 = 1e7;
 const DRAWS: usize = 200_000;
 
+/// What the thesis prints in sections 4.1 and 4.3: density, Young's modulus, Poisson's ratio, strength,
+/// restitution, then friction, axial ratio, Weibull modulus and viscosity of air, in SI units.
+const PRINTED: [[f64; 2]; 9] = [
+    [2.7e3, 0.1e3],
+    [50e9, 20e9],
+    [0.22, 0.12],
+    [280e6, 30e6],
+    [0.83, 0.06],
+    [0.7, 0.1],
+    [0.6, 0.1],
+    [15.0, 10.0],
+    [18e-6, 3e-6],
+];
+
 /// Density, Young's modulus, Poisson's ratio, strength and restitution, in SI units.
 type Inputs = [f64; 5];
 
@@ -31,14 +45,33 @@ struct Row {
     powers: [f64; 5],
 }
 
+/// The inputs of the chain.
 fn measured() -> [Measured; 5] {
-    [
+    std::array::from_fn(|n| Measured {
+        value: PRINTED[n][0],
+        uncertainty: PRINTED[n][1],
+    })
+}
+
+pub fn granite() -> Outcome {
+    let kernel = [
         GRANITE.density,
         GRANITE.youngs_modulus,
         GRANITE.poissons_ratio,
         GRANITE.strength_normal,
         GRANITE.restitution,
-    ]
+        GRANITE.friction_coefficient,
+        GRANITE.axial_ratio,
+        GRANITE.weibull_modulus,
+        GRANITE.air_viscosity,
+    ];
+    let all = PRINTED.iter().zip(kernel).flat_map(|(printed, kernel)| {
+        [
+            Measurement::ulp(printed[0], kernel.value, 0.0),
+            Measurement::ulp(printed[1], kernel.uncertainty, 0.0),
+        ]
+    });
+    Ok(Measurement::worst(all).into())
 }
 
 fn elastic(x: &Inputs) -> Elastic {

@@ -80,7 +80,7 @@ fn sampled() -> Vec<Check> {
             id: "strength.power",
             claim: "A hundred independent bonds tell the law of the thesis from that of its criterion at level 1 % with a power above 0.98.",
             equations: "(50)",
-            scene: "2000 samples of 20 to 200 strengths each",
+            scene: "1000 samples of 20 to 200 strengths each",
             oracle: "Power of looking at the farthest point alone, exact by the binomial distribution: a lower bound",
             norm: "How far the simulated power falls below the bound",
             origin: Origin::Statistical,

@@ -138,7 +138,7 @@ fn least_power(number: usize, critical: f64) -> f64 {
 }
 
 pub fn power() -> Outcome {
-    const REPEATS: usize = 2000;
+    const REPEATS: usize = 1000;
     let laws = Laws::granite();
     let mut random = Pcg64::new(8, 52);
     let [(a, b), (c, d)] =
@@ -156,13 +156,11 @@ pub fn power() -> Outcome {
         let power = rejected as f64 / REPEATS as f64;
         let expected = least_power(number, critical);
         let deviation = (expected * (1.0 - expected) / REPEATS as f64).sqrt();
-        let missing = (expected - power).max(0.0);
-        let wide = 5.0 * deviation + 1.0 / REPEATS as f64;
         all.push(Measurement {
             expected,
             measured: power,
-            error: missing,
-            tolerance: wide,
+            error: (expected - power).max(0.0),
+            tolerance: 5.0 * deviation + 1.0 / REPEATS as f64,
         });
         found.push([number as f64, power]);
         least.push([number as f64, expected]);
