@@ -1,21 +1,29 @@
 //! The damped oscillator in closed form.
 
-/// Restitution of a collision whose force is that of a damped spring until it first vanishes.
+use num_traits::Float;
+
+/// Duration, in units of 1/w0, of a collision whose force is that of a damped spring until it first
+/// vanishes.
 ///
 /// With beta = zeta w0 and, below critical damping, w = w0 sqrt(1 - zeta^2), the overlap is
-/// exp(-beta t) sin(w t) / w and the force vanishes when tan(w t) = 2 beta w / (beta^2 - w^2); at that
-/// moment the speed is exp(-beta t) times that of impact. Depends on the damping ratio alone.
-pub fn truncated_restitution(zeta: f64) -> f64 {
-    if zeta < 1.0 {
-        let w = (1.0 - zeta * zeta).sqrt();
-        let phase = (2.0 * zeta * w).atan2(zeta * zeta - w * w);
-        return (-zeta / w * phase).exp();
+/// exp(-beta t) sin(w t) / w and the force vanishes when tan(w t) = 2 beta w / (beta^2 - w^2). Depends
+/// on the damping ratio alone.
+pub fn truncated_duration<F: Float>(zeta: F) -> F {
+    let one = F::one();
+    let squared = (one - zeta) * (one + zeta);
+    let w = squared.abs().sqrt();
+    if w == F::zero() {
+        return one + one;
     }
-    let w = (zeta * zeta - 1.0).sqrt();
-    if w == 0.0 {
-        return (-2.0_f64).exp();
+    if squared > F::zero() {
+        return ((zeta + zeta) * w).atan2(zeta * zeta - squared) / w;
     }
-    (-zeta / w * ((zeta + w) / (zeta - w)).ln()).exp()
+    ((zeta + w) / (zeta - w)).ln() / w
+}
+
+/// Restitution of that collision: the oscillator has then lost a factor exp(-beta t) of its speed.
+pub fn truncated_restitution<F: Float>(zeta: F) -> F {
+    (-zeta * truncated_duration(zeta)).exp()
 }
 
 /// Displacement at a time, in units of 1/w0, of an oscillator released from one at rest; zeta < 1.
