@@ -222,7 +222,7 @@ mod tests {
             radius: 1.0,
             inverse_mass,
         };
-        let zeta = 0.3;
+        let zeta: f64 = 0.3;
         let grains = Grains {
             grains: vec![grain(0.0), grain(1.0)],
             repulsion: Repulsion::SpringDashpot {
@@ -234,7 +234,7 @@ mod tests {
         };
         let start = [0.0, 0.0, 0.0, 0.0, 3.0, 0.0, -0.1, 0.0];
         let end = grains.advance(start, 20.0, 50, 1e-11);
-        let restitution = end[6] / 0.1;
+        let restitution: f64 = end[6] / 0.1;
         assert!((restitution - truncated_restitution(zeta)).abs() < 1e-9);
     }
 }

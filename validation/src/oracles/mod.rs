@@ -2,6 +2,7 @@
 
 pub mod amplification;
 pub mod arcs;
+pub mod beads;
 pub mod bounce;
 pub mod emergent;
 pub mod flow;

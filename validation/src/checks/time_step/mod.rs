@@ -3,7 +3,7 @@
 mod amplification;
 mod bracket;
 mod modes;
-mod network;
+pub(super) mod network;
 mod packing;
 mod running;
 mod waves;
