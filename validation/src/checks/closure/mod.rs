@@ -1,0 +1,29 @@
+//! Closure.
+
+mod fields;
+mod heat;
+mod links;
+mod residual;
+mod text;
+
+use super::Topic;
+
+/// The topic.
+pub fn topic() -> Topic {
+    Topic {
+        id: "closure",
+        title: "Closure",
+        about: "The energy balance (72): every term by itself against an independent value, and the residual \
+                of their sum against the order of the method; momentum and angular momentum; and what the \
+                printed estimators (76)-(79) leave open.",
+        checks: [
+            heat::checks(),
+            fields::checks(),
+            links::checks(),
+            residual::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+    }
+}

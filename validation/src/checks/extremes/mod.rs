@@ -1,0 +1,17 @@
+//! Stiff and extreme.
+
+mod cases;
+mod random;
+
+use super::Topic;
+
+/// The topic.
+pub fn topic() -> Topic {
+    Topic {
+        id: "extremes",
+        title: "Stiff and extreme",
+        about: "Stiffness, sizes, overlaps, speeds, places and magnitudes at the ends of their ranges: what comes out is \
+                finite and right, or a typed error.",
+        checks: random::checks(),
+    }
+}
