@@ -4,3 +4,4 @@ pub mod dissipation;
 pub mod flow;
 pub mod original;
 pub mod oscillator;
+pub mod sliding;

@@ -1,8 +1,10 @@
 //! Closure.
 
+mod events;
 mod fields;
 mod heat;
 mod links;
+mod momenta;
 mod residual;
 mod text;
 
@@ -21,6 +23,8 @@ pub fn topic() -> Topic {
             fields::checks(),
             links::checks(),
             residual::checks(),
+            events::checks(),
+            momenta::checks(),
         ]
         .into_iter()
         .flatten()

@@ -1,7 +1,9 @@
 //! Stiff and extreme.
 
 mod cases;
+mod pairs;
 mod random;
+mod stiff;
 
 use super::Topic;
 
@@ -12,6 +14,9 @@ pub fn topic() -> Topic {
         title: "Stiff and extreme",
         about: "Stiffness, sizes, overlaps, speeds, places and magnitudes at the ends of their ranges: what comes out is \
                 finite and right, or a typed error.",
-        checks: random::checks(),
+        checks: [stiff::checks(), random::checks()]
+            .into_iter()
+            .flatten()
+            .collect(),
     }
 }
