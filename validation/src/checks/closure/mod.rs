@@ -1,8 +1,12 @@
-//! The energy balance, momentum and angular momentum.
+//! Closure.
 
-mod convergence;
-mod momentum;
-mod terms;
+mod events;
+mod fields;
+mod heat;
+mod links;
+mod momenta;
+mod residual;
+mod text;
 
 use super::Topic;
 
@@ -11,10 +15,19 @@ pub fn topic() -> Topic {
     Topic {
         id: "closure",
         title: "Closure",
-        about: "The energy balance (72) with each of its terms, and the momenta that nothing may change.",
-        checks: [terms::checks(), convergence::checks(), momentum::checks()]
-            .into_iter()
-            .flatten()
-            .collect(),
+        about: "The energy balance (72): every term by itself against an independent value, and the residual \
+                of their sum against the order of the method; momentum and angular momentum; and what the \
+                printed estimators (76)-(79) leave open.",
+        checks: [
+            heat::checks(),
+            fields::checks(),
+            links::checks(),
+            residual::checks(),
+            events::checks(),
+            momenta::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
     }
 }

@@ -1,0 +1,22 @@
+//! Stiff and extreme.
+
+mod cases;
+mod pairs;
+mod random;
+mod stiff;
+
+use super::Topic;
+
+/// The topic.
+pub fn topic() -> Topic {
+    Topic {
+        id: "extremes",
+        title: "Stiff and extreme",
+        about: "Stiffness, sizes, overlaps, speeds, places and magnitudes at the ends of their ranges: what comes out is \
+                finite and right, or a typed error.",
+        checks: [stiff::checks(), random::checks()]
+            .into_iter()
+            .flatten()
+            .collect(),
+    }
+}
