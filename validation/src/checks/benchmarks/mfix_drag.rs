@@ -1,5 +1,6 @@
 //! MFiX DEM06: a sphere settles to its terminal speed.
 
+use super::extrapolation::to_no_step;
 use crate::checks::scenes::{advance, head, particle, world};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
@@ -92,18 +93,11 @@ fn course(steps: u64) -> Result<Vec<[f64; 3]>, Failure> {
 
 fn creeping() -> Outcome {
     let steps = [50, 100, 200, 400];
-    let mut levels = steps
+    let levels = steps
         .iter()
         .map(|&steps| course(steps))
         .collect::<Result<Vec<_>, Failure>>()?;
-    for order in 2..5 {
-        let weight = 1.0 / (f64::from(1 << order) - 1.0);
-        levels = levels
-            .windows(2)
-            .map(|pair| improved(&pair[0], &pair[1], weight))
-            .collect();
-    }
-    let best = &levels[0];
+    let best = to_no_step(levels, &[2, 3, 4]);
     let [tau, tau_spin] = SPHERE.relaxation();
     let fastest = SPHERE.gravity * tau;
     let mut all = Vec::new();
@@ -143,12 +137,6 @@ fn creeping() -> Outcome {
         ]);
     }
     Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
-}
-
-/// Two courses, extrapolated to no step.
-fn improved(coarse: &[[f64; 3]], fine: &[[f64; 3]], weight: f64) -> Vec<[f64; 3]> {
-    let one = |(a, b): (&[f64; 3], &[f64; 3])| [0, 1, 2].map(|n| b[n] + (b[n] - a[n]) * weight);
-    coarse.iter().zip(fine).map(one).collect()
 }
 
 const READINGS: [(&str, f64); 2] = [("corrected", 0.42), ("thesis", 1.0)];

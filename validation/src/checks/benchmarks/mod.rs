@@ -3,10 +3,13 @@
 mod chung_ooi_head_on;
 mod chung_ooi_oblique;
 mod chung_ooi_pairs;
+mod extrapolation;
 mod literature;
 mod mfix_bounce;
 mod mfix_drag;
+mod mfix_oblique;
 mod mfix_slip;
+mod mfix_stack;
 mod plane;
 mod sweep;
 
@@ -23,7 +26,9 @@ pub fn topic() -> Topic {
             chung_ooi_oblique::checks(),
             chung_ooi_pairs::checks(),
             mfix_bounce::checks(),
+            mfix_stack::checks(),
             mfix_slip::checks(),
+            mfix_oblique::checks(),
             mfix_drag::checks(),
         ]
         .into_iter()
