@@ -104,7 +104,7 @@ fn sampled() -> Vec<Check> {
             id: "strength.packing",
             claim: "In settled packings large grains have more bonds: strengths follow the smaller of two radii if each counts as often as it has bonds, and are then on average 1.3 % above those of random pairs.",
             equations: "(49), (50), (65)-(67), (70)",
-            scene: "32 packings of about 670 grains, 57 000 bonds",
+            scene: "32 packings of about 670 grains, some 57 000 bonds, other seeds than those after which the claim was worded",
             oracle: "Integrated law with a density of radii that grows with the measured preference; redraws of radii and factors on the same bonds for the effect of common grains",
             norm: "Largest distance of the distribution of strengths from that law; distance of the mean from that of pairs drawn by their numbers of bonds in standard errors; acceptance of the law without preference counts as a failure",
             origin: Origin::Statistical,

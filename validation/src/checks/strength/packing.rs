@@ -116,8 +116,11 @@ fn block(seed: u64) -> Result<Block, Failure> {
     Ok(Block::of(&world))
 }
 
+/// First seed: the claims were worded after looking at packings of seeds below it.
+const FRESH: u64 = 100;
+
 fn blocks(number: u64) -> Result<Vec<Block>, Failure> {
-    (0..number).into_par_iter().map(block).collect()
+    (FRESH..FRESH + number).into_par_iter().map(block).collect()
 }
 
 /// Largest distance from the law in so many redraws of radii and factors on the same bonds: what
