@@ -1,25 +1,115 @@
-//! Numbers that are no part of a formula: scaling them changes how a result is found, not the result.
+//! Numbers that steer an algorithm and stand in no formula: changing one by a millionth changes no result.
 
-/// File, expression and reason.
-pub const EXEMPT: &[(&str, &str, &str)] = &[
-    (
-        "geometry/pair_frame.rs",
+use crate::sites::Site;
+
+/// Sites that are left out, with the reason.
+struct Exemption {
+    file: &'static str,
+    /// The function around it or a part of its line; any if empty.
+    place: &'static str,
+    /// The expression; any if empty.
+    expression: &'static str,
+    reason: &'static str,
+}
+
+const fn exempt(
+    file: &'static str,
+    place: &'static str,
+    expression: &'static str,
+    reason: &'static str,
+) -> Exemption {
+    Exemption {
+        file,
+        place,
+        expression,
+        reason,
+    }
+}
+
+const LIST: &str = "decides when the neighbour list is made anew and what it holds besides contacts; no result depends on it";
+const BISECTION: &str =
+    "where an interval is cut; the bisection goes on until nothing is left of it";
+const ROUNDING: &str = "a probability above one by rounding is cut there; exact ones never are";
+
+const EXEMPTIONS: &[Exemption] = &[
+    exempt("kernel/src/links/neighbors.rs", "", "", LIST),
+    exempt("kernel/src/links/cells.rs", "Cells::new", "", LIST),
+    exempt(
+        "kernel/src/setup/bonding.rs",
+        "*r *= reach",
+        "reach",
+        "a search for candidates, of which the exact distance then chooses",
+    ),
+    exempt(
+        "kernel/src/geometry/pair_frame.rs",
+        "PairFrame::new",
         "COINCIDENT",
-        "below this squared distances have lost their precision; any number of that order does",
+        "below which distance centres count as coincident",
     ),
-    (
-        "geometry/angle.rs",
+    exempt(
+        "kernel/src/geometry/angle.rs",
+        "turn",
         "SMALL_SINE",
-        "where the polynomial takes over from the arctangent; both agree to rounding on either side",
+        "where a series takes over from an arctangent that agrees with it",
     ),
-    (
-        "geometry/contact.rs",
+    exempt(
+        "kernel/src/geometry/contact.rs",
+        "mean_distance",
         "1e-4",
-        "where a series takes over; both agree to rounding on either side",
+        "where a series takes over from a function that agrees with it",
     ),
-    (
-        "links/neighbors.rs",
-        "MARGIN",
-        "a wider list costs time and changes no pair that touches",
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "is_stable",
+        "GROWTH",
+        "the growth by rounding that still counts as none",
+    ),
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "critical_step",
+        "4.0",
+        "how far a scan for the first unstable step goes",
+    ),
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "critical_step",
+        "0.5",
+        BISECTION,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "damping_ratio_for",
+        "1e150",
+        "where the search for an upper bound gives up",
+    ),
+    exempt(
+        "kernel/src/distributions/strength.rs",
+        "WeakestProduct::cumulative",
+        "1.0",
+        ROUNDING,
     ),
 ];
+
+impl Exemption {
+    fn fits(&self, site: &Site) -> bool {
+        self.file == site.file
+            && (self.place == site.function || site.context.contains(self.place))
+            && (self.expression.is_empty() || self.expression == site.expression)
+    }
+}
+
+/// Why a site is left out, if it is.
+pub fn reason(site: &Site) -> Option<&'static str> {
+    let found = EXEMPTIONS.iter().find(|one| one.fits(site));
+    found.map(|one| one.reason)
+}
+
+/// Exemptions that fit no site: the code has moved on without them.
+pub fn stale(sites: &[Site]) -> Vec<String> {
+    let unused = EXEMPTIONS
+        .iter()
+        .filter(|one| !sites.iter().any(|site| one.fits(site)));
+    unused
+        .map(|one| format!("{} {} {}", one.file, one.place, one.expression))
+        .collect()
+}

@@ -1,181 +1,143 @@
-//! Scales every number of the kernel's formulas by 1 + 1e-6, one at a time, and asks whether the fast
-//! part of the gate notices.
+//! Whether the gate notices every number of the kernel.
 //!
-//! A number is a literal, a named constant, or a coefficient where it is read: a parameter of a law, a
-//! radius, a mass, the step. All are wrapped at once in a copy of the tree, so that one build serves the
-//! whole campaign and an environment variable chooses the number.
+//! Every literal and every coefficient of a formula of the kernel is a site. The workspace is copied, each
+//! site is wrapped in a question whether it is the one to be scaled by 1 + 1e-6, and the gate is built
+//! once. Each test is run once to learn which sites it uses. Then each site is scaled in turn, and the
+//! tests that use it are run, fast ones first, until one fails. A site whose tests all pass has survived:
+//! the gate would not notice a wrong number there.
 
-mod campaign;
+mod declared;
 mod exempt;
+mod gate;
+mod results;
 mod sites;
+mod workspace;
 
-use anyhow::{Result, ensure};
-use campaign::{Target, build, noticed_by, targets};
 use clap::Parser;
-use exempt::EXEMPT;
-use indicatif::ProgressBar;
-use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::fs::{self, OpenOptions};
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use results::{Fate, Results};
+use sites::Site;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Scale every number of the kernel's formulas, one at a time, and see which test notices.
+/// A result, or why there is none.
+pub type Outcome<T> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
+
+/// Scale every number of the kernel's formulas by 1 + 1e-6, one at a time, and list those that the gate
+/// does not notice.
 #[derive(Parser)]
 struct Arguments {
-    /// Only list the sites
+    /// List the sites and stop.
     #[arg(long)]
     list: bool,
-    /// Only sites whose file, line and expression contain this
+    /// Only sites whose line of the list contains this text.
     #[arg(long)]
     only: Option<String>,
-    /// Runs of the gate at a time
-    #[arg(long, default_value = "2")]
+    /// Try again what survived before, and keep the other results.
+    #[arg(long)]
+    again: bool,
+    /// How many sites are tried at a time.
+    #[arg(long, default_value_t = 2)]
     jobs: usize,
-    /// File of results; sites that it holds are not run again
-    #[arg(long, default_value = "out/perturbations.jsonl")]
-    results: PathBuf,
+    /// Folder for the copy and the results.
+    #[arg(long)]
+    folder: Option<PathBuf>,
 }
 
-/// What became of a site.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-struct Verdict {
-    site: String,
-    caught_by: Option<String>,
-}
-
-/// File, line and expression, with a number where a line holds the same expression more than once.
-fn names(targets: &[Target]) -> Vec<String> {
-    let mut seen = BTreeMap::new();
-    let name = |target: &Target| {
-        let place = format!("{}:{} {}", target.file, target.site.line, target.site.text);
-        let count = seen.entry(place.clone()).or_insert(0);
-        *count += 1;
-        if *count > 1 {
-            format!("{place} #{count}")
-        } else {
-            place
-        }
-    };
-    targets.iter().map(name).collect()
-}
-
-fn exemption(target: &Target) -> Option<&'static str> {
-    let matches =
-        |(file, text, _): &&(&str, &str, &str)| target.file == *file && target.site.text == *text;
-    EXEMPT.iter().find(matches).map(|(_, _, reason)| *reason)
-}
-
-fn earlier(path: &Path) -> Result<Vec<Verdict>> {
-    if !path.exists() {
-        return Ok(Vec::new());
+fn main() -> Outcome<ExitCode> {
+    let arguments = Arguments::parse();
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("..")
+        .canonicalize()?;
+    let sources = workspace::survey(&root)?;
+    let all = workspace::sites(&sources);
+    if let Some(unused) = exempt::stale(&all).first() {
+        return Err(format!("an exemption fits no site: {unused}").into());
     }
-    let lines = fs::read_to_string(path)?;
-    Ok(lines
-        .lines()
-        .map(serde_json::from_str)
-        .collect::<Result<_, _>>()?)
+    let wanted = |site: &&Site| {
+        let only = arguments.only.as_ref();
+        only.is_none_or(|text| site.to_string().contains(text))
+    };
+    let (exempted, tried): (Vec<Site>, Vec<Site>) = all
+        .iter()
+        .filter(wanted)
+        .cloned()
+        .partition(|site| exempt::reason(site).is_some());
+    if arguments.list {
+        all.iter()
+            .filter(wanted)
+            .for_each(|site| println!("{site}"));
+        println!("{} sites and {} exempted", tried.len(), exempted.len());
+        return Ok(ExitCode::SUCCESS);
+    }
+    let folder = arguments
+        .folder
+        .unwrap_or_else(|| std::env::temp_dir().join("gouge-mutation"));
+    let copy = folder.join("copy");
+    workspace::plant(&root, &copy, &sources)?;
+    let gate = gate::Gate::build(&copy)?;
+    let mut results = Results::open(&folder, &gate, &all)?;
+    if arguments.again {
+        results.forget_survivors();
+    }
+    let tests = gate.learn(&folder, arguments.jobs, all.len(), &mut results)?;
+    let open: Vec<&Site> = tried.iter().filter(|site| !results.has(site)).collect();
+    try_all(&gate, &tests, &open, arguments.jobs, &mut results)?;
+    Ok(report(&tried, &exempted, &results))
 }
 
-/// Run the gate for every site that has no verdict yet.
-fn run(gate: &Path, wanted: &[(usize, &String)], arguments: &Arguments) -> Result<()> {
-    let file = OpenOptions::new()
-        .create(true)
-        .append(true)
-        .open(&arguments.results)?;
-    let (file, next) = (Mutex::new(file), AtomicUsize::new(0));
-    let bar = ProgressBar::new(wanted.len() as u64);
-    let work = || -> Result<()> {
-        while let Some(&(number, name)) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let verdict = Verdict {
-                site: name.clone(),
-                caught_by: noticed_by(gate, Some(number))?,
-            };
-            let line = serde_json::to_string(&verdict)? + "\n";
-            if let Ok(mut file) = file.lock() {
-                file.write_all(line.as_bytes())?;
-            }
-            bar.inc(1);
+/// Scale each site in turn, several at a time.
+fn try_all(
+    gate: &gate::Gate,
+    tests: &gate::Tests,
+    open: &[&Site],
+    jobs: usize,
+    results: &mut Results,
+) -> Outcome<()> {
+    let next = AtomicUsize::new(0);
+    let shared = Mutex::new(results);
+    let work = || -> Outcome<()> {
+        while let Some(site) = open.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let fate = gate.try_site(site.id, tests)?;
+            println!("{site}: {fate}");
+            let mut results = shared.lock().map_err(|_| "another job has failed")?;
+            results.add(site, fate)?;
         }
         Ok(())
     };
     std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..arguments.jobs).map(|_| scope.spawn(work)).collect();
-        workers
-            .into_iter()
-            .try_for_each(|worker| worker.join().unwrap_or(Ok(())))
+        let running: Vec<_> = (0..jobs).map(|_| scope.spawn(work)).collect();
+        for job in running {
+            job.join().map_err(|_| "a job has failed")??;
+        }
+        Ok(())
     })
 }
 
-/// Print every verdict; whether all sites were caught.
-fn report(wanted: &[(usize, &String)], verdicts: &[Verdict]) -> bool {
-    let mut survived = 0;
-    for (_, name) in wanted {
-        let verdict = verdicts.iter().find(|verdict| &verdict.site == *name);
-        match verdict.and_then(|verdict| verdict.caught_by.as_deref()) {
-            Some(test) => println!("caught    {name}  by {test}"),
-            None => {
-                survived += 1;
-                println!("SURVIVED  {name}");
-            }
+/// Print what was left out, what survived and how many were caught.
+fn report(tried: &[Site], exempted: &[Site], results: &Results) -> ExitCode {
+    println!("\nLeft out:");
+    for site in exempted {
+        println!("{site}: {}", exempt::reason(site).unwrap_or_default());
+    }
+    println!("\nSurvived:");
+    let mut survivors = 0;
+    for site in tried {
+        if let Some(fate @ (Fate::Survived | Fate::Unused)) = results.fate(site) {
+            survivors += 1;
+            println!("{site}: {fate}");
         }
     }
     println!(
-        "{} sites, {} caught, {survived} survived",
-        wanted.len(),
-        wanted.len() - survived
+        "\n{} of {} sites caught, {survivors} survived, {} left out",
+        tried.len() - survivors,
+        tried.len(),
+        exempted.len()
     );
-    survived == 0
-}
-
-fn campaign(arguments: &Arguments) -> Result<bool> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let targets = targets(&root)?;
-    let names = names(&targets);
-    for (target, name) in targets.iter().zip(&names) {
-        if let Some(reason) = exemption(target) {
-            println!("exempt    {name}: {reason}");
-        }
-    }
-    let chosen = |(number, name): &(usize, &String)| {
-        let matches = arguments
-            .only
-            .as_ref()
-            .is_none_or(|pattern| name.contains(pattern));
-        matches && exemption(&targets[*number]).is_none()
-    };
-    let wanted: Vec<(usize, &String)> = names.iter().enumerate().filter(chosen).collect();
-    if arguments.list {
-        wanted.iter().for_each(|(_, name)| println!("{name}"));
-        return Ok(true);
-    }
-    if let Some(folder) = arguments.results.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    let known = earlier(&arguments.results)?;
-    let is_new = |(_, name): &&(usize, &String)| known.iter().all(|verdict| &verdict.site != *name);
-    let open: Vec<(usize, &String)> = wanted.iter().filter(is_new).copied().collect();
-    if !open.is_empty() {
-        let folder = tempfile::tempdir()?;
-        let gate = build(&root, folder.path(), &targets)?;
-        let unscaled = noticed_by(&gate, None)?;
-        ensure!(
-            unscaled.is_none(),
-            "the gate fails without any fault: {unscaled:?}"
-        );
-        run(&gate, &open, arguments)?;
-    }
-    Ok(report(&wanted, &earlier(&arguments.results)?))
-}
-
-fn main() -> Result<ExitCode> {
-    let all_caught = campaign(&Arguments::parse())?;
-    Ok(if all_caught {
+    if survivors == 0 {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
-    })
+    }
 }

@@ -1,58 +1,62 @@
-//! The part of a circle that lies in a rectangle, from the points where it crosses the edges.
+//! How much of a circle lies in a rectangle, by following the circle from edge to edge.
 
 use std::f64::consts::TAU;
 
-/// Fraction of the circle around a point that lies in [0, width] x [0, height]; any x where the width is
-/// infinite.
-pub fn fraction_inside([x, y]: [f64; 2], radius: f64, [width, height]: [f64; 2]) -> f64 {
-    let mut cuts = vec![0.0, TAU];
-    let mut crossing = |sine: f64, quarter: f64| {
-        if sine.abs() < 1.0 {
-            let angle = sine.asin();
-            cuts.extend(
-                [angle + quarter, std::f64::consts::PI - angle + quarter]
-                    .map(|cut| cut.rem_euclid(TAU)),
-            );
-        }
-    };
-    crossing(-y / radius, 0.0);
-    crossing((height - y) / radius, 0.0);
-    if width.is_finite() {
-        crossing(-x / radius, -std::f64::consts::FRAC_PI_2);
-        crossing((width - x) / radius, -std::f64::consts::FRAC_PI_2);
-    }
-    cuts.sort_by(f64::total_cmp);
-    let inside = |angle: f64| {
-        let (dx, dy) = (radius * angle.cos(), radius * angle.sin());
-        let across = !width.is_finite() || (0.0..=width).contains(&(x + dx));
-        across && (0.0..=height).contains(&(y + dy))
-    };
-    let arcs = cuts
-        .windows(2)
-        .filter(|arc| inside(0.5 * (arc[0] + arc[1])));
-    arcs.map(|arc| arc[1] - arc[0]).sum::<f64>() / TAU
+/// A rectangle with a corner in the origin; without width it is a strip.
+#[derive(Clone, Copy, Debug)]
+pub struct Rectangle {
+    /// Horizontal side; a strip has none.
+    pub width: Option<f64>,
+    /// Vertical side.
+    pub height: f64,
 }
 
-/// Number of connected components of a graph, by walking it.
-pub fn components(nodes: usize, edges: &[(usize, usize)]) -> usize {
-    let mut neighbours = vec![Vec::new(); nodes];
-    for &(a, b) in edges {
-        neighbours[a].push(b);
-        neighbours[b].push(a);
+impl Rectangle {
+    fn contains(&self, [x, y]: [f64; 2]) -> bool {
+        let across = |width: f64| (0.0..=width).contains(&x);
+        (0.0..=self.height).contains(&y) && self.width.is_none_or(across)
     }
-    let mut seen = vec![false; nodes];
-    let mut number = 0;
-    for first in 0..nodes {
-        if seen[first] {
-            continue;
-        }
-        number += 1;
-        let mut open = vec![first];
-        while let Some(node) = open.pop() {
-            if !std::mem::replace(&mut seen[node], true) {
-                open.extend(&neighbours[node]);
+
+    /// Fraction of the circle around a point that lies inside: the angles at which the circle crosses the
+    /// lines of the edges cut it into arcs, and the middle of each tells whether it is inside.
+    pub fn fraction_inside(&self, [x, y]: [f64; 2], radius: f64) -> f64 {
+        let mut angles = vec![0.0, TAU];
+        let mut cut = |angle: f64| angles.push(angle.rem_euclid(TAU));
+        for offset in [-y, self.height - y] {
+            if offset.abs() < radius {
+                let angle = (offset / radius).asin();
+                cut(angle);
+                cut(TAU / 2.0 - angle);
             }
         }
+        for offset in self.width.map_or(vec![], |width| vec![-x, width - x]) {
+            if offset.abs() < radius {
+                let angle = (offset / radius).acos();
+                cut(angle);
+                cut(-angle);
+            }
+        }
+        angles.sort_by(f64::total_cmp);
+        let arcs = angles.windows(2).filter(|ends| {
+            let (sine, cosine) = (0.5 * (ends[0] + ends[1])).sin_cos();
+            self.contains([x + radius * cosine, y + radius * sine])
+        });
+        arcs.map(|ends| ends[1] - ends[0]).sum::<f64>() / TAU
     }
-    number
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Rectangle;
+
+    #[test]
+    fn a_corner_sees_a_quarter_and_an_edge_a_half() {
+        let square = Rectangle {
+            width: Some(2.0),
+            height: 2.0,
+        };
+        assert!((square.fraction_inside([0.0, 0.0], 1.0) - 0.25).abs() < 1e-15);
+        assert!((square.fraction_inside([1.0, 0.0], 0.5) - 0.5).abs() < 1e-15);
+        assert!((square.fraction_inside([1.0, 1.0], 0.5) - 1.0).abs() < 1e-15);
+    }
 }

@@ -1,0 +1,301 @@
+//! The tests of the gate as programs that are run directly.
+
+use crate::Outcome;
+use crate::results::{Fate, Results};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+
+/// Tests that are not run: those that read the sources, which differ in the copy, those that start the
+/// program or are long, and the thorough half of the register.
+const SKIPPED: [&str; 9] = [
+    "layering::",
+    "equations::",
+    "identities::every_formula",
+    "commands::",
+    "program::",
+    "bad_input::",
+    "nothing_lost::",
+    "register::thorough::",
+    "perturbation::",
+];
+
+/// How much longer than unperturbed tests may take.
+const PATIENCE: f64 = 20.0;
+
+/// A test: its program and its name.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Test {
+    /// Which program.
+    program: usize,
+    /// Name of the test.
+    name: String,
+    /// How long it takes in s, with notes of the sites.
+    seconds: f64,
+    /// The sites it uses.
+    uses: Vec<usize>,
+}
+
+/// All tests, fast ones first.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Tests(Vec<Test>);
+
+/// The programs of the gate.
+pub struct Gate {
+    programs: Vec<PathBuf>,
+    folder: PathBuf,
+}
+
+/// How a run of tests ended.
+enum End {
+    Passed,
+    Failed(String),
+}
+
+impl Gate {
+    /// Build the gate of the copied workspace.
+    ///
+    /// # Errors
+    /// A workspace that does not compile.
+    pub fn build(copy: &Path) -> Outcome<Self> {
+        let output = Command::new(env!("CARGO"))
+            .args(["test", "--no-run", "--message-format=json"])
+            .args(["-p", "gouge-kernel", "-p", "gouge-validation"])
+            .args(["--lib", "--test", "gate"])
+            .current_dir(copy)
+            .stderr(Stdio::inherit())
+            .output()?;
+        let text = String::from_utf8_lossy(&output.stdout);
+        if !output.status.success() {
+            return Err(errors(&text).into());
+        }
+        let mut programs: Vec<PathBuf> = text.lines().filter_map(program).collect();
+        programs.sort();
+        Ok(Self {
+            programs,
+            folder: copy.join("validation"),
+        })
+    }
+
+    /// What tells this gate from others.
+    pub fn name(&self) -> String {
+        let of = |path: &PathBuf| {
+            let modified = fs::metadata(path).and_then(|data| data.modified());
+            format!("{} {modified:?}", path.display())
+        };
+        self.programs.iter().map(of).collect::<Vec<_>>().join(" ")
+    }
+
+    /// Which sites each test uses, as found before or by running each test once.
+    ///
+    /// # Errors
+    /// Tests that fail as they are.
+    pub fn learn(
+        &self,
+        folder: &Path,
+        jobs: usize,
+        sites: usize,
+        results: &mut Results,
+    ) -> Outcome<Tests> {
+        if let Some(tests) = results.tests() {
+            return Ok(tests);
+        }
+        let names = self.names()?;
+        println!("{} tests, {sites} sites", names.len());
+        for program in 0..self.programs.len() {
+            let own: Vec<&str> = names
+                .iter()
+                .filter(|one| one.0 == program)
+                .map(|one| one.1.as_str())
+                .collect();
+            if let End::Failed(test) = self.run(program, &own, &[], None)? {
+                return Err(format!("{test} fails as it is").into());
+            }
+        }
+        let (next, found) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+        let work = || -> Outcome<()> {
+            loop {
+                let number = next.fetch_add(1, Ordering::Relaxed);
+                let Some((program, name)) = names.get(number) else {
+                    return Ok(());
+                };
+                let log = folder.join(format!("used-{number}"));
+                let test = self.observe(*program, name, &log)?;
+                found
+                    .lock()
+                    .map_err(|_| "another job has failed")?
+                    .push(test);
+            }
+        };
+        std::thread::scope(|scope| -> Outcome<()> {
+            let running: Vec<_> = (0..jobs).map(|_| scope.spawn(work)).collect();
+            for job in running {
+                job.join().map_err(|_| "a job has failed")??;
+            }
+            Ok(())
+        })?;
+        let mut found = found.into_inner().map_err(|_| "a job has failed")?;
+        found.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+        let tests = Tests(found);
+        results.keep_tests(&tests)?;
+        Ok(tests)
+    }
+
+    /// Run one test and see which sites it uses. Notes cost memory, so that a test of that may fail.
+    fn observe(&self, program: usize, name: &str, log: &Path) -> Outcome<Test> {
+        let _ = fs::remove_file(log);
+        let start = Instant::now();
+        let variable = ("GOUGE_SITES_USED", log.to_string_lossy().into_owned());
+        self.run(program, &[name], &[variable], None)?;
+        let seconds = start.elapsed().as_secs_f64();
+        let text = fs::read_to_string(log).unwrap_or_default();
+        let _ = fs::remove_file(log);
+        let uses = text.lines().map(str::parse).collect::<Result<_, _>>()?;
+        Ok(Test {
+            program,
+            name: name.to_owned(),
+            seconds,
+            uses,
+        })
+    }
+
+    /// All tests that are not skipped, with their programs.
+    fn names(&self) -> Outcome<Vec<(usize, String)>> {
+        let mut names = Vec::new();
+        for (number, program) in self.programs.iter().enumerate() {
+            let output = Command::new(program)
+                .args(["--list", "--format", "terse"])
+                .current_dir(&self.folder)
+                .output()?;
+            let text = String::from_utf8(output.stdout)?;
+            let tests = text.lines().filter_map(|line| line.strip_suffix(": test"));
+            let wanted = tests.filter(|name| !SKIPPED.iter().any(|skip| name.contains(skip)));
+            names.extend(wanted.map(|name| (number, name.to_owned())));
+        }
+        Ok(names)
+    }
+
+    /// Scale a site and run the tests that use it until one fails.
+    ///
+    /// # Errors
+    /// Programs that cannot be run.
+    pub fn try_site(&self, site: usize, tests: &Tests) -> Outcome<Fate> {
+        let users: Vec<&Test> = tests.0.iter().filter(|t| t.uses.contains(&site)).collect();
+        if users.is_empty() {
+            return Ok(Fate::Unused);
+        }
+        let variable = [("GOUGE_SITE", site.to_string())];
+        // Few tests at first, more and more of them while nothing fails.
+        let (mut from, mut size) = (0, 8);
+        while from < users.len() {
+            let batch = &users[from..users.len().min(from + size)];
+            let mut by_program: BTreeMap<usize, (Vec<&str>, f64)> = BTreeMap::new();
+            for test in batch {
+                let (names, seconds) = by_program.entry(test.program).or_default();
+                names.push(&test.name);
+                *seconds += test.seconds;
+            }
+            for (program, (names, seconds)) in by_program {
+                let limit = Duration::from_secs_f64(10.0 + PATIENCE * seconds);
+                if let End::Failed(test) = self.run(program, &names, &variable, Some(limit))? {
+                    return Ok(Fate::Caught(test));
+                }
+            }
+            from += size;
+            size *= 2;
+        }
+        Ok(Fate::Survived)
+    }
+
+    /// Run tests of a program, one after another, until one fails.
+    fn run(
+        &self,
+        program: usize,
+        names: &[&str],
+        variables: &[(&str, String)],
+        limit: Option<Duration>,
+    ) -> Outcome<End> {
+        if names.is_empty() {
+            return Ok(End::Passed);
+        }
+        let mut child = Command::new(&self.programs[program])
+            .args(["--exact", "--test-threads=1"])
+            .args(names)
+            .envs(variables.iter().map(|(name, value)| (*name, value)))
+            .current_dir(&self.folder)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()?;
+        let end = watch(&mut child, limit);
+        let _ = child.kill();
+        let status = child.wait()?;
+        match end {
+            Some(end) => Ok(end),
+            None if status.success() => Ok(End::Passed),
+            None => Ok(End::Failed(format!("one of {}", names.join(", ")))),
+        }
+    }
+}
+
+/// Read what a program says until a test fails or time is up; nothing where it says no more.
+fn watch(child: &mut Child, limit: Option<Duration>) -> Option<End> {
+    let output = BufReader::new(child.stdout.take()?);
+    let (send, receive) = mpsc::channel();
+    std::thread::spawn(move || {
+        for line in output.lines().map_while(Result::ok) {
+            if send.send(line).is_err() {
+                return;
+            }
+        }
+    });
+    let deadline = limit.map(|limit| Instant::now() + limit);
+    loop {
+        let line = match deadline {
+            None => receive.recv().ok()?,
+            Some(deadline) => {
+                let left = deadline.saturating_duration_since(Instant::now());
+                match receive.recv_timeout(left) {
+                    Ok(line) => line,
+                    Err(mpsc::RecvTimeoutError::Disconnected) => return None,
+                    Err(mpsc::RecvTimeoutError::Timeout) => {
+                        return Some(End::Failed("the clock: it did not end".to_owned()));
+                    }
+                }
+            }
+        };
+        if let Some(test) = line
+            .strip_prefix("test ")
+            .and_then(|rest| rest.strip_suffix(" ... FAILED"))
+        {
+            return Some(End::Failed(test.to_owned()));
+        }
+    }
+}
+
+/// The test program that a message of cargo tells of.
+fn program(line: &str) -> Option<PathBuf> {
+    let message: serde_json::Value = serde_json::from_str(line).ok()?;
+    let is_test = message["profile"]["test"].as_bool()?;
+    let name = message["target"]["name"].as_str()?;
+    let wanted = is_test && ["gate", "gouge_kernel"].contains(&name);
+    wanted.then(|| message["executable"].as_str().map(PathBuf::from))?
+}
+
+/// What the compiler complains about.
+fn errors(text: &str) -> String {
+    let rendered = |line: &str| {
+        let message: serde_json::Value = serde_json::from_str(line).ok()?;
+        let message = &message["message"];
+        let is_error = message["level"].as_str()? == "error";
+        is_error.then(|| message["rendered"].as_str().map(str::to_owned))?
+    };
+    let all: Vec<String> = text.lines().filter_map(rendered).collect();
+    format!("the copy does not compile\n{}", all.join("\n"))
+}
