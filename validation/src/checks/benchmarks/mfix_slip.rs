@@ -46,7 +46,7 @@ pub fn checks() -> Vec<Check> {
             oracle: "Closed form: slip u_0 exp(-7 gamma t / (2 m)), velocity (5 u_0 + 2 slip) / 7",
             norm: "Largest error of velocity and surface speed in units of u_0, every 0.05 ms",
             origin: Origin::Convergent,
-            reason: "The error is a series in dt from dt^2 on; extrapolation through four steps leaves (rate dt)^5 of the finer ones, 0.1, 0.05, 0.025 and 0.0125, their product over 5!: 1e-9 at most",
+            reason: "The error is a series in dt from dt^2 on; extrapolation through four steps leaves 1.04e-3 of its term in dt^5, which with rate dt = 0.1 for the coarsest is 1.04e-8 times a coefficient below a tenth, as the decay of an exponential has",
             effort: Effort::Quick,
             measure: viscous,
         },
