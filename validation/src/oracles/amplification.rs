@@ -168,8 +168,33 @@ pub fn boundary(method: Method, [k, c]: [f64; 2], growth: f64) -> f64 {
     low
 }
 
+/// All steps, in units of 1/w and up to the given one, at which a mode begins or ceases to grow.
+///
+/// Beeman's method has three below 1.5 % of critical damping: its complex pair grows between the first two.
+pub fn crossings(method: Method, zeta: f64, longest: f64) -> Vec<f64> {
+    const GRID: u32 = 800;
+    let grows = |step: f64| spectral_radius(method, step * step, 2.0 * zeta * step) > 1.0 + 1e-12;
+    let at = |i: u32| longest * f64::from(i) / f64::from(GRID);
+    let changes = (1..GRID).filter(|&i| grows(at(i)) != grows(at(i + 1)));
+    let locate = |i: u32| {
+        let (mut low, mut high) = (at(i), at(i + 1));
+        let before = grows(low);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if grows(middle) == before {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    };
+    changes.map(locate).collect()
+}
+
 /// The boundary in closed form, w dt at a positive damping ratio, where there is one: Beeman's is the
-/// root of its polynomial at minus one, and for small damping a pair of complex roots, without one.
+/// root of its polynomial at minus one, and below 1.5 % of critical damping a pair of complex roots, without
+/// one.
 ///
 /// Euler: the determinant 1 - c + k reaches one, or above critical damping the smaller root of
 /// 4 - 2 c + k = 0. Taylor: its determinant 1 - c + k/2, or 4 - 2 c = 0. The others: the value of the
@@ -184,7 +209,7 @@ pub fn closed_boundary(method: Method, zeta: f64) -> Option<f64> {
         Method::SymplecticEuler => Some(root(4.0 * zeta, 1.0, 4.0)),
         Method::Taylor => Some((4.0 * zeta).min(1.0 / zeta)),
         Method::VelocityVerlet => Some(root(8.0 * zeta, 1.0, 4.0)),
-        Method::Beeman if zeta >= 0.06 => Some(root(40.0 * zeta, 7.0, 12.0)),
+        Method::Beeman if zeta >= 0.02 => Some(root(40.0 * zeta, 7.0, 12.0)),
         Method::Beeman => None,
     }
 }

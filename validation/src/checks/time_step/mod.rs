@@ -2,6 +2,8 @@
 
 mod amplification;
 mod bracket;
+mod growth;
+mod map;
 mod modes;
 pub(super) mod network;
 mod packing;
@@ -20,6 +22,8 @@ pub fn topic() -> Topic {
             amplification::checks(),
             bracket::checks(),
             packing::checks(),
+            growth::checks(),
+            map::checks(),
             waves::checks(),
         ]
         .into_iter()
