@@ -4,4 +4,5 @@ pub mod dissipation;
 pub mod flow;
 pub mod original;
 pub mod oscillator;
+pub mod printed;
 pub mod sliding;
