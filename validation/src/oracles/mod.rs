@@ -17,6 +17,7 @@ pub mod minimum;
 pub mod normal;
 pub mod original;
 pub mod oscillator;
+pub mod printed;
 pub mod quadrature;
 pub mod rolling;
 pub mod settling;

@@ -4,7 +4,9 @@ mod events;
 mod fields;
 mod heat;
 mod links;
+mod many;
 mod momenta;
+mod printed;
 mod residual;
 mod text;
 
@@ -25,6 +27,8 @@ pub fn topic() -> Topic {
             residual::checks(),
             events::checks(),
             momenta::checks(),
+            printed::checks(),
+            many::checks(),
         ]
         .into_iter()
         .flatten()

@@ -1,6 +1,7 @@
 //! Stiff and extreme.
 
 mod cases;
+mod limits;
 mod pairs;
 mod random;
 mod stiff;
@@ -14,7 +15,7 @@ pub fn topic() -> Topic {
         title: "Stiff and extreme",
         about: "Stiffness, sizes, overlaps, speeds, places and magnitudes at the ends of their ranges: what comes out is \
                 finite and right, or a typed error.",
-        checks: [stiff::checks(), random::checks()]
+        checks: [stiff::checks(), limits::checks(), random::checks()]
             .into_iter()
             .flatten()
             .collect(),

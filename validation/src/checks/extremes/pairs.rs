@@ -10,7 +10,7 @@ use gouge_kernel::{Start, World};
 use std::f64::consts::PI;
 
 /// Density of all particles in kg/m^3.
-pub const DENSITY: f64 = 2700.0;
+const DENSITY: f64 = 2700.0;
 
 /// Mass of a sphere in kg.
 pub fn mass(radius: f64) -> f64 {
@@ -27,15 +27,6 @@ pub fn free(position: [f64; 2], velocity: [f64; 2], radius: f64) -> Particle {
         radius,
         density: DENSITY,
         role: Role::Free,
-    }
-}
-
-/// Contacts without friction.
-pub fn frictionless(normal: ContactNormal) -> Contact {
-    Contact {
-        distance: ContactDistance::Radius,
-        normal,
-        tangential: None,
     }
 }
 
