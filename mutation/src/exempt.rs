@@ -1,6 +1,6 @@
 //! Numbers that steer an algorithm and stand in no formula: changing one by a millionth changes no result.
 
-use crate::sites::Site;
+use crate::site::Site;
 
 /// Sites that are left out, with the reason.
 struct Exemption {

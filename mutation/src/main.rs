@@ -9,13 +9,15 @@
 mod declared;
 mod exempt;
 mod gate;
+mod names;
 mod results;
+mod site;
 mod sites;
 mod workspace;
 
 use clap::Parser;
 use results::{Fate, Results};
-use sites::Site;
+use site::Site;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Mutex;

@@ -2,7 +2,7 @@
 
 use crate::Outcome;
 use crate::gate::{Gate, Tests};
-use crate::sites::Site;
+use crate::site::Site;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fmt;
@@ -29,20 +29,6 @@ impl fmt::Display for Fate {
             Self::Survived => out.write_str("SURVIVED"),
             Self::Unused => out.write_str("SURVIVED, for no test uses it"),
         }
-    }
-}
-
-impl fmt::Display for Site {
-    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
-        let Self {
-            id,
-            file,
-            line,
-            function,
-            expression,
-            ..
-        } = self;
-        write!(out, "{id:4} {file}:{line} {function} `{expression}`")
     }
 }
 

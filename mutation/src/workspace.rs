@@ -2,7 +2,8 @@
 
 use crate::Outcome;
 use crate::declared::Declared;
-use crate::sites::{Findings, Side, Site, find};
+use crate::site::{Findings, Side, Site};
+use crate::sites::find;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -86,6 +87,8 @@ pub fn sites(sources: &[Source]) -> Vec<Site> {
 pub fn plant(root: &Path, copy: &Path, sources: &[Source]) -> Outcome<()> {
     let mut paths = Vec::new();
     list(root, &mut paths)?;
+    let module_path = copy.join(KERNEL).join("perturbation.rs");
+    remove_others(root, copy, &module_path)?;
     for path in paths {
         let inside = path.strip_prefix(root)?;
         let source = sources.iter().find(|source| source.path == inside);
@@ -101,10 +104,21 @@ pub fn plant(root: &Path, copy: &Path, sources: &[Source]) -> Outcome<()> {
     let number = sites(sources).len();
     let module =
         include_str!("perturbation.rs.txt").replace("NUMBER_OF_SITES", &number.to_string());
-    write(
-        &copy.join(KERNEL).join("perturbation.rs"),
-        module.as_bytes(),
-    )
+    write(&module_path, module.as_bytes())
+}
+
+/// Remove files of the copy that the workspace has no longer.
+fn remove_others(root: &Path, copy: &Path, kept: &Path) -> Outcome<()> {
+    let mut paths = Vec::new();
+    if copy.exists() {
+        list(copy, &mut paths)?;
+    }
+    for path in paths {
+        if path != kept && !root.join(path.strip_prefix(copy)?).exists() {
+            fs::remove_file(path)?;
+        }
+    }
+    Ok(())
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Outcome<()> {
