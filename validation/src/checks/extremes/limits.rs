@@ -6,7 +6,7 @@ use gouge_kernel::forces::LinkState;
 use gouge_kernel::geometry::{ContactDistance, Vec2};
 use gouge_kernel::integrators::Integrator;
 use gouge_kernel::laws::{Bshp, CundallStrack, CundallStrackTruncated, HaffWerner};
-use gouge_kernel::model::{ContactNormal, ContactTangential, Domain, Model};
+use gouge_kernel::model::{Contact, ContactNormal, ContactTangential, Domain, Model};
 use gouge_kernel::particles::{Particle, Particles};
 use gouge_kernel::{ModelError, Start, StepError, World};
 
@@ -71,7 +71,7 @@ const GRIP: f64 = 1e9;
 
 /// The contact of two spheres at a distance, spinning alike.
 fn contact_at(
-    contact: gouge_kernel::model::Contact,
+    contact: Contact,
     radii: [f64; 2],
     distance: f64,
 ) -> Result<(LinkState, bool), Failure> {
@@ -108,61 +108,74 @@ fn sliding() -> [ContactTangential; 2] {
     ]
 }
 
-fn coincidence() -> Outcome {
-    let r = 1e-3;
-    let viscoelastic = Bshp {
+/// What is found at a distance with one lever arm.
+fn rubbing_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measurement>, Failure> {
+    let (r, sum) = (radii[0], radii[0] + radii[1]);
+    let slack = 1.5 * d / r + 10.0 * f64::EPSILON;
+    let mut all = Vec::new();
+    for law in sliding() {
+        let (link, finite) = contact_at(kelvin_voigt(K, 1.0, arm, Some(law)), radii, d)?;
+        all.push(Measurement::count(usize::from(!finite)));
+        all.push(Measurement::relative(-K * sum, link.normal_force, slack));
+        let (ContactTangential::HaffWerner(_), true) = (law, d > 0.0) else {
+            continue;
+        };
+        let limit = MU * link.normal_force.abs();
+        let lost = 4.0 * f64::EPSILON * (radii[1] * radii[1] - r * r) / (d * d);
+        let (expected, slack) = match arm {
+            ContactDistance::Radius => (-limit * sum / d, slack),
+            // The surfaces slide at D times the spin: the viscous branch in the end.
+            ContactDistance::Focal => (-limit.min(GRIP * SPIN * d), slack + lost),
+            ContactDistance::Mean => (-limit * r / d, d / r + 10.0 * f64::EPSILON),
+        };
+        if lost < 1e-3 && (arm != ContactDistance::Mean || radii[1] == r) {
+            all.push(Measurement::relative(
+                expected,
+                link.tangential_force,
+                slack,
+            ));
+        }
+    }
+    Ok(all)
+}
+
+/// What is found at a distance between viscoelastic spheres.
+fn viscoelastic_at(radii: [f64; 2], d: f64) -> Result<[Measurement; 2], Failure> {
+    let law = Bshp {
         youngs_modulus: 50e9,
         poissons_ratio: 0.22,
         dissipative_constant: 1e-7,
     };
-    let modulus = 50e9 / (2.0 * (1.0 - 0.22 * 0.22));
-    let distances = [1e-4, 1e-6, 1e-9, 1e-15, 1e-60, 1.1e-145, 0.0];
+    let contact = Contact {
+        normal: ContactNormal::Bshp(law),
+        ..kelvin_voigt(K, 0.0, ContactDistance::Radius, None)
+    };
+    let (link, finite) = contact_at(contact, radii, d)?;
+    let (sum, modulus) = (radii[0] + radii[1], 50e9 / (2.0 * (1.0 - 0.22 * 0.22)));
+    let reduced = radii[0] * radii[1] / sum;
+    let hertz = -4.0 / 3.0 * modulus * reduced.sqrt() * sum.powf(1.5);
+    let slack = 1.5 * d / radii[0] + 10.0 * f64::EPSILON;
+    Ok([
+        Measurement::count(usize::from(!finite)),
+        Measurement::relative(hertz, link.normal_force, slack),
+    ])
+}
+
+fn coincidence() -> Outcome {
+    let r = 1e-3;
+    let arms = [
+        ContactDistance::Radius,
+        ContactDistance::Focal,
+        ContactDistance::Mean,
+    ];
     let mut all = Vec::new();
-    for (radii, d) in [[r, r], [r, 1.5 * r]]
-        .into_iter()
-        .flat_map(|radii| distances.map(|d| (radii, d)))
-    {
-        let sum = radii[0] + radii[1];
-        let slack = 1.5 * d / r + 10.0 * f64::EPSILON;
-        for arm in [
-            ContactDistance::Radius,
-            ContactDistance::Focal,
-            ContactDistance::Mean,
-        ] {
-            for law in sliding() {
-                let (link, finite) = contact_at(kelvin_voigt(K, 1.0, arm, Some(law)), radii, d)?;
-                all.push(Measurement::count(usize::from(!finite)));
-                all.push(Measurement::relative(-K * sum, link.normal_force, slack));
-                let (ContactTangential::HaffWerner(_), true) = (law, d > 0.0) else {
-                    continue;
-                };
-                let limit = MU * link.normal_force.abs();
-                let lost = 4.0 * f64::EPSILON * (radii[1] * radii[1] - r * r) / (d * d);
-                let (expected, slack) = match arm {
-                    ContactDistance::Radius => (-limit * sum / d, slack),
-                    // The surfaces slide at D times the spin: the viscous branch in the end.
-                    ContactDistance::Focal => (-limit.min(GRIP * SPIN * d), slack + lost),
-                    ContactDistance::Mean => (-limit * r / d, d / r + 10.0 * f64::EPSILON),
-                };
-                let judged = lost < 1e-3 && (arm != ContactDistance::Mean || radii[1] == r);
-                if judged {
-                    all.push(Measurement::relative(
-                        expected,
-                        link.tangential_force,
-                        slack,
-                    ));
-                }
+    for radii in [[r, r], [r, 1.5 * r]] {
+        for d in [1e-4, 1e-6, 1e-9, 1e-15, 1e-60, 1.1e-145, 0.0] {
+            for arm in arms {
+                all.extend(rubbing_at(arm, radii, d)?);
             }
+            all.extend(viscoelastic_at(radii, d)?);
         }
-        let contact = gouge_kernel::model::Contact {
-            normal: ContactNormal::Bshp(viscoelastic),
-            ..kelvin_voigt(K, 0.0, ContactDistance::Radius, None)
-        };
-        let (link, finite) = contact_at(contact, radii, d)?;
-        let reduced = radii[0] * radii[1] / sum;
-        let hertz = -4.0 / 3.0 * modulus * reduced.sqrt() * sum.powf(1.5);
-        all.push(Measurement::count(usize::from(!finite)));
-        all.push(Measurement::relative(hertz, link.normal_force, slack));
     }
     Ok(Measurement::worst(all).into())
 }
