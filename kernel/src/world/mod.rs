@@ -69,9 +69,11 @@ impl<S: Real> World<S> {
     /// The world of a model, with its particles and links at t = 0.
     ///
     /// # Errors
-    /// Links that cannot be, a periodic box narrower than two cells, driving without driven particles.
+    /// Links that cannot be, a periodic box narrower than two cells, driving without driven particles,
+    /// masses or moments of inertia beyond all numbers or with inverses that are.
     pub fn new(model: Model, particles: Particles<S>, start: &Start) -> Result<Self, ModelError> {
         check_width(&model, &particles)?;
+        check_inertia(&particles)?;
         let driven: Vec<u32> = match model.driving {
             Some(_) => particles
                 .with_role(Role::Driven)
@@ -294,6 +296,31 @@ impl<S: Real> World<S> {
             None => energy,
         }
     }
+}
+
+/// What can move has a mass and a moment of inertia that are finite, and so are their inverses.
+fn check_inertia<S: Real>(particles: &Particles<S>) -> Result<(), ModelError> {
+    let columns = [
+        ("the mass of a particle", &particles.mass),
+        (
+            "the moment of inertia of a particle",
+            &particles.moment_of_inertia,
+        ),
+    ];
+    for (name, column) in columns {
+        for (i, &inertia) in column.iter().enumerate() {
+            let inverse = S::from_f64(1.0) / inertia;
+            let is_usable = inertia.is_finite() && inverse.is_finite();
+            if !particles.is_fixed(i) && !is_usable {
+                return Err(ModelError::Parameter {
+                    name,
+                    value: inertia.to_f64(),
+                    accepted: "finite, and so must be its inverse",
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A periodic box holds at least two cells across, so that a pair never meets twice.

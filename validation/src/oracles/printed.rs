@@ -106,8 +106,9 @@ impl Account {
     /// Add the powers of a step, unless the link was away in between.
     fn add(&mut self, now: [f64; 2], look: u64, step: f64) {
         if self.seen + 1 == look {
-            for n in 0..2 {
-                self.work[n] += 0.5 * step * (self.latest[n] + now[n]);
+            let powers = self.latest.iter().zip(&now);
+            for (work, (before, after)) in self.work.iter_mut().zip(powers) {
+                *work += 0.5 * step * (before + after);
             }
         }
         (self.seen, self.latest) = (look, now);

@@ -55,7 +55,7 @@ pub(super) fn checks() -> Vec<Check> {
             oracle: "Works of all links and of driving from the states of the links along the run, signed and with both ends, by the trapezoidal rule",
             norm: "Residual of (72) with these works, and that of the ledger, over the work turned over; a printed gap below one per cent counts one",
             origin: Origin::Convergent,
-            reason: "Sums of first order through contacts that begin and bonds that break within a step: (dt / t) over the 8000, 20000 and 2000 steps, t the time scale of a collision, 200 steps: 5e-3",
+            reason: "Contacts that begin or end and bonds that break within a step leave a residual of first order, one step over the shortest duration of a collision, 200 steps: 5e-3",
             effort: Effort::Thorough,
             measure: table,
         },
