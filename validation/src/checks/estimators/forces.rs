@@ -176,7 +176,7 @@ fn measure_packing() -> Outcome {
     let filled = packing_fraction(&[radius; 200], 200.0 * cell);
     let world = frame()?;
     let p = world.particles();
-    let bonded = |i: usize, j: usize| i % 2 == 0 && i % 5 != 4 && j == i + 1;
+    let bonded = |i: usize, j: usize| i.is_multiple_of(2) && i % 5 != 4 && j == i + 1;
     let mut links = 0;
     for j in 0..p.len() {
         for i in 0..j {
