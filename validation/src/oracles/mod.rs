@@ -3,10 +3,12 @@
 pub mod amplification;
 pub mod arcs;
 pub mod beads;
+pub mod bonded_pair;
 pub mod bounce;
 pub mod components;
 pub mod dissipation;
 pub mod emergent;
+pub mod events;
 pub mod flow;
 pub mod grains;
 pub mod head_on;

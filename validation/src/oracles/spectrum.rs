@@ -150,7 +150,7 @@ mod tests {
             damping: entries(&c),
         };
         for method in [Method::SymplecticEuler, Method::VelocityVerlet] {
-            let step = network.critical_step(method).expect("a critical step");
+            let step = network.critical_step(method).unwrap_or(f64::NAN);
             assert!(radius(method, &k, &c, 0.9999 * step) < 1.0);
             assert!(radius(method, &k, &c, 1.0001 * step) > 1.0);
         }

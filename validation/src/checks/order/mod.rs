@@ -1,5 +1,8 @@
 //! Order of the integrators.
 
+mod events;
+mod rotating;
+
 use super::scenes::{advance, head, particle, world};
 use super::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Topic,
@@ -14,7 +17,7 @@ pub fn topic() -> Topic {
         id: "order",
         title: "Order",
         about: "Observed orders of the integrators, on smooth motion and through events.",
-        checks: vec![Check {
+        checks: [vec![Check {
             id: "order.smooth",
             claim: "On a damped oscillator the error of each integrator falls with the order of theory: one for both Euler methods and Taylor, two for velocity Verlet and Beeman.",
             equations: "(54)-(58)",
@@ -25,8 +28,26 @@ pub fn topic() -> Topic {
             reason: "The next term of the error is smaller by about the step, 1e-3 of the time scale",
             effort: Effort::Quick,
             measure: smooth,
-        }],
+        }], rotating::checks(), events::checks()]
+            .into_iter()
+            .flatten()
+            .collect(),
     }
+}
+
+/// Slope of a line through points in logarithms of both, by least squares.
+fn slope(points: &[[f64; 2]]) -> f64 {
+    let number = points.len() as f64;
+    let logs: Vec<[f64; 2]> = points.iter().map(|point| point.map(f64::ln)).collect();
+    let mean = |axis: usize| logs.iter().map(|log| log[axis]).sum::<f64>() / number;
+    let centre = [mean(0), mean(1)];
+    let moment = |axis: usize| {
+        let terms = logs
+            .iter()
+            .map(|log| (log[0] - centre[0]) * (log[axis] - centre[axis]));
+        terms.sum::<f64>()
+    };
+    moment(1) / moment(0)
 }
 
 const ZETA: f64 = 0.3;
