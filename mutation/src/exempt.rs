@@ -29,6 +29,9 @@ const fn exempt(
 const LIST: &str = "decides when the neighbour list is made anew and what it holds besides contacts; no result depends on it";
 const BISECTION: &str =
     "where an interval is cut; the bisection goes on until nothing is left of it";
+const BRACKET: &str = "brackets the root that the bisection then finds";
+const NORMALISED: &str = "a factor of all pairs; the distribution is divided by its sum afterwards";
+const BEYOND: &str = "which samples and pairs are looked at; those beyond contribute nothing";
 const ROUNDING: &str = "a probability above one by rounding is cut there; exact ones never are";
 
 const EXEMPTIONS: &[Exemption] = &[
@@ -81,6 +84,72 @@ const EXEMPTIONS: &[Exemption] = &[
         "damping_ratio_for",
         "1e150",
         "where the search for an upper bound gives up",
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "(mut low, mut high)",
+        "1.0",
+        BRACKET,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "while truncated_restitution(high)",
+        "restitution",
+        BRACKET,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "(low, high) = (high",
+        "2.0",
+        BRACKET,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "let middle = 0.5",
+        "0.5",
+        BISECTION,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "epanechnikov",
+        "0.75",
+        NORMALISED,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "let weight",
+        "1.0",
+        NORMALISED,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "separation > limit + bandwidth",
+        "bandwidth",
+        BEYOND,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "let first =",
+        "bandwidth",
+        BEYOND,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "let last =",
+        "bandwidth",
+        BEYOND,
+    ),
+    exempt(
+        "kernel/src/forces/driving.rs",
+        "haste: 1.0",
+        "1.0",
+        "a place holder, filled in by the method before it is read",
+    ),
+    exempt(
+        "kernel/src/distributions/uniform.rs",
+        "outside",
+        "x",
+        "tells only on which side of the support a point outside it lies",
     ),
     exempt(
         "kernel/src/distributions/strength.rs",
