@@ -170,7 +170,7 @@ pub fn boundary(method: Method, [k, c]: [f64; 2], growth: f64) -> f64 {
 
 /// All steps, in units of 1/w and up to the given one, at which a mode begins or ceases to grow.
 ///
-/// Beeman's method has three below 1.5 % of critical damping: its complex pair grows between the first two.
+/// Beeman's method has three below 1.33 % of critical damping: its complex pair grows between the first two.
 pub fn crossings(method: Method, zeta: f64, longest: f64) -> Vec<f64> {
     const GRID: u32 = 800;
     let grows = |step: f64| spectral_radius(method, step * step, 2.0 * zeta * step) > 1.0 + 1e-12;
@@ -193,7 +193,7 @@ pub fn crossings(method: Method, zeta: f64, longest: f64) -> Vec<f64> {
 }
 
 /// The boundary in closed form, w dt at a positive damping ratio, where there is one: Beeman's is the
-/// root of its polynomial at minus one, and below 1.5 % of critical damping a pair of complex roots, without
+/// root of its polynomial at minus one, and below 1.33 % of critical damping a pair of complex roots, without
 /// one.
 ///
 /// Euler: the determinant 1 - c + k reaches one, or above critical damping the smaller root of

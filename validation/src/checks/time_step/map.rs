@@ -28,7 +28,7 @@ pub fn checks() -> Vec<Check> {
     };
     let slipping = |id, scene, effort, measure| Check {
         id,
-        claim: "A sticking contact grows exactly where theory lets its spring grow (Beeman: up to w dt = 1.0 and again above 1.309), whatever the stiffness ratio and the coefficient of friction, and slip bounds what grows.",
+        claim: "A sticking contact grows exactly where theory lets its spring grow (Beeman: up to w dt = 1.096 and again above 1.309), whatever the stiffness ratio and the coefficient of friction, and slip bounds what grows.",
         equations: "(36), (42), (55)-(58)",
         scene,
         oracle,

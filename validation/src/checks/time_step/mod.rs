@@ -1,6 +1,7 @@
 //! Time step.
 
 mod amplification;
+mod block;
 mod bracket;
 mod growth;
 mod map;
