@@ -1,5 +1,6 @@
 //! Estimators, the preparation of initial states, and the properties of particles and solid.
 
+mod contacts;
 mod forces;
 mod fragments;
 mod matter;
@@ -12,6 +13,7 @@ use super::Topic;
 pub fn topic() -> Topic {
     let mut checks = radial::checks();
     checks.extend(forces::checks());
+    checks.extend(contacts::checks());
     checks.extend(fragments::checks());
     checks.extend(setup::checks());
     checks.extend(matter::checks());
