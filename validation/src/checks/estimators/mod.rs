@@ -3,6 +3,7 @@
 mod contacts;
 mod forces;
 mod fragments;
+mod links;
 mod matter;
 mod radial;
 mod setup;
@@ -13,6 +14,7 @@ use super::Topic;
 pub fn topic() -> Topic {
     let mut checks = radial::checks();
     checks.extend(forces::checks());
+    checks.extend(links::checks());
     checks.extend(contacts::checks());
     checks.extend(fragments::checks());
     checks.extend(setup::checks());
