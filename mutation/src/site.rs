@@ -31,7 +31,7 @@ pub struct Site {
     pub function: String,
     /// The expression.
     pub expression: String,
-    /// The line on which it begins.
+    /// The line on which it begins, with marks around it.
     pub context: String,
     /// What kind of number it is.
     pub kind: Kind,

@@ -43,7 +43,7 @@ impl Finder<'_> {
             line: expr.span().start().line,
             function: self.function.clone(),
             expression: self.text[range.clone()].to_owned(),
-            context: line_around(self.text, &range).to_owned(),
+            context: marked_line(self.text, &range),
             kind,
             range,
             shorthand,
@@ -92,13 +92,19 @@ impl Finder<'_> {
     }
 }
 
-/// The line on which a range begins.
-fn line_around<'a>(text: &'a str, range: &Range<usize>) -> &'a str {
+/// The line on which a range begins, with marks around the part of the range on it.
+fn marked_line(text: &str, range: &Range<usize>) -> String {
     let start = text[..range.start].rfind('\n').map_or(0, |at| at + 1);
     let end = text[range.start..]
         .find('\n')
         .map_or(text.len(), |at| range.start + at);
-    text[start..end].trim()
+    let inner = range.end.min(end);
+    let [before, marked, after] = [
+        &text[start..range.start],
+        &text[range.start..inner],
+        &text[inner..end],
+    ];
+    format!("{}«{marked}»{after}", before.trim_start())
 }
 
 fn is_for_tests(attributes: &[syn::Attribute]) -> bool {

@@ -1,7 +1,9 @@
 //! Estimators, the preparation of initial states, and the properties of particles and solid.
 
+mod contacts;
 mod forces;
 mod fragments;
+mod links;
 mod matter;
 mod radial;
 mod setup;
@@ -12,6 +14,8 @@ use super::Topic;
 pub fn topic() -> Topic {
     let mut checks = radial::checks();
     checks.extend(forces::checks());
+    checks.extend(links::checks());
+    checks.extend(contacts::checks());
     checks.extend(fragments::checks());
     checks.extend(setup::checks());
     checks.extend(matter::checks());
