@@ -68,7 +68,10 @@ impl Real for Dual {
         self.asin()
     }
     fn atan2(self, other: Self) -> Self {
-        Self(self.0.atan2(other.0))
+        // The slope is that of the angle; a quotient of both arguments would have none where x = 0.
+        let (y, x) = (self.value(), other.value());
+        let slope = (self.slope() * x - other.slope() * y) / (x * x + y * y);
+        Self::new(y.atan2(x), slope)
     }
     fn asinh(self) -> Self {
         Self(self.0.asinh())
@@ -84,5 +87,20 @@ impl Real for Dual {
     }
     fn is_finite(self) -> bool {
         self.value().is_finite() && self.slope().is_finite()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_turns_by_the_cross_product_over_the_square_everywhere() {
+        for (y, x) in [(2.0, 0.0), (-2.0, 0.0), (0.0, -2.0), (1.0, 3.0)] {
+            let moved = Dual::new(y, 0.5).atan2(Dual::new(x, -0.25));
+            let slope = (0.5 * x + 0.25 * y) / (x * x + y * y);
+            assert_eq!(moved.value(), f64::atan2(y, x));
+            assert!((moved.slope() - slope).abs() < 1e-15, "{y} {x}");
+        }
     }
 }
