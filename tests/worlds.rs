@@ -1,5 +1,7 @@
 //! Worlds from the text of scenes.
 
+pub use gouge_validation::checks::scenes::{bits, particle};
+
 use gouge_kernel::World;
 use gouge_validation::scene::Scene;
 use std::path::Path;
@@ -41,25 +43,4 @@ pub fn head(integrator: &str, step: f64) -> String {
         "[time]\nstep = {step:e}\nend = 1.0\nintegrator = \"{integrator}\"\n\
          [material]\ndensity = 2700.0\n"
     )
-}
-
-/// One particle of a scene.
-pub fn particle(position: [f64; 2], velocity: [f64; 2], spin: f64, radius: f64) -> String {
-    format!(
-        "[[particles]]\nposition = [{:e}, {:e}]\nvelocity = [{:e}, {:e}]\n\
-         angular_velocity = {spin:e}\nradius = {radius:e}\n",
-        position[0], position[1], velocity[0], velocity[1]
-    )
-}
-
-/// Bits of everything that moves.
-pub fn bits(world: &World) -> Vec<u64> {
-    let p = world.particles();
-    let vectors = p
-        .position
-        .iter()
-        .chain(&p.velocity)
-        .flat_map(|v| [v.x, v.y]);
-    let numbers = p.angle.iter().chain(&p.angular_velocity).copied();
-    vectors.chain(numbers).map(f64::to_bits).collect()
 }

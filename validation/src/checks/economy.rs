@@ -1,6 +1,6 @@
 //! Pay for use.
 
-use super::scenes::{advance, head, particle, world};
+use super::scenes::{advance, bits, head, particle, world};
 use super::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, Topic};
 use crate::scene::INTEGRATORS;
 use gouge_kernel::World;
@@ -216,18 +216,6 @@ const ZERO: [(&str, &str); 19] = [
         "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n[bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 1.0\n",
     ),
 ];
-
-/// Bits of everything that moves.
-fn bits(world: &World) -> Vec<u64> {
-    let p = world.particles();
-    let vectors = p
-        .position
-        .iter()
-        .chain(&p.velocity)
-        .flat_map(|v| [v.x, v.y]);
-    let numbers = p.angle.iter().chain(&p.angular_velocity).copied();
-    vectors.chain(numbers).map(f64::to_bits).collect()
-}
 
 fn outcome(text: &str, steps: u64) -> Result<Vec<u64>, Failure> {
     let mut world = world(text)?;

@@ -106,6 +106,12 @@ pub fn unit_in_last_place(number: f64) -> f64 {
     }
 }
 
+/// The largest of some sizes; undefined if one of them is, where `f64::max` would forget it.
+pub fn largest(sizes: impl IntoIterator<Item = f64>) -> f64 {
+    let keep = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
+    sizes.into_iter().fold(0.0, keep)
+}
+
 /// What a check shows: its measurement, and what a reader wants to see of it.
 #[derive(Clone, Debug)]
 pub struct Finding {
@@ -159,7 +165,7 @@ pub type Outcome = Result<Finding, Failure>;
 
 #[cfg(test)]
 mod tests {
-    use super::Measurement;
+    use super::{Measurement, largest};
 
     #[test]
     fn an_undefined_error_is_the_worst() {
@@ -170,6 +176,12 @@ mod tests {
         assert!(Measurement::worst([lost, poor, fine]).error.is_nan());
         assert!(fine.passes() && !poor.passes() && !lost.passes());
         assert!(!Measurement::worst([]).passes());
+    }
+
+    #[test]
+    fn the_largest_of_sizes_forgets_no_undefined_one() {
+        assert_eq!(largest([1.0, 3.0, 2.0]), 3.0);
+        assert!(largest([1.0, f64::NAN, 2.0]).is_nan() && largest([f64::NAN]).is_nan());
     }
 
     #[test]

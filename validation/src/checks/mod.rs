@@ -22,7 +22,9 @@ mod time_step;
 mod work_precision;
 
 pub use exhibit::{Axis, Curve, Exhibit, Plot, Style, Table};
-pub use measurement::{Failure, Finding, Measurement, Origin, Outcome, unit_in_last_place};
+pub use measurement::{
+    Failure, Finding, Measurement, Origin, Outcome, largest, unit_in_last_place,
+};
 
 /// How long a check takes, and so who runs it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

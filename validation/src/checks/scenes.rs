@@ -63,6 +63,18 @@ pub fn advance<S: Real>(world: &mut World<S>, steps: u64) -> Result<(), Failure>
     Ok(())
 }
 
+/// Bits of everything that moves.
+pub fn bits(world: &World) -> Vec<u64> {
+    let p = world.particles();
+    let vectors = p
+        .position
+        .iter()
+        .chain(&p.velocity)
+        .flat_map(|v| [v.x, v.y]);
+    let numbers = p.angle.iter().chain(&p.angular_velocity).copied();
+    vectors.chain(numbers).map(f64::to_bits).collect()
+}
+
 /// A model with nothing in it: an open box without links, fields and ledger.
 pub fn empty_model(integrator: Integrator, time_step: f64) -> Model {
     Model {

@@ -3,9 +3,10 @@
 use super::super::scenes::scene;
 use super::super::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    largest,
 };
 use super::printed::fault;
-use crate::run::{enter, phases};
+use crate::run::prepared;
 use crate::scene::builtin;
 use gouge_kernel::World;
 use gouge_kernel::balance::Energy;
@@ -52,7 +53,7 @@ fn balance(mut world: World, time: f64) -> Result<(f64, f64, Energy), Failure> {
             world.step()?;
         }
         let energy = world.energy();
-        residual = residual.max(energy.residual.abs());
+        residual = largest([residual, energy.residual.abs()]);
         turned = turned
             .max(energy.friction.abs() + energy.kinetic)
             .max((energy.mechanical() - first).abs());
@@ -101,13 +102,14 @@ fn pile() -> Outcome {
     let start = |step: f64| {
         let text = builtin::text("pile").unwrap_or_default();
         let text = text.replace("step = 2e-6", &format!("step = {step:e}"));
-        let scene = scene(&text)?;
-        Ok(enter(&scene, &phases(&scene), 0, None)?)
+        Ok(prepared(&scene(&text)?)?)
     };
     let steps = [4e-6, 2e-6, 1e-6, 0.5e-6];
     converge("a pile that collapses", 40e-3, steps, start, |orders| {
-        let lowest = orders.into_iter().fold(f64::INFINITY, f64::min);
-        let missing = if lowest < 1.0 { lowest } else { 1.0 };
+        // An undefined order is the lowest.
+        let lower = |a: f64, b: f64| if b < a || b.is_nan() { b } else { a };
+        let lowest = orders.into_iter().fold(f64::INFINITY, lower);
+        let missing = if lowest >= 1.0 { 1.0 } else { lowest };
         Measurement {
             measured: lowest,
             ..Measurement::absolute(1.0, missing, 0.0)

@@ -218,16 +218,7 @@ pub(super) fn fault(step: f64) -> Result<World, Failure> {
     ] {
         text = text.replace(old, &new);
     }
-    let scene = scene(&text)?;
-    let phases = crate::run::phases(&scene);
-    let mut world = crate::run::enter(&scene, &phases, 0, None)?;
-    for index in 1..phases.len() {
-        for _ in 0..phases[index - 1].steps {
-            world.step()?;
-        }
-        world = crate::run::enter(&scene, &phases, index, Some(world))?;
-    }
-    Ok(world)
+    Ok(crate::run::prepared(&scene(&text)?)?)
 }
 
 /// A built-in scene without set-up.

@@ -2,7 +2,7 @@
 
 use super::super::scenes::{advance, head, particle, world};
 use super::super::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, largest,
 };
 use super::text::{RADIUS, fixed, friction, kelvin_voigt, mass};
 use crate::scene::INTEGRATORS;
@@ -23,13 +23,13 @@ pub(super) fn checks() -> Vec<Check> {
 }
 
 /// Largest residual of a run over its largest kinetic energy, looked at a hundred times.
-pub(super) fn largest(text: &str, steps: u64) -> Result<f64, Failure> {
+pub(super) fn largest_residual(text: &str, steps: u64) -> Result<f64, Failure> {
     let mut world = world(text)?;
     let (mut residual, mut scale) = (0.0_f64, 0.0_f64);
     for _ in 0..100 {
         advance(&mut world, steps / 100)?;
         let energy = world.energy();
-        residual = residual.max(energy.residual.abs());
+        residual = largest([residual, energy.residual.abs()]);
         scale = scale.max(energy.kinetic);
     }
     Ok(residual / scale)
@@ -97,7 +97,10 @@ fn smooth() -> Outcome {
         for ((integrator, _), order) in INTEGRATORS.iter().zip([1.0, 1.0, 1.0, 2.0, 2.0]) {
             let run = |n: u64| {
                 let step = 5.0 * unit / n as f64;
-                Ok([step / unit, largest(&(head(integrator, step) + &scene), n)?])
+                Ok([
+                    step / unit,
+                    largest_residual(&(head(integrator, step) + &scene), n)?,
+                ])
             };
             let points = steps
                 .into_iter()

@@ -1,8 +1,7 @@
 //! The focal point and the distances, areas and volumes of a contact.
 
-use super::{PAIRS, Spheres, identity};
-use crate::checks::random::Random;
-use crate::checks::{Check, Measurement, Outcome};
+use super::{Spheres, identity, worst};
+use crate::checks::{Check, Outcome};
 use crate::oracles::lens;
 use gouge_kernel::geometry::{
     contact_half_length, cylinder_displaced_volume, displaced_volume, focal_distance,
@@ -16,83 +15,69 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             reason: "Both factors come from the same rounded asymmetry with opposite signs; each is rounded once, and so is their sum: one unit of the larger",
-            measure: overlap_factors,
             ..identity(
                 "identities.overlap-factor",
                 "The overlap factors of both sides add up to one.",
                 "(4)",
+                overlap_factors,
             )
         },
         Check {
             reason: "Four roundings of the distance to the focal point, each amplified by the derivative 2 D of the difference of powers",
-            measure: powers,
             ..identity(
                 "identities.equal-power",
                 "The focal point has the same power with respect to both circles.",
                 "(3), (4), (112)",
+                powers,
             )
         },
         Check {
             reason: "Two factors, a product and a root, each rounded once",
-            measure: half_lengths,
             ..identity(
                 "identities.half-length",
                 "Focal distance and half-length of the contact are the legs of a triangle on the radius.",
                 "(112), (113)",
+                half_lengths,
             )
         },
         Check {
             reason: "Rounding of the elementary function and of six operations on terms of one sign: four units, plus the cancellation in r / |y| - 1 near touch, which moves u by at most a third of a unit of r",
-            measure: mean_distances,
             oracle: "The integral in its logarithmic form, (r z + y^2 log((r + z) / |y|)) / (2 z), in double-double",
             ..identity(
                 "identities.mean-distance",
                 "The mean distance to the contact is the average of sqrt(s^2 + y^2) over its length.",
                 "(114)",
+                mean_distances,
             )
         },
         Check {
             reason: "A dozen roundings of the two caps, and a rounding of the focal distances, which moves the wall between the caps, of area pi z^2 or, where that is less, what one rounding of the distance encloses",
-            measure: volumes,
             oracle: "Volume of the lens of two spheres from radii and distance alone, pi (R + r - D)^2 (D^2 + 2 D (R + r) - 3 (R - r)^2) / (12 D), in double-double",
             norm: "Largest error in units of rounding of both caps and of the area of the contact times the larger focal distance",
             ..identity(
                 "identities.sphere-volume",
                 "The displaced volume of two spheres is that of their lens.",
                 "(117)",
+                volumes,
             )
         },
         Check {
             reason: "A dozen roundings of the two segments; the inverse cosine amplifies that of y / r by r / z, and that of the focal distance moves the chord of length 2 z",
-            measure: areas,
             oracle: "Area of the lens of two circles by angles from two-argument arctangents, in double-double",
             norm: "Largest error in units of rounding of both sectors with that amplification",
             ..identity(
                 "identities.cylinder-volume",
                 "The displaced volume of two cylinders is that of the lens of their circles.",
                 "(118)-(120)",
+                areas,
             )
         },
     ]
 }
 
-/// The worst of an error, in units of rounding, over random spheres.
-fn worst(
-    seed: u64,
-    tolerance: f64,
-    draw: fn(&mut Random) -> Spheres,
-    error: impl Fn(&Spheres) -> f64,
-) -> Outcome {
-    let mut random = Random::new(seed);
-    let measured = (0..PAIRS).map(|_| {
-        let units = error(&draw(&mut random));
-        Measurement::absolute(0.0, units, tolerance)
-    });
-    Ok(Measurement::worst(measured).into())
-}
-
 fn overlap_factors() -> Outcome {
-    worst(1, 1.0, Spheres::random, |one| {
+    worst(1, 1.0, |random| {
+        let one = Spheres::random(random);
         let [i, j] = one.radii;
         let b = [
             overlap_factor([i, j], one.distance),
@@ -104,7 +89,8 @@ fn overlap_factors() -> Outcome {
 }
 
 fn powers() -> Outcome {
-    worst(2, 4.0, Spheres::random, |one| {
+    worst(2, 4.0, |random| {
+        let one = Spheres::random(random);
         let [i, j] = one.radii.map(Df64::from);
         let y = Df64::from(focal_distance(one.radii, one.distance));
         let rest = Df64::from(one.distance) - y;
@@ -115,7 +101,8 @@ fn powers() -> Outcome {
 }
 
 fn half_lengths() -> Outcome {
-    worst(3, 4.0, Spheres::crossing, |one| {
+    worst(3, 4.0, |random| {
+        let one = Spheres::crossing(random);
         let y = focal_distance(one.radii, one.distance);
         if y.abs() >= one.radii[0] {
             return 0.0;
@@ -128,7 +115,8 @@ fn half_lengths() -> Outcome {
 }
 
 fn mean_distances() -> Outcome {
-    worst(4, 4.0, Spheres::crossing, |one| {
+    worst(4, 4.0, |random| {
+        let one = Spheres::crossing(random);
         let y = focal_distance(one.radii, one.distance);
         if y.abs() >= one.radii[0] {
             return 0.0;
@@ -140,7 +128,8 @@ fn mean_distances() -> Outcome {
 }
 
 fn volumes() -> Outcome {
-    worst(5, 8.0, Spheres::crossing, |one| {
+    worst(5, 8.0, |random| {
+        let one = Spheres::crossing(random);
         let found = displaced_volume(one.radii, one.distance);
         let lens = lens::Lens::new(one.radii, one.distance);
         f64::from(Df64::from(found) - lens.volume()) / (EPSILON * lens.volume_scale())
@@ -148,7 +137,8 @@ fn volumes() -> Outcome {
 }
 
 fn areas() -> Outcome {
-    worst(6, 8.0, Spheres::crossing, |one| {
+    worst(6, 8.0, |random| {
+        let one = Spheres::crossing(random);
         let found = cylinder_displaced_volume(1.0, one.radii, one.distance);
         let lens = lens::Lens::new(one.radii, one.distance);
         f64::from(Df64::from(found) - lens.area()) / (EPSILON * lens.area_scale())

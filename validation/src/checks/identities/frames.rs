@@ -1,8 +1,8 @@
 //! Frames, angles and images.
 
-use super::{PAIRS, identity, vector};
+use super::{identity, vector, worst};
 use crate::checks::random::Random;
-use crate::checks::{Check, Measurement, Outcome};
+use crate::checks::{Check, Outcome, largest};
 use gouge_kernel::geometry::{
     Metric, PairFrame, PairMotion, PeriodicX, Vec2, angle_of, focal_point, reversed, turn, wrapped,
 };
@@ -15,58 +15,51 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             reason: "A root, an inverse and a product, each rounded once, squared: four units of one",
-            measure: frames,
             ..identity(
                 "identities.frames",
                 "Pair frames are of unit length, right-handed, and opposite from the other side, bit for bit.",
                 "(5), (110), (111)",
+                frames,
             )
         },
         Check {
             reason: "One rounding each of the factor, of the product and of the sum, of positions and of the way between them",
-            measure: focal_points,
             ..identity(
                 "identities.focal-point",
                 "Both sides see one focal point.",
                 "(3), (4)",
+                focal_points,
             )
         },
         Check {
             reason: "Rounding of an arctangent and of pi",
-            measure: angles,
             ..identity(
                 "identities.angles",
                 "The angle of the opposite vector is the reversed angle, and a turn is the angle between two directions.",
                 "(106)-(109)",
+                angles,
             )
         },
         Check {
             reason: "A comparison with all images of the point; one rounding of the width",
-            measure: images,
             ..identity(
                 "identities.minimum-image",
                 "The displacement in a periodic box is that of the nearest image, and opposite from the other side.",
                 "(63), (64)",
+                images,
             )
         },
         Check {
             reason: "Two products and a sum, each rounded once, of the sizes of their terms",
-            measure: motion,
             oracle: "The rate of the distance and of the direction from the scalar and vector product, in double-double",
             ..identity(
                 "identities.pair-motion",
                 "Normal velocity, shear velocity and turning of the frame are those of the relative velocity.",
                 "(34), (110)",
+                motion,
             )
         },
     ]
-}
-
-/// The worst of several errors, in units, over random inputs; not a number where a law fails outright.
-fn worst(seed: u64, tolerance: f64, error: impl Fn(&mut Random) -> f64) -> Outcome {
-    let mut random = Random::new(seed);
-    let measured = (0..PAIRS).map(|_| Measurement::absolute(0.0, error(&mut random), tolerance));
-    Ok(Measurement::worst(measured).into())
 }
 
 fn frames() -> Outcome {
@@ -78,7 +71,7 @@ fn frames() -> Outcome {
             return f64::NAN;
         }
         let along = (n.dot(displacement) / there.distance - 1.0).abs();
-        (n.cross(t) - 1.0).abs().max(along) / EPSILON
+        largest([(n.cross(t) - 1.0).abs(), along]) / EPSILON
     })
 }
 
@@ -110,7 +103,12 @@ fn angles() -> Outcome {
         let angle = f64::from(Df64::from(angle_of(a)) - exact(a)).abs();
         let turned = f64::from(Df64::from(turn(a, b).0) - (exact(b) - exact(a)));
         let turned = wrapped(turned).abs();
-        opposite.min((opposite - TAU).abs()).max(angle).max(turned) / (EPSILON * PI)
+        let opposite = if opposite > PI {
+            (opposite - TAU).abs()
+        } else {
+            opposite
+        };
+        largest([opposite, angle, turned]) / (EPSILON * PI)
     })
 }
 
@@ -132,7 +130,8 @@ fn images() -> Outcome {
             .fold(f64::INFINITY, f64::min);
         let far = Vec2::new(to.x + 7.0 * length, to.y);
         let strayed = (metric.wrap(far).x - to.x).abs() / (8.0 * EPSILON * length);
-        ((there.norm() - nearest).abs() / (EPSILON * (length + nearest))).max(strayed)
+        let missed = (there.norm() - nearest).abs() / (EPSILON * (length + nearest));
+        largest([missed, strayed])
     })
 }
 
@@ -151,6 +150,6 @@ fn motion() -> Outcome {
             f64::from(exact(found.frame_rate) - cross / (distance * distance))
                 * f64::from(distance),
         ];
-        errors.into_iter().map(f64::abs).fold(0.0, f64::max) / (EPSILON * velocity.norm())
+        largest(errors.map(f64::abs)) / (EPSILON * velocity.norm())
     })
 }

@@ -25,11 +25,11 @@ pub(super) fn checks() -> Vec<Check> {
             norm: "Contacts whose forces do not cancel bit for bit",
             reason: "The same number with opposite signs is added to both: nothing may be left",
             effort: Effort::Thorough,
-            measure: || third_law(PAIRS),
             ..identity(
                 "identities.third-law",
                 "The forces of two particles on each other cancel to the last bit.",
                 "(6)",
+                || third_law(PAIRS),
             )
         },
         Check {
@@ -38,11 +38,11 @@ pub(super) fn checks() -> Vec<Check> {
             norm: "Largest difference in units of rounding of the torques",
             reason: "Torques of both ends, and a moment of force that is their sum divided by the distance and multiplied by it: eight roundings",
             effort: Effort::Thorough,
-            measure: || angular_momentum(PAIRS),
             ..identity(
                 "identities.angular-momentum",
                 "A contact changes no angular momentum as corrected, and as printed just by the stated defect.",
                 "(6), (7), E10",
+                || angular_momentum(PAIRS),
             )
         },
     ]

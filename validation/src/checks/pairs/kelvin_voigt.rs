@@ -1,7 +1,7 @@
 //! Truncated Kelvin-Voigt collisions.
 
 use super::collision::{Collision, Refinement};
-use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table, largest};
 use crate::oracles::head_on::spring;
 use crate::oracles::oscillator::{truncated_duration, truncated_restitution};
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -60,7 +60,7 @@ pub fn closed_form() -> Outcome {
             found.depth * found.depth / restitution,
         ]
         .map(|quotient| f64::from((quotient - 1.0).abs()));
-        let worst = errors.into_iter().fold(0.0, f64::max);
+        let worst = largest(errors);
         table.push([
             format!("{ratio}"),
             format!("{:.15}", f64::from(restitution)),

@@ -2,7 +2,7 @@
 
 use super::distributions::{Laws, exact};
 use super::sampled::independent;
-use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, Style, Table};
+use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, Style, Table, largest};
 use crate::oracles::emergent::Strength;
 use crate::oracles::minimum::minimum;
 use crate::oracles::quadrature::{nodes_over, root};
@@ -89,7 +89,7 @@ impl Sense {
 /// Largest difference of the probabilities of a law and a fit.
 fn farthest(nodes: &Nodes, fit: &[f64; 3]) -> f64 {
     let gap = |[q, _, _, cumulative]: &[f64; 4]| (cumulative - of_kernel(fit, *q)[1]).abs();
-    nodes.iter().map(gap).fold(0.0, f64::max)
+    largest(nodes.iter().map(gap))
 }
 
 /// Two-parameter law with a mean and a coefficient of variation, by the moments of the kernel.

@@ -3,9 +3,9 @@
 use super::distributions::{Laws, preferring};
 use super::sampled::{distance, strength};
 use crate::checks::scenes::scene;
-use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table, largest};
 use crate::oracles::emergent::Strength;
-use crate::run::{enter, phases};
+use crate::run::prepared;
 use gouge_kernel::World;
 use gouge_kernel::distributions::Distribution;
 use rand::RngExt;
@@ -104,16 +104,7 @@ impl Block {
 }
 
 fn block(seed: u64) -> Result<Block, Failure> {
-    let scene = scene(&text(seed))?;
-    let phases = phases(&scene);
-    let mut world = enter(&scene, &phases, 0, None)?;
-    for index in 1..phases.len() {
-        while world.steps() < phases[index - 1].steps {
-            world.step()?;
-        }
-        world = enter(&scene, &phases, index, Some(world))?;
-    }
-    Ok(Block::of(&world))
+    Ok(Block::of(&prepared(&scene(&text(seed))?)?))
 }
 
 /// First seed: the claims were worded after looking at packings of seeds below it.
@@ -144,7 +135,7 @@ fn critical(blocks: &[Block], redraws: u64) -> f64 {
         distance(&all, |q| law.cumulative(q))
     };
     let all: Vec<f64> = (0..redraws).into_par_iter().map(one).collect();
-    all.into_iter().fold(0.0, f64::max)
+    largest(all)
 }
 
 fn pooled(blocks: &[Block]) -> Vec<f64> {

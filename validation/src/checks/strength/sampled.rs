@@ -1,7 +1,7 @@
 //! Strengths of bonds that the kernel makes, and their distance from laws.
 
 use super::distributions::{Laws, exact};
-use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot};
+use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, largest};
 use crate::oracles::quadrature::root;
 use gouge_kernel::distributions::Distribution;
 use gouge_kernel::geometry::Vec2;
@@ -80,9 +80,9 @@ pub fn distance(samples: &[f64], cumulative: impl Fn(f64) -> f64) -> f64 {
     let n = sorted.len() as f64;
     let gap = |(k, x): (usize, &f64)| {
         let f = cumulative(*x);
-        (f - k as f64 / n).abs().max((f - (k + 1) as f64 / n).abs())
+        largest([f - k as f64 / n, f - (k + 1) as f64 / n].map(f64::abs))
     };
-    sorted.iter().enumerate().map(gap).fold(0.0, f64::max)
+    largest(sorted.iter().enumerate().map(gap))
 }
 
 /// Distance that the distribution of so many independent samples exceeds with at most a probability,

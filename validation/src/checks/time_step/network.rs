@@ -1,6 +1,6 @@
 //! Stiffness and damping of a whole world by dual numbers.
 
-use crate::checks::Failure;
+use crate::checks::{Failure, largest};
 use crate::oracles::spectrum::{Entry, Network};
 use crate::scalars::Dual;
 use gouge_kernel::geometry::{Vec2, angle_of, reversed, turn};
@@ -195,11 +195,9 @@ fn asymmetry(entries: &[Entry]) -> f64 {
         .iter()
         .map(|&(i, j, value)| ((i, j), value))
         .collect();
-    let largest = entries
-        .iter()
-        .fold(0.0, |most: f64, entry| most.max(entry.2.abs()));
+    let size = largest(entries.iter().map(|entry| entry.2.abs()));
     let differs = |(&(i, j), value): (&(usize, usize), &f64)| {
         (value - map.get(&(j, i)).copied().unwrap_or(0.0)).abs()
     };
-    map.iter().map(differs).fold(0.0, f64::max) / largest
+    largest(map.iter().map(differs)) / size
 }

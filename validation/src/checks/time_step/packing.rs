@@ -6,6 +6,7 @@ use super::modes::{Mode, integrator_name};
 use super::network::Linearisation;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    largest,
 };
 use crate::oracles::amplification::{Method, boundary, closed_boundary, spectral_radius};
 use gouge_kernel::stable_step_estimate;
@@ -88,17 +89,13 @@ fn symmetric() -> Outcome {
     let found = small()?.linearised()?;
     let tolerance = 200.0 * f64::EPSILON;
     let network = &found.network;
-    let largest = network
-        .stiffness
-        .iter()
-        .map(|entry| entry.2)
-        .fold(0.0, f64::max);
+    let stiffest = largest(network.stiffness.iter().map(|entry| entry.2));
     let pairs = network.stiffness.iter().zip(&network.damping);
-    let proportional = pairs.map(|(k, c)| (RATIO * k.2 - c.2).abs() / (RATIO * largest));
+    let proportional = pairs.map(|(k, c)| (RATIO * k.2 - c.2).abs() / (RATIO * stiffest));
     let all = [
         found.asymmetry[0],
         found.asymmetry[1],
-        proportional.fold(0.0, f64::max),
+        largest(proportional),
     ];
     let text = format!(
         "{} forces and torques, each by {} coordinates: all slopes in {} evaluations, because grains whose neighbours do not meet share one.",

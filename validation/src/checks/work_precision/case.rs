@@ -1,7 +1,7 @@
 //! What is run: a scene, its steps, its orders, and where its truth comes from.
 
-use crate::checks::Failure;
 use crate::checks::scenes::scene;
+use crate::checks::{Failure, largest};
 use gouge_kernel::integrators::Integrator;
 use gouge_kernel::model::Model;
 use gouge_kernel::particles::{Particles, Role};
@@ -134,11 +134,6 @@ pub struct Truth {
     pub scale: f64,
     /// Estimated error, in that unit.
     pub uncertainty: f64,
-}
-
-/// The largest of some numbers; undefined if one of them is.
-pub fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
-    numbers.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
 }
 
 /// A number of any type here, all its digits.

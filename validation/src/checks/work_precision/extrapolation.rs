@@ -1,8 +1,8 @@
 //! The limit of vanishing steps, from runs of the kernel in double-double.
 
-use super::case::{Case, Origin, Truth, largest, wide};
-use crate::checks::Failure;
+use super::case::{Case, Origin, Truth, wide};
 use crate::checks::scenes::advance;
+use crate::checks::{Failure, largest};
 use crate::scalars::DoubleDouble;
 use gouge_kernel::integrators::Integrator;
 use std::ops::Range;

@@ -2,8 +2,8 @@
 
 use super::case::Origin;
 use crate::checks::Failure;
-use crate::checks::scenes::{advance, scene};
-use crate::run::{enter, phases};
+use crate::checks::scenes::scene;
+use crate::run::prepared;
 use gouge_kernel::geometry::{Metric, Open, PairFrame, PeriodicX, Vec2, angle_of, reversed, turn};
 use gouge_kernel::links::{BondStart, ContactMemory, ContactStart, Pair, StrongLink};
 use gouge_kernel::particles::{Particles, Role};
@@ -85,13 +85,7 @@ ambient = { law = "creeping", viscosity = 1.0 }
 
 /// The two blocks, pressed.
 pub fn origin() -> Result<Origin, Failure> {
-    let scene = scene(TEXT)?;
-    let phases = phases(&scene);
-    let mut world = enter(&scene, &phases, 0, None)?;
-    for index in 1..phases.len() {
-        advance(&mut world, phases[index - 1].steps)?;
-        world = enter(&scene, &phases, index, Some(world))?;
-    }
+    let world = prepared(&scene(TEXT)?)?;
     let mut particles = world.particles().clone();
     drive_at(
         &mut particles,

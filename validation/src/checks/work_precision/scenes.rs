@@ -1,9 +1,9 @@
 //! The scenes, from two bonded grains to a sheared fault.
 
-use super::case::{Case, Origin, Truth, largest};
+use super::case::{Case, Origin, Truth};
 use super::{extrapolation, fault};
-use crate::checks::Failure;
 use crate::checks::scenes::{head, particle};
+use crate::checks::{Failure, largest};
 use crate::oracles::grains::{Grain, Grains, Repulsion};
 use crate::oracles::rolling::Rolling;
 use gouge_kernel::particles::Role;
