@@ -66,7 +66,9 @@ fn vector(random: &mut Random) -> Vec2 {
 /// The worst of an error, in units of rounding, over random inputs; undefined where a law fails outright.
 fn worst(seed: u64, tolerance: f64, error: impl Fn(&mut Random) -> f64) -> Outcome {
     let mut random = Random::new(seed);
-    let measured = (0..PAIRS).map(|_| Measurement::absolute(0.0, error(&mut random), tolerance));
+    let unit = f64::EPSILON;
+    let measured =
+        (0..PAIRS).map(|_| Measurement::scaled(0.0, error(&mut random) * unit, unit, tolerance));
     Ok(Measurement::worst(measured).into())
 }
 
