@@ -2,7 +2,7 @@
 
 pub mod amplification;
 pub mod arcs;
-pub mod beads;
+pub mod beams;
 pub mod bonded_pair;
 pub mod bounce;
 pub mod components;

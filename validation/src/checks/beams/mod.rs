@@ -3,29 +3,34 @@
 mod breaking;
 mod cantilever;
 mod chain;
+mod conservation;
+mod elastica;
 mod modes;
+mod oscillation;
+mod packing;
+mod stiffness;
+mod tension;
+mod waves;
 
 use super::Topic;
 
 /// The topic.
 pub fn topic() -> Topic {
+    let parts = [
+        modes::checks(),
+        cantilever::checks(),
+        elastica::checks(),
+        chain::checks(),
+        waves::checks(),
+        tension::checks(),
+        packing::checks(),
+        breaking::checks(),
+        conservation::checks(),
+    ];
     Topic {
         id: "beams",
         title: "Beams",
-        about: "Modes, statics, waves and breaking of bonded particles.",
-        checks: [
-            modes::checks(),
-            cantilever::checks(),
-            chain::checks(),
-            breaking::checks(),
-        ]
-        .into_iter()
-        .flatten()
-        .collect(),
+        about: "Modes, statics, waves and breaking of bonded particles, against linear networks solved on their own, lattice elasticity and beam theory.",
+        checks: parts.into_iter().flatten().collect(),
     }
 }
-
-/// Laws of the thesis's beams without damping: 1e7 kg/s^2 along and across.
-const BEAM: &str = "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n\
-    [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 0.0\n";
-const STIFFNESS: f64 = 1e7;
