@@ -107,6 +107,20 @@ proptest! {
     }
 
     #[test]
+    fn cells_meet_halfway_between_their_centres(x in 0.3..3.7, y in 0.3..2.7) {
+        let cells = Cells::new(Vec2::zero(), Vec2::new(4.0, 3.0), false, 0.3, 1000);
+        let index = cells.down(Vec2::new(x, y));
+        let (centre, side) = (cells.up(index), cells.smaller_side());
+        for step in [Vec2::new(1.2 * side, 0.0), Vec2::new(0.0, 1.2 * side)] {
+            let next = cells.down(centre + step);
+            prop_assert_eq!(cells.distance(index, next), 1);
+            let half = (cells.up(next) - centre) * 0.5;
+            prop_assert_eq!(cells.down(centre + half * (1.0 - 1e-9)), index);
+            prop_assert_eq!(cells.down(centre + half * (1.0 + 1e-9)), next);
+        }
+    }
+
+    #[test]
     fn the_order_of_particles_is_total(
         a in (0.0..4.0, 0.0..3.0), b in (0.0..4.0, 0.0..3.0), i in 0_usize..3, j in 0_usize..3,
     ) {

@@ -179,6 +179,12 @@ const EXEMPTIONS: &[Exemption] = &[
         BEYOND,
     ),
     exempt(
+        "kernel/src/forces/weak_links.rs",
+        "stored_in_weak_links",
+        "",
+        BEYOND,
+    ),
+    exempt(
         "kernel/src/forces/driving.rs",
         "haste: ",
         "1.0",
@@ -189,6 +195,18 @@ const EXEMPTIONS: &[Exemption] = &[
         "outside",
         "x",
         "tells only on which side of the support a point outside it lies",
+    ),
+    exempt(
+        "kernel/src/distributions/uniform.rs",
+        "(«1.0», join(a.high, b.high))",
+        "1.0",
+        "the sign of a term that would begin where the support ends",
+    ),
+    exempt(
+        "validation/src/checks/strength/sampled.rs",
+        "independent",
+        "REACH",
+        "which neighbours are bonded, of which only the nearest in a row are used",
     ),
     exempt(
         "kernel/src/distributions/strength.rs",

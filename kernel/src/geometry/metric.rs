@@ -55,7 +55,9 @@ impl Metric for PeriodicX {
     #[inline(always)]
     fn wrap<S: Real>(self, mut point: Vec2<S>) -> Vec2<S> {
         if !(point.x >= S::zero() && point.x < S::from_f64(self.length)) {
-            point.x -= (point.x * (1.0 / self.length)).floor() * self.length;
+            let x = point.x - (point.x * (1.0 / self.length)).floor() * self.length;
+            // Rounding may put the representative of an edge just outside.
+            point.x = x.max(S::zero()).min(S::from_f64(self.length));
         }
         point
     }

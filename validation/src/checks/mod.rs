@@ -16,6 +16,7 @@ mod measurement;
 mod order;
 mod pairs;
 mod random;
+mod remembered;
 pub mod scenes;
 mod strength;
 mod time_step;

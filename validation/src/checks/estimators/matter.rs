@@ -1,5 +1,6 @@
 //! Spheres, the solid, and the decay of friction.
 
+use crate::checks::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
 use crate::oracles::matter::{moduli, sphere};
 use gouge_kernel::calibration::FrictionDecay;
@@ -8,7 +9,7 @@ use gouge_kernel::material::{Elastic, GRANITE, Measured};
 use gouge_kernel::particles::{Particle, Particles, Role};
 
 pub fn checks() -> Vec<Check> {
-    vec![spheres(), solid(), granite(), decay()]
+    vec![spheres(), energy(), solid(), granite(), decay()]
 }
 
 fn spheres() -> Check {
@@ -62,6 +63,51 @@ fn measure_spheres() -> Outcome {
         ];
         let pairs = given.into_iter().zip(kept);
         all.extend(pairs.map(|(given, kept)| Measurement::absolute(given, kept, 0.0)));
+    }
+    Ok(Measurement::worst(all).into())
+}
+
+fn energy() -> Check {
+    Check {
+        id: "estimators.matter.energy",
+        claim: "The kinetic energy of a grain is that of its motion and of its spin, and its potential energy that of its height, or of its distance from the middle of a well.",
+        equations: "(10), (67), (74)",
+        scene: "Two grains that move and spin, under gravity and in a well",
+        oracle: "Masses and moments of inertia as stacks of discs",
+        norm: "Relative error",
+        origin: Origin::Exact,
+        reason: "Some ten roundings of terms of equal sign",
+        effort: Effort::Quick,
+        measure: measure_energy,
+    }
+}
+
+fn measure_energy() -> Outcome {
+    let grains = [
+        ([0.0, 0.3], [0.4, -0.2], 300.0, 1e-3),
+        ([1.0, 0.9], [-0.1, 0.3], -700.0, 2e-3),
+    ];
+    let [mut kinetic, mut lifted, mut stretched] = [0.0; 3];
+    let mut text = head("euler", 1e-9);
+    for (x, v, spin, radius) in grains {
+        let [mass, inertia] = sphere(2700.0, radius);
+        kinetic += 0.5 * (mass * (v[0] * v[0] + v[1] * v[1]) + inertia * spin * spin);
+        lifted += 9.81 * mass * x[1];
+        stretched += 0.5 * 7.0 * (x[1] - 0.1) * (x[1] - 0.1);
+        text += &particle(x, v, spin, radius);
+    }
+    let gravity = "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n";
+    let well = "[box]\nheight = 0.2\n[external]\nlaw = \"harmonic-well\"\nstiffness = 7.0\n";
+    let mut all = Vec::new();
+    for (law, potential) in [(gravity, lifted), (well, stretched)] {
+        let found = world(&(text.clone() + law))?.energy();
+        all.push(Measurement::relative(kinetic, found.kinetic, 5e-15));
+        all.push(Measurement::relative(potential, found.external, 5e-15));
+        all.push(Measurement::relative(
+            kinetic + potential,
+            found.mechanical(),
+            5e-15,
+        ));
     }
     Ok(Measurement::worst(all).into())
 }

@@ -164,7 +164,7 @@ impl Draw {
             _ => Some(Ambient::Correlation(CorrelationDrag {
                 viscosity,
                 density: self.positive(),
-                constant: CorrelationDrag::CONSTANT,
+                constant: self.positive(),
             })),
         };
         let external = match self.below(3) {

@@ -2,10 +2,11 @@
 
 use super::{identity, vector, worst};
 use crate::checks::random::Random;
-use crate::checks::{Check, Outcome, largest};
+use crate::checks::{Check, Measurement, Outcome, largest};
 use gouge_kernel::geometry::{
     Metric, PairFrame, PairMotion, PeriodicX, Vec2, angle_of, focal_point, reversed, turn, wrapped,
 };
+use gouge_kernel::scalar::Real;
 use std::f64::consts::{PI, TAU};
 use xprec::Df64;
 
@@ -41,7 +42,31 @@ pub(super) fn checks() -> Vec<Check> {
             )
         },
         Check {
-            reason: "A comparison with all images of the point; one rounding of the width",
+            scene: "100 000 odd multiples of pi up to 201 pi of either sign, and angles up to a ten-millionth beside them",
+            oracle: "The angle itself: its representative is in [-pi, pi) and whole turns away",
+            reason: "One rounding of the angle, one of two pi times the number of turns",
+            ..identity(
+                "identities.wrapped",
+                "The representative of an angle is in [-pi, pi) and whole turns away, also next to the seam.",
+                "(106)",
+                representatives,
+            )
+        },
+        Check {
+            scene: "The polynomial at one, far beyond the small sines for which it is used",
+            oracle: "The sum of the coefficients by their recurrence c_(k+1) = c_k (2 k + 1)^2 / ((2 k + 2) (2 k + 3))",
+            norm: "Difference in units of rounding",
+            reason: "Nine terms of one sign",
+            ..identity(
+                "identities.arcsine",
+                "The polynomial for the turn of a frame is the series of the arcsine to the seventeenth power.",
+                "(106)",
+                arcsine,
+            )
+        },
+        Check {
+            oracle: "All images, in double-double",
+            reason: "A rounding, 2^-53, of each difference and two of the norm: half a unit of the width and three halves of the distance; a representative carries eight of up to eight widths",
             ..identity(
                 "identities.minimum-image",
                 "The displacement in a periodic box is that of the nearest image, and opposite from the other side.",
@@ -113,26 +138,76 @@ fn angles() -> Outcome {
 }
 
 fn images() -> Outcome {
-    worst(14, 1.0, |random| {
+    worst(14, 1.5, |random| {
         let length = random.magnitude(1e-3, 1e3);
         let metric = PeriodicX { length };
         let point =
             |random: &mut Random| Vec2::new(length * random.between(0.0, 1.0), vector(random).y);
-        let (from, to) = (point(random), point(random));
+        let (from, mut to) = (point(random), point(random));
+        if random.below(4) == 0 {
+            // Next to half a period away, on either side.
+            let half = 0.5 * (1.0 + random.signed(1e-10, 5e-7));
+            to.x = from.x + if from.x < 0.5 * length { half } else { -half } * length;
+        }
         let there = metric.displacement(from, to);
         if there != -metric.displacement(to, from) && there.x.abs() < 0.5 * length {
             return f64::NAN;
         }
-        let image = |turns: f64| Vec2::new(to.x - from.x + turns * length, to.y - from.y).norm();
-        let nearest = [-2.0, -1.0, 0.0, 1.0, 2.0]
-            .map(image)
-            .into_iter()
-            .fold(f64::INFINITY, f64::min);
-        let far = Vec2::new(to.x + 7.0 * length, to.y);
-        let strayed = (metric.wrap(far).x - to.x).abs() / (8.0 * EPSILON * length);
-        let missed = (there.norm() - nearest).abs() / (EPSILON * (length + nearest));
-        largest([missed, strayed])
+        let exact = |value: f64| Df64::from(value);
+        let image = |turns: f64| {
+            let x = exact(to.x) - from.x + exact(turns) * length;
+            let y = exact(to.y) - from.y;
+            (x * x + y * y).sqrt()
+        };
+        let images = [-2.0, -1.0, 0.0, 1.0, 2.0].map(image);
+        let nearest = images.into_iter().fold(images[0], Df64::min);
+        let missed = f64::from(exact(there.norm()) - nearest).abs();
+        let missed = missed / (EPSILON * (length / 3.0 + f64::from(nearest)));
+        largest([missed, strays(random, metric, to)])
     })
+}
+
+/// How far the representative of a point is from where it was before so many periods were added, in units
+/// of rounding; undefined if it is outside of the box, next to whose edges every other point is put.
+fn strays(random: &mut Random, metric: PeriodicX, point: Vec2) -> f64 {
+    let length = metric.length;
+    let x = match random.below(2) {
+        0 => point.x.clamp(0.0, length),
+        _ => random.magnitude(1e-300, 5e-7) * length,
+    };
+    let periods = random.between(-8.0, 9.0).floor();
+    let sign = random.choice(&[-1.0, 1.0]);
+    let wrapped = metric.wrap(Vec2::new(periods * length + sign * x, point.y));
+    if !(0.0..=length).contains(&wrapped.x) || wrapped.y != point.y {
+        return f64::NAN;
+    }
+    let expected = if sign > 0.0 { x } else { length - x };
+    let apart = (wrapped.x - expected).abs();
+    apart.min((apart - length).abs()) / (8.0 * EPSILON * length)
+}
+
+fn representatives() -> Outcome {
+    worst(16, 2.0, |random| {
+        let odd = 2.0 * random.between(-101.0, 101.0).floor() + 1.0;
+        let angle = odd * PI * (1.0 + random.signed(1e-14, 1e-7));
+        let found = wrapped(angle);
+        if !(-PI..PI).contains(&found) {
+            return f64::NAN;
+        }
+        let turns = (angle - found) / TAU;
+        (turns - turns.round()) * TAU / (EPSILON * angle.abs())
+    })
+}
+
+fn arcsine() -> Outcome {
+    let (mut coefficient, mut sum) = (1.0, 0.0);
+    for k in 0..9 {
+        sum += coefficient;
+        let two = f64::from(2 * k);
+        coefficient *= (two + 1.0) * (two + 1.0) / ((two + 2.0) * (two + 3.0));
+    }
+    let found = 1.0_f64.asin_small();
+    Ok(Measurement::scaled(sum, found, EPSILON * sum, 4.0).into())
 }
 
 fn motion() -> Outcome {

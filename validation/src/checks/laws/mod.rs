@@ -1,9 +1,11 @@
 //! Laws and symmetries.
 
 mod cluster;
+mod driving;
 mod energy;
 mod rounding;
 mod symmetry;
+mod thresholds;
 
 use super::Topic;
 
@@ -13,9 +15,15 @@ pub fn topic() -> Topic {
         id: "laws",
         title: "Laws and symmetries",
         about: "Forces are minus the slopes of stored energies, dissipation is never negative, and nothing depends on the observer or on the units.",
-        checks: [energy::checks(), rounding::checks(), symmetry::checks()]
-            .into_iter()
-            .flatten()
-            .collect(),
+        checks: [
+            driving::checks(),
+            energy::checks(),
+            rounding::checks(),
+            symmetry::checks(),
+            thresholds::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
     }
 }

@@ -66,9 +66,11 @@ pub fn preferring(smallest_of: i32, preference: f64) -> Strength {
     Strength::new(radius, [0.9, 1.1])
 }
 
-/// So many points that cover an interval and a little more.
+/// So many points that cover an interval and a little more, and some just beside its ends.
 fn points(low: f64, high: f64) -> impl Iterator<Item = f64> {
-    (-2..=42).map(move |k| low + (high - low) * (f64::from(k) + 0.137) / 40.0)
+    let beside = [1.0 - 4e-7, 1.0 + 4e-7].map(|side| [low * side, high * side]);
+    let spread = (-2..=42).map(move |k| low + (high - low) * (f64::from(k) + 0.137) / 40.0);
+    spread.chain(beside.into_iter().flatten())
 }
 
 /// Densities in units of their scale, and probabilities, against those expected.
@@ -142,6 +144,28 @@ fn joined(all: &mut Vec<Measurement>) {
             [product.density(x) / (3.0 * x * x), product.cumulative(x)]
         };
         compare(all, &cube, expected, products.map(|x| x * x * x));
+    }
+}
+
+/// The sum of two variables over the same short interval, a triangle, next to its corners.
+fn triangle(all: &mut Vec<Measurement>) {
+    let (low, width) = (1.0, 1e-3);
+    let law = UniformSum(uniform([low, low + width]), uniform([low, low + width]));
+    for corner in [2.0 * low, 2.0 * low + width, 2.0 * (low + width)] {
+        for side in [1.0 - 4e-7, 1.0 + 4e-7] {
+            let x = corner * side;
+            // Distances from both ends in widths, which lose four digits.
+            let [left, right] = [x - 2.0 * low, 2.0 * (low + width) - x].map(|d| d / width);
+            let density = left.min(right).max(0.0);
+            let cumulative = if left < 1.0 {
+                0.5 * left.max(0.0).powi(2)
+            } else {
+                1.0 - 0.5 * right.max(0.0).powi(2)
+            };
+            let found = [law.density(x) * width, law.cumulative(x)];
+            all.push(Measurement::absolute(density, found[0], TOLERANCE));
+            all.push(Measurement::absolute(cumulative, found[1], TOLERANCE));
+        }
     }
 }
 
@@ -239,6 +263,7 @@ fn numbers(all: &mut Vec<Measurement>) {
 pub fn distributions() -> Outcome {
     let mut all = Vec::new();
     joined(&mut all);
+    triangle(&mut all);
     strengths(&mut all);
     uniforms(&mut all);
     weibulls(&mut all)?;

@@ -1,9 +1,10 @@
 //! A bonded packing at rest, and runs of it.
 
 use super::amplification::integrator;
-use super::network::{Linearisation, linearise, start};
+use super::network::{Linearisation, linearise};
 use super::running::grows;
 use crate::checks::Failure;
+use crate::checks::remembered::start;
 use crate::oracles::amplification::Method;
 use crate::run::{Kind, enter, phases};
 use crate::scene::{Scene, builtin};

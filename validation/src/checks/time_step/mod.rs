@@ -3,6 +3,7 @@
 mod amplification;
 mod block;
 mod bracket;
+mod estimate;
 mod growth;
 mod map;
 mod modes;
@@ -23,6 +24,7 @@ pub fn topic() -> Topic {
             amplification::checks(),
             bracket::checks(),
             packing::checks(),
+            estimate::checks(),
             growth::checks(),
             map::checks(),
             waves::checks(),

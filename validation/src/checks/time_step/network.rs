@@ -1,13 +1,13 @@
 //! Stiffness and damping of a whole world by dual numbers.
 
+use crate::checks::remembered::start;
 use crate::checks::{Failure, largest};
 use crate::oracles::spectrum::{Entry, Network};
 use crate::scalars::Dual;
-use gouge_kernel::geometry::{Vec2, angle_of, reversed, turn};
-use gouge_kernel::links::BondStart;
+use gouge_kernel::World;
+use gouge_kernel::geometry::Vec2;
 use gouge_kernel::model::Model;
 use gouge_kernel::particles::Particles;
-use gouge_kernel::{Start, World};
 
 /// Coordinates of a particle: two of position and one of turning.
 const COORDINATES: usize = 3;
@@ -154,38 +154,6 @@ fn in_duals(p: &Particles) -> Particles<Dual> {
         mass: numbers(&p.mass),
         moment_of_inertia: numbers(&p.moment_of_inertia),
         role: p.role.clone(),
-    }
-}
-
-/// The bonds of the world, their beginning in numbers: it does not move with the particles.
-pub fn start(world: &World) -> Start {
-    let bond = |link: &gouge_kernel::links::StrongLink<f64>| {
-        let (i, j) = link.pair.indices();
-        let normal = displacement(world, i, j);
-        let (turned, _) = turn(link.reference, normal * (1.0 / normal.norm()));
-        let lambda = angle_of(normal);
-        let frames = [lambda, reversed(lambda)];
-        BondStart {
-            between: [i, j],
-            strength_factor: link.strength_factor,
-            initial_distance: Some(link.rest_distance),
-            initial_angles: Some([0, 1].map(|end| link.rest_angles[end] + turned - frames[end])),
-        }
-    };
-    let strong = world.strong_links();
-    Start {
-        bonds: strong.map_or_else(Vec::new, |strong| strong.links.iter().map(bond).collect()),
-        ..Start::default()
-    }
-}
-
-/// The shortest way from particle i to particle j.
-fn displacement(world: &World, i: usize, j: usize) -> Vec2 {
-    use gouge_kernel::geometry::{Metric, PeriodicX};
-    let p = world.particles();
-    match world.model().period() {
-        Some(length) => PeriodicX { length }.displacement(p.position[i], p.position[j]),
-        None => p.position[j] - p.position[i],
     }
 }
 

@@ -2,12 +2,10 @@
 
 use super::case::Origin;
 use crate::checks::Failure;
+use crate::checks::remembered::start;
 use crate::checks::scenes::scene;
 use crate::run::prepared;
-use gouge_kernel::geometry::{Metric, Open, PairFrame, PeriodicX, Vec2, angle_of, reversed, turn};
-use gouge_kernel::links::{BondStart, ContactMemory, ContactStart, Pair, StrongLink};
 use gouge_kernel::particles::{Particles, Role};
-use gouge_kernel::{Start, World};
 
 /// The protocol of granite-fault on a box of a few grains; the upper block is driven at its target speed
 /// from the first step, by the controller that holds the constraints.
@@ -105,73 +103,5 @@ fn drive_at(particles: &mut Particles, speed: f64) {
     let missing = speed - sum / driven.len() as f64;
     for i in driven {
         particles.velocity[i].x += missing;
-    }
-}
-
-/// What a world remembers, in the words of a scene.
-fn start(world: &World) -> Start {
-    let p = world.particles();
-    let strong = world.strong_links().map_or(&[][..], |strong| &strong.links);
-    let touches = |pair: &Pair| {
-        let (i, j) = pair.indices();
-        frame(world, *pair).distance < p.radius[i] + p.radius[j]
-    };
-    let weak = world
-        .weak_links()
-        .into_iter()
-        .flat_map(|weak| weak.remembered());
-    Start {
-        bonds: strong.iter().map(|link| bond(world, link)).collect(),
-        contacts: weak
-            .filter(|(pair, _)| touches(pair))
-            .map(|(pair, memory)| contact(world, pair, memory))
-            .collect(),
-        drive_force: world.drive().force,
-    }
-}
-
-fn frame(world: &World, pair: Pair) -> PairFrame<f64> {
-    let (i, j) = pair.indices();
-    let (a, b) = (world.particles().position[i], world.particles().position[j]);
-    PairFrame::new(match world.model().period() {
-        Some(length) => PeriodicX { length }.displacement(a, b),
-        None => Open.displacement(a, b),
-    })
-}
-
-/// Angles of both ends in the frame, and how far they have turned since the link began.
-fn ends(world: &World, pair: Pair, reference: Vec2, rest: [f64; 2]) -> [[f64; 2]; 2] {
-    let (i, j) = pair.indices();
-    let normal = frame(world, pair).normal;
-    let (turned, _) = turn(reference, normal);
-    let lambda = angle_of(normal);
-    let angles = [world.particles().angle[i], world.particles().angle[j]];
-    [
-        [angles[0] - lambda, angles[1] - reversed(lambda)],
-        [0, 1].map(|end| angles[end] - rest[end] - turned),
-    ]
-}
-
-fn bond(world: &World, link: &StrongLink<f64>) -> BondStart {
-    let (i, j) = link.pair.indices();
-    let [now, since] = ends(world, link.pair, link.reference, link.rest_angles);
-    BondStart {
-        between: [i, j],
-        strength_factor: link.strength_factor,
-        initial_distance: Some(link.rest_distance),
-        initial_angles: Some([now[0] - since[0], now[1] - since[1]]),
-    }
-}
-
-/// The slip of a contact is counted as if both ends had turned less.
-fn contact(world: &World, pair: Pair, memory: &ContactMemory<f64>) -> ContactStart {
-    let (i, j) = pair.indices();
-    let [now, since] = ends(world, pair, memory.reference, memory.rest_angles);
-    let radii = [world.particles().radius[i], world.particles().radius[j]];
-    let stretch = radii[0] * since[0] + radii[1] * since[1] - memory.state;
-    let turned = stretch / (radii[0] + radii[1]);
-    ContactStart {
-        between: [i, j],
-        initial_angles: [now[0] - turned, now[1] - turned],
     }
 }
