@@ -138,3 +138,24 @@ fn damaged_records_are_refused_without_panic() {
         let _ = gouge_kernel::World::from_words(*world.model(), &damaged);
     }
 }
+
+#[test]
+fn records_that_name_other_particles_are_refused_or_run() {
+    let text =
+        grains("[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 1e7\n")
+            + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n[[bonds]]\nbetween = [3, 4]\n";
+    let mut world = world(&text);
+    advance(&mut world, 10);
+    let words = world.to_words();
+    let mut refused = 0;
+    for place in 0..words.len() {
+        let mut damaged = words.clone();
+        damaged[place] = damaged[place].wrapping_add(1);
+        match gouge_kernel::World::from_words(*world.model(), &damaged) {
+            Some(mut copy) => drop(copy.step()),
+            None => refused += 1,
+        }
+    }
+    // Five lengths of lists and the bond, whose second particle would be beyond the last, at least.
+    assert!(refused >= 6, "{refused}");
+}

@@ -13,7 +13,8 @@ use gouge_equations::rendered;
 /// function undefined, gives zero.
 #[rendered]
 pub fn angle_of<S: Real>(vector: Vec2<S>) -> S {
-    vector.y.atan2(vector.x)
+    // Adding zero makes a negative zero positive, whose arctangent would be -pi on the negative x axis.
+    (vector.y + S::zero()).atan2(vector.x)
 }
 
 /// Angle of the opposite direction: x - pi for positive x, x + pi otherwise; thesis eq. (109).
@@ -56,6 +57,7 @@ pub fn turn<S: Real>(reference: Vec2<S>, direction: Vec2<S>) -> (S, bool) {
     if sine.abs() <= S::from_f64(SMALL_SINE) && cosine > S::zero() {
         (sine.asin_small(), true)
     } else {
-        (sine.atan2(cosine), false)
+        // As in `angle_of`: half a turn is +pi.
+        ((sine + S::zero()).atan2(cosine), false)
     }
 }

@@ -123,6 +123,18 @@ pub fn contact_area<S: Real>(half_length: S) -> S {
     half_length * half_length * PI
 }
 
+/// Radius of a circle that is the whole overlap of two: zero where they are apart, the smaller radius where
+/// one contains the other; none where they cross.
+fn whole_in_overlap<S: Real>(radii: [S; 2], distance: S) -> Option<S> {
+    if distance >= radii[0] + radii[1] {
+        Some(S::zero())
+    } else if distance <= (radii[0] - radii[1]).abs() {
+        Some(radii[0].min(radii[1]))
+    } else {
+        None
+    }
+}
+
 /// Volume in which two spheres overlap, in m^3.
 ///
 /// $$ V = \frac{\pi}{3} (2 r_i + y_{ij}) (r_i - y_{ij})^2 + \frac{\pi}{3} (2 r_j + y_{ji}) (r_j - y_{ji})^2 $$
@@ -131,11 +143,7 @@ pub fn contact_area<S: Real>(half_length: S) -> S {
 /// caps do not describe the overlap and the result is the volume of the smaller sphere.
 #[rendered]
 pub fn displaced_volume<S: Real>(radii: [S; 2], distance: S) -> S {
-    if distance >= radii[0] + radii[1] {
-        return S::zero();
-    }
-    if distance <= (radii[0] - radii[1]).abs() {
-        let r = radii[0].min(radii[1]);
+    if let Some(r) = whole_in_overlap(radii, distance) {
         return r * r * r * (4.0 / 3.0 * PI);
     }
     let y = FocalArm.distances(radii, distance);
@@ -156,11 +164,7 @@ pub fn cylinder_contact_area<S: Real>(depth: S, half_length: S) -> S {
 /// where one contains the other.
 #[rendered]
 pub fn cylinder_displaced_volume<S: Real>(depth: S, radii: [S; 2], distance: S) -> S {
-    if distance >= radii[0] + radii[1] {
-        return S::zero();
-    }
-    if distance <= (radii[0] - radii[1]).abs() {
-        let r = radii[0].min(radii[1]);
+    if let Some(r) = whole_in_overlap(radii, distance) {
         return depth * r * r * PI;
     }
     let y = FocalArm.distances(radii, distance);

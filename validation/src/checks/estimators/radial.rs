@@ -226,7 +226,7 @@ fn gas() -> Check {
         oracle: "Independent points have no structure: g = 1",
         norm: "Largest departure of the mean g of 12 gases from one between 0.5 m and 4.5 m",
         origin: Origin::Statistical,
-        reason: "A margin of 0.02 around one; the bias of the estimator, one over the expected neighbours (E49), is far below it. The spread of the mean over gases is an estimate and has not been measured, so no power is stated yet",
+        reason: "A shell of the width of the kernel, 0.25 m / 0.6, holds 12 000 pairs at the smallest distance, so that the mean of twelve gases has a standard error of 0.0026 by counting, and less farther out; 0.02 is seven of them, which no sound estimator exceeds, while one that is off by 0.03 anywhere is rejected with a probability above 0.999; the standard error found is stated below",
         effort: Effort::Thorough,
         measure: measure_gas,
     }
@@ -235,7 +235,7 @@ fn gas() -> Check {
 fn measure_gas() -> Outcome {
     const GASES: usize = 12;
     let mut random = Pcg64::new(21, 4);
-    let (mut all, mut curves) = (Vec::new(), Vec::new());
+    let (mut all, mut curves, mut spread) = (Vec::new(), Vec::new(), 0.0_f64);
     for periodic in [true, false] {
         let region = Region {
             width: 20.0,
@@ -251,8 +251,11 @@ fn measure_gas() -> Outcome {
         }
         let mut points = Vec::new();
         for (k, &d) in gases[0].distance.iter().enumerate() {
-            let mean = gases.iter().map(|gas| gas.g[k]).sum::<f64>() / GASES as f64;
+            let values = || gases.iter().map(|gas| gas.g[k]);
+            let mean = values().sum::<f64>() / GASES as f64;
             if (0.5..4.5).contains(&d) {
+                let square = values().map(|g| (g - mean).powi(2)).sum::<f64>();
+                spread = spread.max(square / (GASES * (GASES - 1)) as f64);
                 all.push(Measurement::absolute(1.0, mean, 0.02));
             }
             points.push([d, mean]);
@@ -271,5 +274,9 @@ fn measure_gas() -> Outcome {
         y: Axis::linear("radial distribution function"),
         curves,
     };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    let text = format!(
+        "Largest standard error of a mean of {GASES} gases, as found from them: {:.4}.",
+        spread.sqrt()
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot), Exhibit::Text(text)]))
 }

@@ -139,7 +139,7 @@ fn meeting(random: &mut Random) -> (Spheres, bool) {
     let distance = inside * (1.0 + random.signed(1e-9, 9e-7));
     let [i, j] = one.radii;
     // A lens that is cut off is seen only where it is large beside the smaller sphere.
-    if random.below(4) > 0 || i.min(j) > 0.01 * i.max(j) {
+    if random.below(4) > 0 || i.min(j) > 0.3 * i.max(j) {
         return (one, false);
     }
     let contains = distance <= inside;

@@ -42,6 +42,18 @@ pub(super) fn checks() -> Vec<Check> {
             )
         },
         Check {
+            scene: "Vectors along the negative x axis whose other component is zero of either sign, and turns from one direction to its opposite",
+            oracle: "pi",
+            norm: "Number of other angles",
+            reason: "None may differ",
+            ..identity(
+                "identities.half-turn",
+                "Half a turn is +pi, whatever the sign of zero.",
+                "(107)",
+                half_turns,
+            )
+        },
+        Check {
             scene: "100 000 odd multiples of pi up to 201 pi of either sign, and angles up to a ten-millionth beside them",
             oracle: "The angle itself: its representative is in [-pi, pi) and whole turns away",
             reason: "One rounding of the angle, one of two pi times the number of turns",
@@ -135,6 +147,22 @@ fn angles() -> Outcome {
         };
         largest([opposite, angle, turned]) / (EPSILON * PI)
     })
+}
+
+fn half_turns() -> Outcome {
+    let mut wrong = 0;
+    for zero in [0.0, -0.0] {
+        for length in [1e-300, 1.0, 1e300] {
+            wrong += usize::from(angle_of(Vec2::new(-length, zero)) != PI);
+        }
+        for (from, to) in [
+            (Vec2::new(1.0, zero), Vec2::new(-1.0, -zero)),
+            (Vec2::new(zero, 1.0), Vec2::new(-zero, -1.0)),
+        ] {
+            wrong += usize::from(turn(from, to).0 != PI) + usize::from(turn(to, from).0 != PI);
+        }
+    }
+    Ok(Measurement::count(wrong).into())
 }
 
 fn images() -> Outcome {

@@ -19,7 +19,7 @@ pub(super) fn checks() -> Vec<Check> {
             id: "laws.thresholds",
             claim: "What a comparison decides is decided where it should be: sliding with its stored energy, the moves of the rate-limited controller, and what is refused: narrow boxes, long bonds, inertias without an inverse, flights beyond a diameter.",
             equations: "(42), (68)-(69), (76), (98)",
-            scene: "For each, a state a ten-millionth before the threshold and one as far beyond it",
+            scene: "For each, a state a ten-millionth before the threshold and one as far beyond it; a contact that is said to have begun before the spheres overlap",
             oracle: "Which side the state is on",
             norm: "Number of states on the wrong side",
             origin: Origin::Exact,
@@ -61,6 +61,7 @@ fn thresholds() -> Outcome {
         ];
         wrong += found.iter().filter(|&&found| found != beyond).count();
     }
+    wrong += usize::from(!is_refused_at_touch()?);
     Ok(Measurement::count(wrong).into())
 }
 
@@ -84,6 +85,26 @@ fn sticky() -> Contact {
             stiffness: STIFFNESS,
             grips_at_rest: false,
         })),
+    }
+}
+
+/// Whether a scene may not say of spheres that just touch how their contact began.
+fn is_refused_at_touch() -> Result<bool, Failure> {
+    let start = Start {
+        contacts: vec![ContactStart {
+            between: [0, 1],
+            initial_angles: [0.0, -PI],
+        }],
+        ..Start::default()
+    };
+    let model = Model {
+        contact: Some(sticky()),
+        ..empty_model(Integrator::Euler, 1e-6)
+    };
+    match World::<f64>::new(model, pair([1.0, 1.5], 2.5), &start) {
+        Ok(_) => Ok(false),
+        Err(ModelError::NoOverlap { .. }) => Ok(true),
+        Err(other) => Err(other.into()),
     }
 }
 
