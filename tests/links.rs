@@ -140,3 +140,12 @@ fn chebyshev_distance_goes_the_short_way_round() {
     assert_eq!(cells.distance(at(0.5, 0.5), at(5.5, 0.5)), 5);
     assert_eq!(cells.distance(at(9.5, 7.5), at(0.5, 2.5)), 5);
 }
+
+#[test]
+fn a_world_without_particles_has_no_pairs() {
+    let nothing = particles(&[]);
+    assert!(nothing.is_empty() && !particles(&[(0.0, 0.0, 1.0)]).is_empty());
+    assert!(overlapping(Open, &nothing).is_empty());
+    let mut neighbors = Neighbors::new(&nothing, [None, None], None);
+    assert!(found(Open, &nothing, &mut neighbors).is_empty());
+}

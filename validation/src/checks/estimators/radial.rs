@@ -226,7 +226,7 @@ fn gas() -> Check {
         oracle: "Independent points have no structure: g = 1",
         norm: "Largest departure of the mean g of 12 gases from one between 0.5 m and 4.5 m",
         origin: Origin::Statistical,
-        reason: "A shell of the width of the kernel, 0.25 m / 0.6, holds 12 000 pairs at the smallest distance, so that the mean of twelve gases has a standard error of 0.0026 by counting, and less farther out; 0.02 is seven of them, which no sound estimator exceeds, while one that is off by 0.03 anywhere is rejected with a probability above 0.999; the standard error found is stated below",
+        reason: "A shell of the width of the kernel, 0.25 m / 0.6, holds 12 000 pairs at the smallest distance, so that the mean of twelve gases has a standard error of 0.0026 by counting; where the edges hide most of a circle few pairs count for many, and the largest found is stated below, 0.0043. The margin of 0.02 is above four of these: of some forty independent distances a sound estimator misses it for one seed in 1000, while one that is off by 0.035 anywhere is rejected with a probability above 0.999",
         effort: Effort::Thorough,
         measure: measure_gas,
     }

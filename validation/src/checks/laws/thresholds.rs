@@ -17,8 +17,8 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "laws.thresholds",
-            claim: "What a comparison decides is decided where it should be: sliding with its stored energy, the moves of the rate-limited controller, and what is refused: narrow boxes, long bonds, inertias without an inverse, flights beyond a diameter.",
-            equations: "(42), (68)-(69), (76), (98)",
+            claim: "What a comparison decides is decided where it should be: sliding with its stored energy, the moves of the rate-limited controller, and what is refused: narrow boxes, long bonds, inertias without an inverse, flights beyond a diameter and beyond all numbers.",
+            equations: "(22), (42), (64), (76), (98)",
             scene: "For each, a state a ten-millionth before the threshold and one as far beyond it; a contact that is said to have begun before the spheres overlap",
             oracle: "Which side the state is on",
             norm: "Number of states on the wrong side",
@@ -62,6 +62,9 @@ fn thresholds() -> Outcome {
         wrong += found.iter().filter(|&&found| found != beyond).count();
     }
     wrong += usize::from(!is_refused_at_touch()?);
+    for axis in 0..3 {
+        wrong += usize::from(!stops_beyond_numbers(axis)?);
+    }
     Ok(Measurement::count(wrong).into())
 }
 
@@ -242,6 +245,21 @@ fn flies(multiple: f64) -> Result<bool, Failure> {
     match world.step().and_then(|()| world.check()) {
         Ok(()) => Ok(false),
         Err(StepError::TooFast { .. }) => Ok(true),
+        Err(other) => Err(other.into()),
+    }
+}
+
+/// Whether a grain that leaves all numbers in one step, along x, along y or by turning, is stopped.
+fn stops_beyond_numbers(axis: usize) -> Result<bool, Failure> {
+    let mut rates = [0.0; 3];
+    rates[axis] = 1e308;
+    let [x, y, spin] = rates;
+    let grain = sphere(Vec2::zero(), Vec2::new(x, y), spin, 1.0);
+    let model = empty_model(Integrator::Euler, 10.0);
+    let mut world: World = World::new(model, [grain].into_iter().collect(), &Start::default())?;
+    match world.step().and_then(|()| world.check()) {
+        Ok(()) => Ok(false),
+        Err(StepError::NotFinite { particle, .. }) => Ok(particle == 0),
         Err(other) => Err(other.into()),
     }
 }
