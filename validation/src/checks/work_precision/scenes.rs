@@ -29,7 +29,15 @@ const GRANITE_STIFFNESS: f64 = 1e7;
 const GRANITE_STEP: f64 = 10e-9;
 
 /// Every scene, from the smallest to the largest.
-pub const CASES: [&Case; 6] = [&PAIR, &BOUNCING, &ROLLING, &BEAM, &PACKING, &FAULT];
+pub const CASES: [&Case; 7] = [
+    &PAIR,
+    &BOUNCING,
+    &ROLLING,
+    &BEAM,
+    &PACKING,
+    &VISCOELASTIC_PACKING,
+    &FAULT,
+];
 
 /// Two bonded grains that swing, bend and turn.
 pub const PAIR: Case = Case {
@@ -109,13 +117,34 @@ pub const PACKING: Case = Case {
     brief: 0..8,
     origin: packing,
     truth: |case, origin, _| {
-        let fields = [6.0 * PI * VISCOSITY, WELL, 0.5 * HEIGHT];
         Ok(grains_truth::<48>(
             case,
             origin,
             spring_dashpot(),
-            fields,
+            FIELDS,
             1e-14,
+        ))
+    },
+};
+
+/// The same grains, viscoelastic, so that no force jumps and eight decades of error are within reach.
+pub const VISCOELASTIC_PACKING: Case = Case {
+    name: "viscoelastic packing",
+    orders: ROOT,
+    margin: HALF_WAY,
+    thesis_step: GRANITE_STEP,
+    thesis_steps: 4096,
+    doublings: 5,
+    rungs: 16,
+    brief: 4..12,
+    origin: viscoelastic_packing,
+    truth: |case, origin, _| {
+        Ok(grains_truth::<48>(
+            case,
+            origin,
+            viscoelastic(),
+            FIELDS,
+            1e-18,
         ))
     },
 };
@@ -180,14 +209,17 @@ const YOUNG: f64 = 50e9;
 const POISSON: f64 = 0.22;
 const DISSIPATION: f64 = 1e-7;
 
+fn viscoelastic_law() -> String {
+    format!(
+        "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {YOUNG:e}\n\
+         poissons_ratio = {POISSON:e}\ndissipative_constant = {DISSIPATION:e}\n"
+    )
+}
+
 /// Four grains in lanes of their own, so that the largest error depends less on where within a step a
 /// collision happens to begin.
 fn bouncing() -> Result<Origin, Failure> {
-    let law = format!(
-        "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {YOUNG:e}\n\
-         poissons_ratio = {POISSON:e}\ndissipative_constant = {DISSIPATION:e}\n"
-    );
-    let mut text = start() + &law;
+    let mut text = start() + &viscoelastic_law();
     for (lane, speed) in [10.0, 8.0, 12.0, 9.0].iter().enumerate() {
         let height = 3e-3 * lane as f64;
         text += &fixed([0.0, height], 1e-3);
@@ -213,13 +245,26 @@ const DAMPING: f64 = 10.0;
 const VISCOSITY: f64 = 10.0;
 const WELL: f64 = 1e3;
 const HEIGHT: f64 = 10e-3;
+/// Drag of creeping flow per radius, and stiffness and middle of the well.
+const FIELDS: [f64; 3] = [6.0 * PI * VISCOSITY, WELL, 0.5 * HEIGHT];
+
+fn packing() -> Result<Origin, Failure> {
+    falling(&format!(
+        "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {GRANITE_STIFFNESS:e}\n\
+         damping = {DAMPING:e}\n"
+    ))
+}
+
+fn viscoelastic_packing() -> Result<Origin, Failure> {
+    falling(&viscoelastic_law())
+}
 
 /// Twelve grains of different size on a disturbed square lattice, all on their way to its centre.
-fn packing() -> Result<Origin, Failure> {
+fn falling(law: &str) -> Result<Origin, Failure> {
     let mut text = start()
+        + law
         + &format!(
-            "[box]\nheight = {HEIGHT:e}\n[contact.normal]\nlaw = \"kelvin-voigt\"\n\
-             stiffness = {GRANITE_STIFFNESS:e}\ndamping = {DAMPING:e}\n\
+            "[box]\nheight = {HEIGHT:e}\n\
              [ambient]\nlaw = \"creeping\"\nviscosity = {VISCOSITY:e}\n\
              [external]\nlaw = \"harmonic-well\"\nstiffness = {WELL:e}\n"
         );

@@ -12,7 +12,7 @@ pub fn check() -> Check {
         id: "work-precision.summary",
         claim: "With the step of the thesis forward Euler is in no scene as accurate as velocity Verlet, which evaluates forces as often.",
         equations: "(55)-(58)",
-        scene: "The six scenes of the diagrams, 10 ns or the same fraction of their time scale",
+        scene: "The seven scenes of the diagrams, 10 ns or the same fraction of their time scale",
         oracle: "Those of the diagrams",
         norm: "Number of scenes in which forward Euler has the smaller error",
         origin: Origin::Exact,
