@@ -47,8 +47,6 @@ pub trait Real:
     fn asin(self) -> Self;
     /// Inverse cosine.
     fn acos(self) -> Self;
-    /// Sine.
-    fn sin(self) -> Self;
     /// Whether neither infinite nor undefined.
     fn is_finite(self) -> bool;
 
@@ -140,9 +138,6 @@ impl Real for f64 {
     }
     fn acos(self) -> Self {
         libm::acos(self)
-    }
-    fn sin(self) -> Self {
-        libm::sin(self)
     }
     #[inline(always)]
     fn is_finite(self) -> bool {

@@ -82,9 +82,6 @@ impl Real for Dual {
     fn acos(self) -> Self {
         Self(self.0.acos())
     }
-    fn sin(self) -> Self {
-        Self(self.0.sin())
-    }
     fn is_finite(self) -> bool {
         self.value().is_finite() && self.slope().is_finite()
     }

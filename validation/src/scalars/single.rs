@@ -48,9 +48,6 @@ impl Real for Single {
     fn acos(self) -> Self {
         Self(libm::acosf(self.0))
     }
-    fn sin(self) -> Self {
-        Self(libm::sinf(self.0))
-    }
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.0.is_finite()

@@ -151,11 +151,13 @@ fn joined(all: &mut Vec<Measurement>) {
 fn triangle(all: &mut Vec<Measurement>) {
     let (low, width) = (1.0, 1e-3);
     let law = UniformSum(uniform([low, low + width]), uniform([low, low + width]));
-    for corner in [2.0 * low, 2.0 * low + width, 2.0 * (low + width)] {
+    let end = 2.0 * (low + width);
+    all.push(Measurement::absolute(1.0, law.cumulative(end), 0.0));
+    for corner in [2.0 * low, 2.0 * low + width, end] {
         for side in [1.0 - 4e-7, 1.0 + 4e-7] {
             let x = corner * side;
             // Distances from both ends in widths, which lose four digits.
-            let [left, right] = [x - 2.0 * low, 2.0 * (low + width) - x].map(|d| d / width);
+            let [left, right] = [x - 2.0 * low, end - x].map(|d| d / width);
             let density = left.min(right).max(0.0);
             let cumulative = if left < 1.0 {
                 0.5 * left.max(0.0).powi(2)

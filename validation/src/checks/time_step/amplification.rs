@@ -32,7 +32,7 @@ pub fn checks() -> Vec<Check> {
             oracle: "Bisection of the spectral radius, eigenvalues by nalgebra",
             norm: "Largest relative difference of critical steps",
             origin: Origin::Convergent,
-            reason: "Eigenvalues are known to some 1e-15, and the radius rises by more than 1e-4 of a relative change of the step; at zero damping two roots meet, which are known to the root of a rounding, 1.5e-8",
+            reason: "Eigenvalues are known to some 1e-15, and the radius rises by more than 1e-4 of a relative change of the step; at zero damping two roots of symplectic Euler and velocity Verlet meet, which are known to the root of a rounding, 1.5e-8; the others grow at any step then, and may have no critical step beyond 0.01047, where the weakest growth, Beeman's (w dt)^4 / 12, is what the kernel admits",
             effort: Effort::Quick,
             measure: boundaries,
         },
