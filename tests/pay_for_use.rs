@@ -158,4 +158,16 @@ fn records_that_name_other_particles_are_refused_or_run() {
     }
     // Five lengths of lists and the bond, whose second particle would be beyond the last, at least.
     assert!(refused >= 6, "{refused}");
+    // A number or a vector too many in any list of five.
+    let lengths = (0..words.len()).filter(|&place| words[place] == 5);
+    for place in lengths.clone() {
+        for more in [1, 2] {
+            let mut longer = words.clone();
+            longer[place] += 1;
+            longer.splice(place + 1..place + 1, vec![0; more]);
+            let read = gouge_kernel::World::from_words(*world.model(), &longer);
+            assert!(read.is_none(), "{more} words after {place}");
+        }
+    }
+    assert!(lengths.count() >= 8);
 }
