@@ -331,6 +331,10 @@ fn the_drag_of_other_shapes_has_the_base_ten() {
     assert!(close(limit(1.0), 0.42, 1e-12));
     assert!(close(limit(0.1), 0.42 * 100.0_f64.powf(0.2), 1e-12));
     assert!(close(limit(1e-32), 0.42 * 10_000.0_f64.powf(0.2), 1e-12));
+    // The first term goes with the root of the lengthwise sphericity, the last with the crosswise one.
+    let at = |lengthwise, crosswise| drag_coefficient(1.0, [lengthwise, 1.0, crosswise]);
+    assert!(close(at(0.25, 1.0) - at(1.0, 1.0), 8.0, 1e-12));
+    assert!(close(at(1.0, 0.5) - at(1.0, 1.0), 0.42, 1e-12));
     // The third term at Re = 1: what is left over of a sphericity of 1/16 has 3 times 16 to 3/4.
     let whole = drag_coefficient(1.0, [1.0, 0.0625, 1.0]);
     let rest = whole - 8.0 - 16.0 * 4.0 - limit(0.0625);

@@ -61,7 +61,7 @@ fn thresholds() -> Outcome {
         ];
         wrong += found.iter().filter(|&&found| found != beyond).count();
     }
-    wrong += usize::from(!is_refused_at_touch()?);
+    wrong += usize::from(!is_refused_at_touch()?) + contacts_at_touch()?;
     for axis in 0..3 {
         wrong += usize::from(!stops_beyond_numbers(axis)?);
     }
@@ -89,6 +89,16 @@ fn sticky() -> Contact {
             grips_at_rest: false,
         })),
     }
+}
+
+/// Contacts of spheres that just touch.
+fn contacts_at_touch() -> Result<usize, Failure> {
+    let model = Model {
+        contact: Some(sticky()),
+        ..empty_model(Integrator::Euler, 1e-6)
+    };
+    let world: World = World::new(model, pair([1.0, 1.5], 2.5), &Start::default())?;
+    Ok(world.contacts())
 }
 
 /// Whether a scene may not say of spheres that just touch how their contact began.
