@@ -148,12 +148,15 @@ fn records_that_name_other_particles_are_refused_or_run() {
     advance(&mut world, 10);
     let words = world.to_words();
     let mut refused = 0;
+    // A particle beyond the last is at most five numbers away from one that there is.
     for place in 0..words.len() {
-        let mut damaged = words.clone();
-        damaged[place] = damaged[place].wrapping_add(1);
-        match gouge_kernel::World::from_words(*world.model(), &damaged) {
-            Some(mut copy) => drop(copy.step()),
-            None => refused += 1,
+        for more in 1..=5 {
+            let mut damaged = words.clone();
+            damaged[place] = damaged[place].wrapping_add(more);
+            match gouge_kernel::World::from_words(*world.model(), &damaged) {
+                Some(mut copy) => drop(copy.step()),
+                None => refused += 1,
+            }
         }
     }
     // Five lengths of lists and the bond, whose second particle would be beyond the last, at least.
@@ -170,4 +173,17 @@ fn records_that_name_other_particles_are_refused_or_run() {
         }
     }
     assert!(lengths.count() >= 8);
+}
+
+#[test]
+fn the_driving_force_goes_on_in_the_next_phase() {
+    let text = grains(
+        "[driving]\ncontroller = \"rate-limited\"\nspeed = 1.0\npressure = 1e6\nforce_rate = 1e6\n[box]\nwidth = 0.1\n",
+    ) + "role = \"driven\"\n";
+    let mut world = world(&text);
+    advance(&mut world, 100);
+    let (force, model) = (world.drive().force, *world.model());
+    assert!(force.x != 0.0 && force.y != 0.0);
+    let next = world.continue_with(model, None).expect("the same model");
+    assert_eq!(next.drive().force, force);
 }

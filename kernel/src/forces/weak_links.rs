@@ -192,8 +192,7 @@ pub(crate) fn weak_links<
             if LEDGER && memory.touches {
                 let frame = PairFrame::new(displacement);
                 let state = pass.state(particles, (i, j), frame, memory);
-                let lost = pass.stored(radii, &state, memory.state);
-                tally.breaking += lost;
+                // Without a normal force no law stores anything: all that was left is heat.
                 tally.friction += state.friction.heat;
             }
             memory.touches = false;

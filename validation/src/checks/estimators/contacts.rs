@@ -105,7 +105,7 @@ fn measure_end() -> Outcome {
         all.push(Measurement::relative(
             pressed,
             fresh.energy().contact,
-            1e-13,
+            2e-13,
         ));
     }
     Ok(Measurement::worst(all).into())

@@ -62,6 +62,7 @@ fn thresholds() -> Outcome {
         wrong += found.iter().filter(|&&found| found != beyond).count();
     }
     wrong += usize::from(!is_refused_at_touch()?) + contacts_at_touch()?;
+    wrong += usize::from(!is_wide(1.0)?);
     for axis in 0..3 {
         wrong += usize::from(!stops_beyond_numbers(axis)?);
     }
