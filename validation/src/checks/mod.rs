@@ -9,6 +9,7 @@ mod closure;
 mod economy;
 mod estimators;
 mod exhibit;
+mod extrapolation;
 mod extremes;
 mod identities;
 mod laws;

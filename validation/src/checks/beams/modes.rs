@@ -1,5 +1,6 @@
 //! Modes of two bonded particles.
 
+use super::super::extrapolation::to_no_step;
 use super::super::scenes::{head, particle, world};
 use super::super::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
 use super::oscillation::{decay_and_turn_a_step, turn_a_step};
@@ -234,19 +235,6 @@ fn swing() -> Outcome {
     Ok(Measurement::worst(measured).into())
 }
 
-/// Decay rate and frequency extrapolated to no step from five steps, each half the one before, where the
-/// errors go with the second and higher powers of the step.
-fn extrapolated(mut levels: Vec<[f64; 2]>) -> [f64; 2] {
-    for power in 2..=5 {
-        let factor = f64::from(1u32 << power);
-        levels = levels
-            .windows(2)
-            .map(|pair| [0, 1].map(|n| pair[1][n] + (pair[1][n] - pair[0][n]) / (factor - 1.0)))
-            .collect();
-    }
-    levels[0]
-}
-
 fn damped_run() -> Outcome {
     let mut measured = Vec::new();
     let mut table = Table::new(
@@ -273,13 +261,14 @@ fn damped_run() -> Outcome {
                 let every = steps / 25;
                 let thinned: Vec<f64> = samples.into_iter().step_by(every).skip(4).collect();
                 let rates = decay_and_turn_a_step(&thinned);
-                Ok(rates.map(|rate| rate / (step * every as f64)))
+                Ok(vec![rates.map(|rate| rate / (step * every as f64))])
             };
             let levels: Result<Vec<_>, Failure> = [400, 800, 1600, 3200, 6400]
                 .map(level)
                 .into_iter()
                 .collect();
-            let found = extrapolated(levels?);
+            let found = to_no_step(levels?, &[2, 3, 4, 5]);
+            let found = found.first().copied().unwrap_or([f64::NAN; 2]);
             let both = exact.iter().zip(found);
             measured.extend(
                 both.map(|(&exact, found)| Measurement::scaled(exact, found, scale, 1e-10)),

@@ -1,6 +1,6 @@
 //! MFiX DEM06: a sphere settles to its terminal speed.
 
-use super::extrapolation::to_no_step;
+use crate::checks::extrapolation::to_no_step;
 use crate::checks::scenes::{advance, head, particle, world};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,

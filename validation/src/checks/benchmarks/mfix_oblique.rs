@@ -1,9 +1,9 @@
 //! MFiX DEM05: a sphere on linear springs hits a plane obliquely.
 
-use super::extrapolation::to_no_step;
 use super::literature;
 use super::plane::{Flight, OnPlane, material};
 use super::sweep::step_errors;
+use crate::checks::extrapolation::to_no_step;
 use crate::checks::scenes::{advance, world_in};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,

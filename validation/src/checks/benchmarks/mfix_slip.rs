@@ -1,7 +1,7 @@
 //! MFiX DEM04: a sphere slides until it rolls.
 
-use super::extrapolation::to_no_step;
 use super::plane::{FLATNESS, fixed, linear};
+use crate::checks::extrapolation::to_no_step;
 use crate::checks::scenes::{advance, head, particle, world_in};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,

@@ -1,7 +1,7 @@
 //! MFiX DEM03: two spheres pressed between walls.
 
-use super::extrapolation::to_no_step;
 use super::plane::{fixed, linear};
+use crate::checks::extrapolation::to_no_step;
 use crate::checks::scenes::{advance, head, particle, world};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,

@@ -3,7 +3,6 @@
 mod chung_ooi_head_on;
 mod chung_ooi_oblique;
 mod chung_ooi_pairs;
-mod extrapolation;
 mod literature;
 mod mfix_bounce;
 mod mfix_drag;

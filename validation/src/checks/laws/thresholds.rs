@@ -64,7 +64,9 @@ fn thresholds() -> Outcome {
     wrong += usize::from(!is_refused_at_touch()?) + contacts_at_touch()?;
     wrong += usize::from(!is_wide(1.0)?);
     for axis in 0..3 {
-        wrong += usize::from(!stops_beyond_numbers(axis)?);
+        for periodic in [false, true] {
+            wrong += usize::from(!stops_beyond_numbers(axis, periodic)?);
+        }
     }
     Ok(Measurement::count(wrong).into())
 }
@@ -260,13 +262,15 @@ fn flies(multiple: f64) -> Result<bool, Failure> {
     }
 }
 
-/// Whether a grain that leaves all numbers in one step, along x, along y or by turning, is stopped.
-fn stops_beyond_numbers(axis: usize) -> Result<bool, Failure> {
+/// Whether a grain that leaves all numbers in one step, along x, along y or by turning, is stopped, also
+/// in a periodic box.
+fn stops_beyond_numbers(axis: usize, periodic: bool) -> Result<bool, Failure> {
     let mut rates = [0.0; 3];
     rates[axis] = 1e308;
     let [x, y, spin] = rates;
     let grain = sphere(Vec2::zero(), Vec2::new(x, y), spin, 1.0);
-    let model = empty_model(Integrator::Euler, 10.0);
+    let mut model = empty_model(Integrator::Euler, 10.0);
+    (model.domain.width, model.domain.periodic) = (Some(100.0), periodic);
     let mut world: World = World::new(model, [grain].into_iter().collect(), &Start::default())?;
     match world.step().and_then(|()| world.check()) {
         Ok(()) => Ok(false),
