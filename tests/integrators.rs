@@ -5,12 +5,16 @@ use gouge_kernel::World;
 use gouge_kernel::integrators::{Integrator, Oscillator, critical_step};
 use std::f64::consts::PI;
 
-const NAMES: [(&str, Integrator); 5] = [
+const NAMES: [(&str, Integrator); 6] = [
     ("euler", Integrator::Euler),
     ("symplectic-euler", Integrator::SymplecticEuler),
     ("taylor", Integrator::Taylor),
     ("velocity-verlet", Integrator::VelocityVerlet),
     ("beeman", Integrator::Beeman),
+    (
+        "velocity-verlet-half-step",
+        Integrator::VelocityVerletHalfStep,
+    ),
 ];
 
 /// A particle of 1 kg in a harmonic well of angular frequency one, with drag of the given ratio.
@@ -39,8 +43,8 @@ fn error(integrator: &str, steps: u64, zeta: f64) -> f64 {
 
 #[test]
 fn orders_are_those_of_theory() {
-    let orders = [1.0, 1.0, 1.0, 2.0, 2.0];
-    for zeta in [0.0, 0.3] {
+    for (zeta, half_step) in [(0.0, 2.0), (0.3, 1.0)] {
+        let orders = [1.0, 1.0, 1.0, 2.0, 2.0, half_step];
         for ((name, _), order) in NAMES.iter().zip(orders) {
             let (coarse, fine) = (error(name, 1600, zeta), error(name, 3200, zeta));
             let observed = (coarse / fine).log2();
@@ -108,6 +112,7 @@ fn critical_steps_have_their_closed_forms() {
         let forms = [
             (Integrator::Euler, euler),
             (Integrator::SymplecticEuler, 2.0 * (root - zeta)),
+            (Integrator::VelocityVerletHalfStep, 2.0 * (root - zeta)),
             (Integrator::Taylor, (4.0 * zeta).min(1.0 / zeta)),
             (Integrator::VelocityVerlet, verlet),
             (Integrator::Beeman, beeman),

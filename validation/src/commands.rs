@@ -1,7 +1,7 @@
 //! The commands of the program, apart from reading arguments.
 
 use crate::error::Error;
-use crate::scene::{INTEGRATORS, Scene, builtin};
+use crate::scene::{Scene, builtin, integrator_name};
 use gouge_kernel::forces::LinkKind;
 use gouge_kernel::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
 use gouge_kernel::material::Elastic;
@@ -83,14 +83,10 @@ pub fn stability(scene: &Scene) -> Result<String, Error> {
         "step": finite(estimate),
         "satisfied": scene.step <= estimate,
     }));
-    let name = INTEGRATORS
-        .iter()
-        .find(|(_, i)| *i == scene.integrator)
-        .map_or("", |(n, _)| n);
     let steps = bounds.iter().filter_map(|bound| bound["step"].as_f64());
     let smallest = steps.fold(f64::INFINITY, f64::min);
     let text = serde_json::to_string_pretty(&json!({
-        "integrator": name,
+        "integrator": integrator_name(scene.integrator),
         "time_step": scene.step,
         "smallest_bound": finite(smallest),
         "satisfied": scene.step <= smallest,

@@ -3,7 +3,7 @@
 use super::{StrongPass, WeakPass};
 use crate::geometry::{Arm, Metric, PairFrame, Vec2, overlap_factor};
 use crate::laws::{BeamLaw, NormalLaw, TangentialLaw};
-use crate::links::{ContactMemory, Pair, StrongLink, WeakLinks};
+use crate::links::{Pair, StrongLink, WeakLinks};
 use crate::particles::Particles;
 use crate::scalar::Real;
 
@@ -101,7 +101,7 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
         }
         let mut memory = match weak.memory.get(position) {
             Some(memory) if memory.touches => *memory,
-            _ => ContactMemory::begin(&frame, [particles.angle[i], particles.angle[j]]),
+            _ => pass.begin(&frame, [particles.angle[i], particles.angle[j]]),
         };
         let state = pass.state(particles, (i, j), frame, &mut memory);
         Some(LinkState {

@@ -16,6 +16,8 @@ pub(crate) struct WeakPass<M, A, N, T> {
     pub normal: N,
     pub tangential: T,
     pub reading: Reading,
+    /// Time since the previous evaluation in s, for arms that accumulate.
+    pub elapsed: f64,
 }
 
 /// A contact in its present state.
@@ -77,14 +79,20 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         state: &mut WeakState<S>,
     ) {
         let p = particles;
-        let arms = self
+        let radii = [p.radius[i], p.radius[j]];
+        let arms = self.arm.distances(radii, state.frame.distance);
+        let spins = [p.angular_velocity[i], p.angular_velocity[j]];
+        state.d_zeta = self
             .arm
-            .distances([p.radius[i], p.radius[j]], state.frame.distance);
+            .velocities(radii, &state.frame, &state.motion, spins);
         if T::REMEMBERS {
-            state.zeta = self.displacements(p, (i, j), arms, memory, &state.frame);
+            state.zeta = if A::ACCUMULATES {
+                memory.ends = [0, 1].map(|end| memory.ends[end] + state.d_zeta[end] * self.elapsed);
+                memory.ends
+            } else {
+                self.displacements(p, (i, j), arms, memory, &state.frame)
+            };
         }
-        let rates = [p.angular_velocity[i], p.angular_velocity[j]];
-        state.d_zeta = [0, 1].map(|end| arms[end] * (rates[end] - state.motion.frame_rate));
         let slide = Slide {
             displacement: state.zeta[0] + state.zeta[1],
             velocity: state.d_zeta[0] + state.d_zeta[1],
@@ -96,12 +104,21 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
             arms[0] * state.friction.force,
             arms[1] * state.friction.force,
         ];
-        state.tangential_force = match self.reading {
-            Reading::Thesis => state.friction.force,
-            Reading::Corrected => {
-                (state.torques[0] + state.torques[1]) * state.frame.inverse_distance
-            }
+        state.tangential_force = if A::ACCUMULATES || self.reading == Reading::Thesis {
+            state.friction.force
+        } else {
+            (state.torques[0] + state.torques[1]) * state.frame.inverse_distance
         };
+    }
+
+    /// The memory of a contact that begins.
+    pub fn begin<S: Real>(&self, frame: &PairFrame<S>, angles: [S; 2]) -> ContactMemory<S> {
+        let ends = if A::ACCUMULATES {
+            [S::zero(); 2]
+        } else {
+            angles
+        };
+        ContactMemory::begin(frame, ends)
     }
 
     /// Tangential displacements of both ends since the contact began, thesis eqs. (29)-(32).
@@ -117,7 +134,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         let (turned, is_small) = turn(memory.reference, frame.normal);
         let angles = [particles.angle[i], particles.angle[j]];
         let zeta = [0, 1].map(|end| {
-            let angle = angles[end] - memory.rest_angles[end] - turned;
+            let angle = angles[end] - memory.ends[end] - turned;
             arms[end]
                 * if self.reading == Reading::Thesis {
                     wrapped(angle)
@@ -127,7 +144,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         });
         if !is_small {
             memory.reference = frame.normal;
-            memory.rest_angles = memory.rest_angles.map(|angle| angle + turned);
+            memory.ends = memory.ends.map(|angle| angle + turned);
         }
         zeta
     }
@@ -200,7 +217,7 @@ pub(crate) fn weak_links<
         }
         let frame = PairFrame::new(displacement);
         if T::REMEMBERS && !memory.touches {
-            *memory = ContactMemory::begin(&frame, [particles.angle[i], particles.angle[j]]);
+            *memory = pass.begin(&frame, [particles.angle[i], particles.angle[j]]);
         }
         let state = pass.state(particles, (i, j), frame, memory);
         if LEDGER {
@@ -235,7 +252,7 @@ pub(crate) fn stored_in_weak_links<S: Real, M: Metric, A: Arm, N: NormalLaw, T: 
         }
         let mut memory = match weak.memory.get(position) {
             Some(memory) if memory.touches => *memory,
-            _ => ContactMemory::begin(&frame, [particles.angle[i], particles.angle[j]]),
+            _ => pass.begin(&frame, [particles.angle[i], particles.angle[j]]),
         };
         let state = pass.state(particles, (i, j), frame, &mut memory);
         sum += pass.stored(radii, &state, memory.state);

@@ -1,6 +1,6 @@
 //! Where two spheres touch: distances, half-length, area and volume of a contact (appendix D).
 
-use super::overlap_factor;
+use super::{MixedArms, PairFrame, PairMotion, overlap_factor};
 use crate::scalar::Real;
 use core::f64::consts::PI;
 use gouge_equations::rendered;
@@ -19,12 +19,33 @@ pub enum ContactDistance {
     Focal,
     /// The mean over the contact, [`mean_distance`].
     Mean,
+    /// Several at once, as another program has them; for comparisons only.
+    Mixed(MixedArms),
 }
 
 /// A rule for the lever arms of both ends of a link, in m.
+#[rendered]
 pub trait Arm: Copy {
+    /// Whether tangential displacements are summed up step by step instead of being functions of the state.
+    const ACCUMULATES: bool = false;
     /// Distances of the centres of i and j from the contact.
     fn distances<S: Real>(self, radii: [S; 2], distance: S) -> [S; 2];
+    /// Tangential velocities of both ends in m/s, for angular velocities `spins` in rad/s.
+    ///
+    /// $$ \partial_t \zeta_{ij} = d_{ij} (\omega_i - \partial_t \lambda) $$
+    ///
+    /// Thesis eq. (34).
+    #[inline(always)]
+    fn velocities<S: Real>(
+        self,
+        radii: [S; 2],
+        frame: &PairFrame<S>,
+        motion: &PairMotion<S>,
+        spins: [S; 2],
+    ) -> [S; 2] {
+        let arms = self.distances(radii, frame.distance);
+        [0, 1].map(|end| arms[end] * (spins[end] - motion.frame_rate))
+    }
 }
 
 /// Lever arm: the radius.

@@ -3,6 +3,7 @@
 mod angle;
 mod contact;
 mod metric;
+mod mixed_arms;
 mod pair_frame;
 mod vector;
 
@@ -13,5 +14,6 @@ pub use contact::{
     mean_distance, mean_distance_of_extremities,
 };
 pub use metric::{Metric, Open, PeriodicX};
+pub use mixed_arms::{Lever, MixedArms, Translation};
 pub use pair_frame::{PairFrame, PairMotion, focal_point, overlap_factor};
 pub use vector::Vec2;

@@ -13,7 +13,7 @@ pub use time_step::{
 pub(crate) use beeman::{beeman_correct, beeman_predict};
 pub(crate) use euler::{euler, symplectic_euler};
 pub(crate) use taylor::taylor;
-pub(crate) use velocity_verlet::{verlet_correct, verlet_predict};
+pub(crate) use velocity_verlet::{half_kick, half_kick_and_drift, verlet_correct, verlet_predict};
 
 use crate::forces::Forces;
 use crate::geometry::Vec2;
@@ -31,12 +31,14 @@ pub enum Integrator {
     Taylor,
     /// Velocity Verlet with predicted velocities.
     VelocityVerlet,
+    /// Velocity Verlet with the velocities of half a step, as LAMMPS has it; for comparisons only.
+    VelocityVerletHalfStep,
     /// Modified Beeman predictor-corrector, thesis eqs. (57)-(58).
     Beeman,
 }
 
 impl Integrator {
-    /// Every method.
+    /// Every method that a scene may sensibly choose.
     pub const ALL: [Self; 5] = [
         Self::Euler,
         Self::SymplecticEuler,
@@ -47,15 +49,15 @@ impl Integrator {
 
     /// Whether a step evaluates forces before it moves, and not after.
     pub fn evaluates_first(self) -> bool {
-        !self.needs_previous()
+        matches!(self, Self::Euler | Self::SymplecticEuler | Self::Taylor)
     }
     /// Fraction of a missing speed that a force may make up in a step.
     ///
-    /// All of it where the step multiplies the present acceleration by its full length. Velocity Verlet
-    /// and Beeman spread an acceleration over two steps and more; a quarter keeps the response damped:
+    /// All of it where the step multiplies the present acceleration by its full length. The others
+    /// spread an acceleration over two steps and more; a quarter keeps the response damped:
     /// the error falls by a factor of 0.70 a step.
     pub fn haste(self) -> f64 {
-        if self.needs_previous() { 0.25 } else { 1.0 }
+        if self.evaluates_first() { 1.0 } else { 0.25 }
     }
     /// Whether accelerations of the previous evaluation are kept.
     pub fn needs_previous(self) -> bool {

@@ -20,11 +20,14 @@ pub struct Oscillator {
 /// step multiplies the modes of an oscillator, with k = w^2 dt^2 and c = 2 zeta w dt.
 ///
 /// They follow from writing one step of each method as a linear map of position and velocity (velocity
-/// Verlet: and the acceleration; Beeman: and two of them) and expanding the determinant.
+/// Verlet: and the acceleration; Beeman: and two of them) and expanding the determinant. Velocity Verlet
+/// with velocities of half a step is symplectic Euler on these velocities.
 pub fn characteristic_polynomial(integrator: Integrator, k: f64, c: f64) -> Vec<f64> {
     match integrator {
         Integrator::Euler => vec![1.0, c - 2.0, 1.0 - c + k],
-        Integrator::SymplecticEuler => vec![1.0, c + k - 2.0, 1.0 - c],
+        Integrator::SymplecticEuler | Integrator::VelocityVerletHalfStep => {
+            vec![1.0, c + k - 2.0, 1.0 - c]
+        }
         Integrator::Taylor => vec![1.0, c + 0.5 * k - 2.0, 1.0 - c + 0.5 * k],
         Integrator::VelocityVerlet => vec![1.0, k + 1.5 * c - 2.0, 1.0 - 2.0 * c, 0.5 * c],
         Integrator::Beeman => vec![

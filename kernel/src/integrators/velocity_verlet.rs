@@ -36,3 +36,35 @@ pub(crate) fn verlet_correct<S: Real>(motion: Motion<S>, previous: &mut Previous
         p.angular_velocity[i] += (alpha - previous.angular[i]) * (0.5 * step);
     }
 }
+
+/// Velocity Verlet method with the velocities of half a step.
+///
+/// $$ \vec u = \vec v + \tfrac12 \vec a \Delta t, \qquad \vec x' = \vec x + \vec u \Delta t, \qquad \vec v' = \vec u + \tfrac12 \vec a' \Delta t $$
+///
+/// The forces a' are evaluated at u, which lags by half a step: with damping the method is of first order.
+/// For comparison with LAMMPS, whose `fix nve` this is; [`verlet_predict`] is as cheap and better.
+#[rendered]
+pub(crate) fn half_kick_and_drift<S: Real>(mut motion: Motion<S>, step: f64) {
+    motion.kick(0.5 * step);
+    for i in 0..motion.particles.len() {
+        let p = &mut *motion.particles;
+        p.position[i] += p.velocity[i] * S::from_f64(step);
+        p.angle[i] += p.angular_velocity[i] * step;
+    }
+}
+
+/// The rest of the step, with the forces at its end.
+pub(crate) fn half_kick<S: Real>(mut motion: Motion<S>, step: f64) {
+    motion.kick(0.5 * step);
+}
+
+impl<S: Real> Motion<'_, S> {
+    /// Change velocities by what the forces do in a time in s.
+    fn kick(&mut self, time: f64) {
+        for i in 0..self.particles.len() {
+            let (a, alpha) = self.acceleration(i);
+            self.particles.velocity[i] += a * S::from_f64(time);
+            self.particles.angular_velocity[i] += alpha * time;
+        }
+    }
+}

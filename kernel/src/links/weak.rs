@@ -24,20 +24,20 @@ pub struct ContactMemory<S> {
     /// Direction of the pair frame from which its turn is measured.
     pub reference: Vec2<S>,
     /// Angles of both particles at which the tangential displacement is zero, while the frame points
-    /// along `reference`.
-    pub rest_angles: [S; 2],
+    /// along `reference`; for arms that accumulate, the displacements of both ends so far, in m.
+    pub ends: [S; 2],
     /// The number that the tangential law remembers.
     pub state: S,
 }
 
 impl<S: Real> ContactMemory<S> {
-    /// A contact that begins in the given frame.
+    /// A contact that begins in the given frame, with the given entries of both ends.
     #[inline]
-    pub(crate) fn begin(frame: &PairFrame<S>, angles: [S; 2]) -> Self {
+    pub(crate) fn begin(frame: &PairFrame<S>, ends: [S; 2]) -> Self {
         Self {
             touches: true,
             reference: frame.normal,
-            rest_angles: angles,
+            ends,
             state: S::zero(),
         }
     }

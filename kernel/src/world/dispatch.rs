@@ -78,6 +78,9 @@ macro_rules! with_weak_pass {
             $crate::geometry::ContactDistance::Mean => {
                 $crate::world::dispatch::with_weak_pass!(@pass $model, $metric, $crate::geometry::MeanArm, $normal, $law, $pass => $body)
             }
+            $crate::geometry::ContactDistance::Mixed(arms) => {
+                $crate::world::dispatch::with_weak_pass!(@pass $model, $metric, arms, $normal, $law, $pass => $body)
+            }
         }
     };
     (@pass $model:expr, $metric:ident, $arm:expr, $normal:ident, $law:expr, $pass:ident => $body:expr) => {{
@@ -87,6 +90,7 @@ macro_rules! with_weak_pass {
             normal: $normal,
             tangential: $law,
             reading: $model.reading,
+            elapsed: 0.0,
         };
         $body
     }};

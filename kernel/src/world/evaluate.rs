@@ -4,7 +4,7 @@ use super::World;
 use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
 use crate::balance::Energy;
 use crate::error::StepError;
-use crate::forces::{self, LinkState, Tally};
+use crate::forces::{self, LinkState, Tally, WeakPass};
 use crate::geometry::{Metric, PeriodicX};
 use crate::laws::{Controller, Driven};
 use crate::links::Pair;
@@ -12,20 +12,21 @@ use crate::model::{Ambient, External};
 use crate::scalar::Real;
 
 impl<S: Real> World<S> {
-    /// Forces at the present positions and velocities; bonds break, contacts begin and end.
-    pub(super) fn evaluate(&mut self, advances_drive: bool) -> Result<(), StepError> {
+    /// Forces at the present positions and velocities; bonds break, contacts begin and end. Whether a step
+    /// has passed since the previous evaluation decides what the drive and sums over steps gain.
+    pub(super) fn evaluate(&mut self, advances: bool) -> Result<(), StepError> {
         self.refresh_neighbors()?;
         self.forces.clear();
         self.tally = Tally::default();
         self.add_strong_links();
-        self.add_weak_links();
+        self.add_weak_links(advances);
         if let Some(strong) = &mut self.strong
             && !strong.broken.is_empty()
         {
             strong.remove_broken();
         }
         self.add_fields();
-        self.add_driving(advances_drive);
+        self.add_driving(advances);
         if let Some(ledger) = &mut self.ledger {
             ledger.book(&self.tally);
         }
@@ -82,7 +83,7 @@ impl<S: Real> World<S> {
         });
     }
 
-    fn add_weak_links(&mut self) {
+    fn add_weak_links(&mut self, advances: bool) {
         let Self {
             model,
             particles,
@@ -102,10 +103,14 @@ impl<S: Real> World<S> {
             weak.admit_broken(strong);
         }
         let is_broken = |pair: Pair| strong.is_some_and(|strong| strong.breaks_now(pair));
-        with_weak_pass!(model, contact, pass => if model.ledger {
-            forces::weak_links::<_, _, _, _, _, true>(pass, particles, weak, is_broken, forces, tally);
-        } else {
-            forces::weak_links::<_, _, _, _, _, false>(pass, particles, weak, is_broken, forces, tally);
+        let elapsed = if advances { model.time_step } else { 0.0 };
+        with_weak_pass!(model, contact, pass => {
+            let pass = WeakPass { elapsed, ..pass };
+            if model.ledger {
+                forces::weak_links::<_, _, _, _, _, true>(pass, particles, weak, is_broken, forces, tally);
+            } else {
+                forces::weak_links::<_, _, _, _, _, false>(pass, particles, weak, is_broken, forces, tally);
+            }
         });
     }
 

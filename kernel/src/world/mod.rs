@@ -13,8 +13,8 @@ use crate::error::{ModelError, StepError};
 use crate::forces::{Forces, Tally};
 use crate::geometry::Vec2;
 use crate::integrators::{
-    Integrator, Motion, Previous, beeman_correct, beeman_predict, euler, symplectic_euler, taylor,
-    verlet_correct, verlet_predict,
+    Integrator, Motion, Previous, beeman_correct, beeman_predict, euler, half_kick,
+    half_kick_and_drift, symplectic_euler, taylor, verlet_correct, verlet_predict,
 };
 use crate::links::{BondStart, ContactStart, Neighbors, StrongLinks, WeakLinks};
 use crate::model::{Domain, Model};
@@ -206,6 +206,7 @@ impl<S: Real> World<S> {
             Integrator::VelocityVerlet => {
                 self.predict_and_correct(step, verlet_predict, verlet_correct)?;
             }
+            Integrator::VelocityVerletHalfStep => self.kick_drift_kick(step)?,
             Integrator::Beeman => self.predict_and_correct(step, beeman_predict, beeman_correct)?,
         }
         self.steps += 1;
@@ -285,6 +286,15 @@ impl<S: Real> World<S> {
         correct(self.motion(), &mut previous, step);
         self.wrap();
         self.previous = Some(previous);
+        outcome
+    }
+
+    fn kick_drift_kick(&mut self, step: f64) -> Result<(), StepError> {
+        self.learn_velocity();
+        half_kick_and_drift(self.motion(), step);
+        self.wrap();
+        let outcome = self.evaluate(true);
+        half_kick(self.motion(), step);
         outcome
     }
 

@@ -140,10 +140,7 @@ fn read_strong_link(reader: &mut Reader) -> Option<StrongLink<f64>> {
 fn write_contact(writer: &mut Writer, (pair, memory): &(Pair, ContactMemory<f64>)) {
     writer.pair(*pair);
     writer.vector(memory.reference);
-    memory
-        .rest_angles
-        .iter()
-        .for_each(|&angle| writer.number(angle));
+    memory.ends.iter().for_each(|&angle| writer.number(angle));
     writer.number(memory.state);
 }
 
@@ -152,7 +149,7 @@ fn read_contact(reader: &mut Reader) -> Option<(Pair, ContactMemory<f64>)> {
     let memory = ContactMemory {
         touches: true,
         reference: reader.vector()?,
-        rest_angles: [reader.number()?, reader.number()?],
+        ends: [reader.number()?, reader.number()?],
         state: reader.number()?,
     };
     Some((pair, memory))

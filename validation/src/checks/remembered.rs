@@ -71,7 +71,7 @@ fn contact(world: &World, pair: Pair, memory: &ContactMemory<f64>) -> ContactSta
         _ => 0.0,
     };
     let turned = slip / (world.particles().radius[i] + world.particles().radius[j]);
-    let angles = initial_angles(world, pair, memory.reference, memory.rest_angles);
+    let angles = initial_angles(world, pair, memory.reference, memory.ends);
     ContactStart {
         between: [i, j],
         initial_angles: angles.map(|angle| angle + turned),

@@ -4,7 +4,9 @@ use super::table::Table;
 use super::{Place, Scene};
 use crate::error::SceneError;
 use gouge_kernel::ModelError;
+use gouge_kernel::geometry::ContactDistance;
 use gouge_kernel::links::{BondStart, ContactStart, Pair};
+use gouge_kernel::model::Contact;
 use gouge_kernel::particles::Role;
 
 type Result<T> = std::result::Result<T, SceneError>;
@@ -35,6 +37,12 @@ impl Scene {
                 "contact",
                 "missing; [[contacts]] need the laws in [contact]",
             ));
+        }
+        let sums = |contact: Contact| matches!(contact.distance, ContactDistance::Mixed(_));
+        if self.contact.is_some_and(sums) && !self.contacts.is_empty() {
+            let accepted =
+                "a table cannot be combined with [[contacts]]: its displacements begin at zero";
+            return Err(root.table("contact")?.error("distance", accepted));
         }
         self.check_pairs()?;
         self.check_driving(root)?;

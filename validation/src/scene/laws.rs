@@ -2,7 +2,7 @@
 
 use super::table::{Range, Table};
 use crate::error::SceneError;
-use gouge_kernel::geometry::ContactDistance;
+use gouge_kernel::geometry::{ContactDistance, Lever, MixedArms, Translation};
 use gouge_kernel::laws::{
     AdjustedKelvinVoigt, Bshp, Controller, CorrelationDrag, CreepingDrag, CundallStrack,
     CundallStrackTruncated, Driving, EulerBernoulli, Gravity, HaffWerner, HarmonicWell,
@@ -33,14 +33,7 @@ pub fn contact(root: &Table, reading: Reading) -> Result<Option<Contact>> {
         return Ok(None);
     };
     table.allow(&["distance", "normal", "tangential"])?;
-    let distances = [
-        ("radius", ContactDistance::Radius),
-        ("focal", ContactDistance::Focal),
-        ("mean", ContactDistance::Mean),
-    ];
-    let distance = table
-        .optional_choice("distance", &distances)?
-        .unwrap_or(ContactDistance::Radius);
+    let distance = contact_distance(&table)?;
     let normal = contact_normal(&table.table("normal")?)?;
     let tangential = match table.optional_table("tangential")? {
         Some(table) => Some(contact_tangential(&table, reading)?),
@@ -51,6 +44,35 @@ pub fn contact(root: &Table, reading: Reading) -> Result<Option<Contact>> {
         normal,
         tangential,
     }))
+}
+
+/// One distance for all, or a table of the conventions of another program.
+fn contact_distance(table: &Table) -> Result<ContactDistance> {
+    if table.has_table("distance") {
+        let mixed = table.table("distance")?;
+        mixed.allow(&["kinematic", "translation", "torque"])?;
+        let levers = [
+            ("radius", Lever::Radius),
+            ("focal", Lever::Focal),
+            ("half-overlap", Lever::HalfOverlap),
+        ];
+        let translations = [
+            ("whole", Translation::Whole),
+            ("levers", Translation::Levers),
+        ];
+        return Ok(ContactDistance::Mixed(MixedArms {
+            kinematic: mixed.choice("kinematic", &levers)?,
+            translation: mixed.choice("translation", &translations)?,
+            torque: mixed.choice("torque", &levers)?,
+        }));
+    }
+    let distances = [
+        ("radius", ContactDistance::Radius),
+        ("focal", ContactDistance::Focal),
+        ("mean", ContactDistance::Mean),
+    ];
+    let distance = table.optional_choice("distance", &distances)?;
+    Ok(distance.unwrap_or(ContactDistance::Radius))
 }
 
 fn contact_normal(table: &Table) -> Result<ContactNormal> {

@@ -118,7 +118,7 @@ const KEYS: [&str; 18] = [
     "output",
 ];
 
-/// Names of the integrators.
+/// Names of the integrators that a scene may sensibly choose.
 pub const INTEGRATORS: [(&str, Integrator); 5] = [
     ("euler", Integrator::Euler),
     ("symplectic-euler", Integrator::SymplecticEuler),
@@ -126,6 +126,18 @@ pub const INTEGRATORS: [(&str, Integrator); 5] = [
     ("velocity-verlet", Integrator::VelocityVerlet),
     ("beeman", Integrator::Beeman),
 ];
+
+/// Name of the integrator that only serves comparisons with other programs.
+const HALF_STEP: (&str, Integrator) = (
+    "velocity-verlet-half-step",
+    Integrator::VelocityVerletHalfStep,
+);
+
+/// Name of an integrator.
+pub fn integrator_name(integrator: Integrator) -> &'static str {
+    let named = |one: &&(&str, Integrator)| one.1 == integrator;
+    INTEGRATORS.iter().find(named).unwrap_or(&HALF_STEP).0
+}
 
 impl Scene {
     /// Read a scene file, or a built-in scene by its name.
@@ -183,7 +195,7 @@ impl Scene {
         Ok(Self {
             title: root.optional_text("title")?.unwrap_or_default().to_owned(),
             reading,
-            integrator: time.choice("integrator", &INTEGRATORS)?,
+            integrator: time.choice("integrator", &[&INTEGRATORS[..], &[HALF_STEP]].concat())?,
             step,
             end,
             contact: laws::contact(root, reading)?,

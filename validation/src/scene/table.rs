@@ -325,6 +325,14 @@ impl<'a> Table<'a> {
         pair.ok_or_else(|| self.error(key, accepted))
     }
 
+    /// Whether the key is there and its value is a table.
+    pub fn has_table(&self, key: &str) -> bool {
+        matches!(
+            self.value(key).map(|value| value.get_ref()),
+            Some(DeValue::Table(_))
+        )
+    }
+
     /// A table below this one, if the key is there.
     pub fn optional_table(&self, key: &str) -> Result<Option<Table<'a>>> {
         let Some((at, value)) = self.keys.get(key) else {

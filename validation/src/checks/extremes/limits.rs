@@ -127,6 +127,7 @@ fn rubbing_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measu
             // The surfaces slide at D times the spin: the viscous branch in the end.
             ContactDistance::Focal => (-limit.min(GRIP * SPIN * d), slack + lost),
             ContactDistance::Mean => (-limit * r / d, d / r + 10.0 * f64::EPSILON),
+            ContactDistance::Mixed(_) => continue,
         };
         if lost < 1e-3 && (arm != ContactDistance::Mean || radii[1] == r) {
             all.push(Measurement::relative(

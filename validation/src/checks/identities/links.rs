@@ -4,16 +4,23 @@ use super::{PAIRS, identity};
 use crate::checks::random::Random;
 use crate::checks::scenes::{empty_model, sphere};
 use crate::checks::{Check, Effort, Failure, Measurement, Outcome};
-use gouge_kernel::geometry::{Arm, ContactDistance, FocalArm, MeanArm, Vec2};
+use gouge_kernel::geometry::{
+    Arm, ContactDistance, FocalArm, Lever, MeanArm, MixedArms, Translation, Vec2,
+};
 use gouge_kernel::integrators::Integrator;
 use gouge_kernel::laws::{HaffWerner, KelvinVoigt};
 use gouge_kernel::model::{Contact, ContactNormal, ContactTangential, Reading};
 use gouge_kernel::{Start, World};
 
-const ARMS: [ContactDistance; 3] = [
+const ARMS: [ContactDistance; 4] = [
     ContactDistance::Radius,
     ContactDistance::Focal,
     ContactDistance::Mean,
+    ContactDistance::Mixed(MixedArms {
+        kinematic: Lever::Radius,
+        translation: Translation::Whole,
+        torque: Lever::HalfOverlap,
+    }),
 ];
 
 pub(super) fn checks() -> Vec<Check> {
@@ -34,13 +41,13 @@ pub(super) fn checks() -> Vec<Check> {
         },
         Check {
             scene,
-            oracle: "The total torque about the centre of i: zero as corrected; (d_ij + d_ji - D) F as printed, which is zero for focal distances only",
+            oracle: "The total torque about the centre of i: zero as corrected; (d_ij + d_ji - D) F as printed and with the arms of another program, which is zero for focal distances only",
             norm: "Largest difference in units of rounding of the torques",
             reason: "Torques of both ends, and a moment of force that is their sum divided by the distance and multiplied by it: eight roundings",
             effort: Effort::Thorough,
             ..identity(
                 "identities.angular-momentum",
-                "A contact changes no angular momentum as corrected, and as printed just by the stated defect.",
+                "A contact changes no angular momentum as corrected, and as printed or with the arms of another program just by the stated defect.",
                 "(6), (7), E10",
                 || angular_momentum(PAIRS),
             )
@@ -124,11 +131,14 @@ fn torque_balance(rubbing: &Rubbing) -> Measurement {
         ContactDistance::Radius => rubbing.radii,
         ContactDistance::Focal => FocalArm.distances(rubbing.radii, distance),
         ContactDistance::Mean => MeanArm.distances(rubbing.radii, distance),
+        ContactDistance::Mixed(arms) => arms.distances(rubbing.radii, distance),
     };
     let friction = forces.torque[0] / arms[0];
-    let defect = match rubbing.reading {
-        Reading::Corrected => 0.0,
-        Reading::Thesis => (arms[0] + arms[1] - distance) * friction,
+    let defect = match (rubbing.reading, rubbing.arm) {
+        (Reading::Thesis, _) | (_, ContactDistance::Mixed(_)) => {
+            (arms[0] + arms[1] - distance) * friction
+        }
+        (Reading::Corrected, _) => 0.0,
     };
     let normal = forces.force[1].dot(way);
     let size = (arms[0].abs() + arms[1].abs() + distance) * friction.abs() + normal.abs();
