@@ -49,6 +49,7 @@ topics! {
     closure: "closure",
     extremes: "extremes",
     estimators: "estimators",
+    references: "references",
     economy: "economy",
     work_precision: "work-precision",
 }

@@ -17,6 +17,7 @@ mod measurement;
 mod order;
 mod pairs;
 mod random;
+mod references;
 mod remembered;
 pub mod scenes;
 mod strength;
@@ -90,6 +91,7 @@ pub fn register() -> Vec<Topic> {
         closure::topic(),
         extremes::topic(),
         estimators::topic(),
+        references::topic(),
         economy::topic(),
         work_precision::topic(),
     ]

@@ -1,0 +1,45 @@
+"""A disc falls on a fixed larger one and bounces."""
+
+import math
+import sys
+
+from yade import *
+
+given = dict(word.split("=") for word in sys.argv[1:])
+number = lambda name: float(given[name])
+
+
+def disc(position, velocity, spin, radius, fixed=False):
+    """A sphere that moves in the plane and turns about its normal."""
+    body = sphere((*position, 0), radius, material="grain", fixed=fixed)
+    if not fixed:
+        body.state.blockedDOFs = "zXY"
+        body.state.vel, body.state.angVel = (*velocity, 0), (0, 0, spin)
+    O.bodies.append(body)
+
+
+O.materials.append(ViscElMat(kn=1e5, cn=2 * number("damping"), ks=2 * number("tangential_stiffness"), cs=0, density=2700, frictionAngle=math.atan(number("friction")), label="grain"))
+disc((0, -5e-3), (0, 0), 0, 5e-3, fixed=True)
+disc((number("x"), number("y")), (0, 0), 0, 1e-3)
+
+O.engines = [
+    ForceResetter(),
+    InsertionSortCollider([Bo1_Sphere_Aabb()], verletDist=1e-4),
+    InteractionLoop(
+        [Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False)],
+        [Ip2_ViscElMat_ViscElMat_ViscElPhys()],
+        [Law2_ScGeom_ViscElPhys_Basic()],
+    ),
+    NewtonIntegrator(damping=0, gravity=(0, -9.81, 0)),
+]
+O.dt = 1e-6
+
+with open("motion.csv", "w") as out:
+    print("step,id,x,y,vx,vy,omegaz", file=out)
+    for step in range(0, 40000 + 1, 1000):
+        if step > 0:
+            O.run(1000, True)
+        for body in O.bodies:
+            x, v, w = body.state.pos, body.state.vel, body.state.angVel
+            row = (O.iter, body.id + 1, x[0], x[1], v[0], v[1], w[2])
+            print(",".join(map(repr, row)), file=out)

@@ -1,0 +1,174 @@
+//! Motion step by step: the kernel beside the particles that an engine recorded.
+
+use crate::checks::scenes::{advance, world};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot};
+use crate::references::{Case, RecordedRun, Run, Table};
+use gouge_kernel::World;
+
+/// Kinds of recorded quantities: each has its own scale.
+const KINDS: [(&str, &[&str]); 5] = [
+    ("displacement", &["x", "y"]),
+    ("velocity", &["vx", "vy"]),
+    ("spin", &["omegaz"]),
+    ("force", &["fx", "fy"]),
+    ("torque", &["tqz"]),
+];
+
+/// The difference of a run from the engine's.
+pub(super) struct Difference {
+    /// Largest difference at each recorded time in s, in units of its scale.
+    pub course: Vec<[f64; 2]>,
+    /// Speeds of the particles by the engine and by the kernel, at the recorded times.
+    speeds: [Vec<[f64; 2]>; 2],
+}
+
+impl Difference {
+    /// The largest difference.
+    pub fn largest(&self) -> f64 {
+        crate::checks::largest(self.course.iter().map(|point| point[1]))
+    }
+}
+
+/// Compare all runs of a case.
+pub(super) fn compare(case: &Case) -> Outcome {
+    let mut measured = Vec::new();
+    let (mut residuals, mut motions) = (Vec::new(), Vec::new());
+    for (run, difference) in differences(case)? {
+        measured.push(Measurement::absolute(0.0, difference.largest(), case.tolerance));
+        if motions.is_empty() {
+            let [engine, kernel] = difference.speeds;
+            motions.push(Curve::line(&case.result.engine, engine));
+            motions.push(Curve::marks("kernel", kernel));
+        }
+        residuals.push(Curve::marked_line(run, difference.course));
+    }
+    let first = case.runs.first().map_or("", |run| &run.name);
+    let motion = Plot {
+        title: format!("Speeds of the particles, run \"{first}\""),
+        x: Axis::linear("time in s"),
+        y: Axis::linear("speed in m/s"),
+        curves: motions,
+    };
+    let residual = Plot {
+        title: "Largest difference at the recorded steps, in units of the largest of its kind; none where it is exactly zero".to_owned(),
+        x: Axis::linear("time in s"),
+        y: Axis::logarithmic("difference"),
+        curves: residuals,
+    };
+    let agreement = Exhibit::Text(case.agreement.clone());
+    Ok(Measurement::worst(measured).showing([
+        agreement,
+        Exhibit::Plot(motion),
+        Exhibit::Plot(residual),
+    ]))
+}
+
+/// Every run of a case with its difference.
+pub(super) fn differences(case: &Case) -> Result<Vec<(&str, Difference)>, Failure> {
+    if case.runs.len() != case.result.runs.len() {
+        return Err(Failure::Oracle("case.toml and result.json list other runs".to_owned()));
+    }
+    let pairs = case.runs.iter().zip(&case.result.runs);
+    pairs
+        .map(|(run, recorded)| Ok((run.name.as_str(), difference(case, run, recorded)?)))
+        .collect()
+}
+
+/// Repeat a run and compare it at the recorded steps.
+fn difference(case: &Case, run: &Run, recorded: &RecordedRun) -> Result<Difference, Failure> {
+    let table = recorded.motion.as_ref();
+    let table = table.ok_or_else(|| Failure::Oracle("the result has no motion".to_owned()))?;
+    let mut world = world(&case.scene(run).map_err(Failure::Oracle)?)?;
+    let columns = Columns::of(table, &world)?;
+    let mut difference = Difference {
+        course: Vec::new(),
+        speeds: [Vec::new(), Vec::new()],
+    };
+    for (step, rows) in table.steps().map_err(Failure::Oracle)? {
+        let missing = step.saturating_sub(world.steps());
+        advance(&mut world, missing)?;
+        world.evaluate_if_pending()?;
+        let time = world.time();
+        let errors = rows.iter().flat_map(|row| columns.errors(row, &world));
+        let largest = crate::checks::largest(errors);
+        difference.course.push([time, largest]);
+        for row in rows {
+            let [engine, kernel] = columns.speeds(row, &world);
+            difference.speeds[0].push([time, engine]);
+            difference.speeds[1].push([time, kernel]);
+        }
+    }
+    Ok(difference)
+}
+
+/// Where the recorded quantities stand in a row, and their scales.
+struct Columns {
+    id: usize,
+    /// Kind, axis within the kind, place in the row, scale.
+    places: Vec<(usize, usize, usize, f64)>,
+}
+
+impl Columns {
+    fn of(table: &Table, world: &World) -> Result<Self, Failure> {
+        let id = table.column("id").map_err(Failure::Oracle)?;
+        let radii = &world.particles().radius;
+        let (mut places, mut scales) = (Vec::new(), [0.0; KINDS.len()]);
+        for (kind, (_, names)) in KINDS.iter().enumerate() {
+            let found: Vec<(usize, usize)> = (0..names.len())
+                .filter_map(|axis| Some((axis, table.column(names[axis]).ok()?)))
+                .collect();
+            let largest = largest_of(table, kind, id, found.iter().map(|&(_, place)| place));
+            scales[kind] = match kind {
+                2 => radii.iter().fold(largest, |scale, &r| scale.max(scales[1] / r)),
+                4 => radii.iter().fold(largest, |scale, &r| scale.max(scales[3] * r)),
+                _ => largest,
+            };
+            let scale = scales[kind];
+            places.extend(found.iter().map(|&(axis, place)| (kind, axis, place, scale)));
+        }
+        Ok(Self { id, places })
+    }
+
+    /// Differences of a particle's quantities in units of their scales.
+    fn errors(&self, row: &[f64], world: &World) -> impl Iterator<Item = f64> {
+        let i = row[self.id] as usize - 1;
+        self.places.iter().map(move |&(kind, axis, place, scale)| {
+            let error = (quantity(world, i, kind, axis) - row[place]).abs();
+            if error == 0.0 { 0.0 } else { error / scale }
+        })
+    }
+
+    /// The recorded speed of a particle and that of the kernel.
+    fn speeds(&self, row: &[f64], world: &World) -> [f64; 2] {
+        let i = row[self.id] as usize - 1;
+        let recorded = self.places.iter().filter(|(kind, ..)| *kind == 1);
+        let squared: f64 = recorded.map(|&(_, _, place, _)| row[place] * row[place]).sum();
+        [squared.sqrt(), world.particles().velocity[i].norm()]
+    }
+}
+
+/// The largest recorded value of a kind; of positions, the largest displacement since the first record.
+fn largest_of(table: &Table, kind: usize, id: usize, places: impl Iterator<Item = usize>) -> f64 {
+    let mut largest = 0.0_f64;
+    for place in places {
+        for row in &table.rows {
+            let first = table.rows.iter().find(|first| first[id] == row[id]);
+            let origin = if kind == 0 { first.map_or(0.0, |first| first[place]) } else { 0.0 };
+            largest = largest.max((row[place] - origin).abs());
+        }
+    }
+    largest
+}
+
+/// A quantity of a particle by kind and axis.
+fn quantity(world: &World, i: usize, kind: usize, axis: usize) -> f64 {
+    let (particles, forces) = (world.particles(), world.forces());
+    let vector = match kind {
+        0 => particles.position[i],
+        1 => particles.velocity[i],
+        2 => return particles.angular_velocity[i],
+        3 => forces.force[i],
+        _ => return forces.torque[i],
+    };
+    if axis == 0 { vector.x } else { vector.y }
+}
