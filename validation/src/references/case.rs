@@ -12,6 +12,8 @@ use std::path::{Path, PathBuf};
 pub enum Compared {
     /// Positions, velocities and forces at the recorded steps.
     Motion,
+    /// Forces of a bond, whose law differs by a known term.
+    Beam,
     /// Means over many runs, by tests of equivalence.
     Ensemble,
 }
@@ -200,7 +202,8 @@ fn particle(cell: &dyn Fn(&str) -> Option<String>) -> Option<String> {
     let velocity = if role == "fixed" {
         String::new()
     } else {
-        format!("velocity = [{}, {}]\n", cell("vx")?, cell("vy")?)
+        let velocity = format!("velocity = [{}, {}]\n", cell("vx")?, cell("vy")?);
+        velocity + &format!("angular_velocity = {}\n", cell("angular_velocity")?)
     };
     Some(format!(
         "position = [{}, {}]\n{velocity}radius = {}\ndensity = {}\nrole = \"{role}\"\n",

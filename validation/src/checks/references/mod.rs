@@ -1,5 +1,6 @@
 //! Other programs' results.
 
+mod beam;
 mod motion;
 mod overview;
 
@@ -28,9 +29,15 @@ macro_rules! cases {
 }
 
 cases! {
+    "lammps/bond-axial": motion::compare,
+    "lammps/bond-bending": motion::compare,
+    "lammps/bond-breaking": motion::compare,
+    "lammps/bond-forces": beam::compare,
+    "lammps/bond-frame": motion::compare,
     "lammps/chain": motion::compare,
     "lammps/cundall-strack": motion::compare,
     "lammps/drop-and-bounce": motion::compare,
+    "lammps/forces": motion::compare,
     "lammps/gran-hooke": motion::compare,
     "lammps/gran-hooke-history": motion::compare,
     "lammps/haff-werner": motion::compare,
@@ -38,6 +45,7 @@ cases! {
     "lammps/kelvin-voigt": motion::compare,
     "lammps/rolling-to-slip": motion::compare,
     "lammps/viscoelastic": motion::compare,
+    "lammps/viscoelastic-forces": motion::compare,
     "yade/cundall-strack": motion::compare,
     "yade/damped-cundall-strack": motion::compare,
     "yade/drop-and-bounce": motion::compare,
@@ -60,7 +68,7 @@ fn check(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Chec
         equations: text(|case| &case.equations),
         scene: text(|case| &case.laws),
         oracle: text(|case| &case.settings),
-        norm: "Largest difference of a position, velocity, spin, force or torque at any recorded step, in units of the largest displacement, speed, spin, force or torque of the run; a spin also of the speed over the smallest radius, a torque of the force times the largest",
+        norm: "Largest difference of a position, velocity, spin, force or torque at any recorded step, in units of the largest displacement, speed, spin, force or torque of the run; rotation and translation count alike at the smallest radius",
         origin: Origin::Exact,
         reason: text(|case| &case.reason),
         effort: Effort::Quick,

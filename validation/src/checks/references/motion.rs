@@ -74,10 +74,15 @@ pub(super) fn differences(case: &Case) -> Result<Vec<(&str, Difference)>, Failur
         .collect()
 }
 
+/// The recorded motion of a run.
+pub(super) fn recorded_motion(recorded: &RecordedRun) -> Result<&Table, Failure> {
+    let missing = || Failure::Oracle("the result has no motion".to_owned());
+    recorded.motion.as_ref().ok_or_else(missing)
+}
+
 /// Repeat a run and compare it at the recorded steps.
 fn difference(case: &Case, run: &Run, recorded: &RecordedRun) -> Result<Difference, Failure> {
-    let table = recorded.motion.as_ref();
-    let table = table.ok_or_else(|| Failure::Oracle("the result has no motion".to_owned()))?;
+    let table = recorded_motion(recorded)?;
     let mut world = world(&case.scene(run).map_err(Failure::Oracle)?)?;
     let columns = Columns::of(table, &world)?;
     let mut difference = Difference {
@@ -111,20 +116,14 @@ struct Columns {
 impl Columns {
     fn of(table: &Table, world: &World) -> Result<Self, Failure> {
         let id = table.column("id").map_err(Failure::Oracle)?;
-        let radii = &world.particles().radius;
-        let (mut places, mut scales) = (Vec::new(), [0.0; KINDS.len()]);
+        let scales = scales(table, id, world)?;
+        let mut places = Vec::new();
         for (kind, (_, names)) in KINDS.iter().enumerate() {
-            let found: Vec<(usize, usize)> = (0..names.len())
-                .filter_map(|axis| Some((axis, table.column(names[axis]).ok()?)))
-                .collect();
-            let largest = largest_of(table, kind, id, found.iter().map(|&(_, place)| place));
-            scales[kind] = match kind {
-                2 => radii.iter().fold(largest, |scale, &r| scale.max(scales[1] / r)),
-                4 => radii.iter().fold(largest, |scale, &r| scale.max(scales[3] * r)),
-                _ => largest,
-            };
-            let scale = scales[kind];
-            places.extend(found.iter().map(|&(axis, place)| (kind, axis, place, scale)));
+            for (axis, name) in names.iter().enumerate() {
+                if let Ok(place) = table.column(name) {
+                    places.push((kind, axis, place, scales[kind]));
+                }
+            }
         }
         Ok(Self { id, places })
     }
@@ -147,13 +146,30 @@ impl Columns {
     }
 }
 
+/// Scales of all kinds: the largest recorded value, where translation and rotation are the same at the
+/// smallest radius, and a displacement is at least what the speed covers between two records.
+fn scales(table: &Table, id: usize, world: &World) -> Result<[f64; KINDS.len()], Failure> {
+    let [length, speed, spin, force, torque] = [0, 1, 2, 3, 4].map(|kind| largest(table, kind, id));
+    let radius = world.particles().radius.iter().copied().fold(f64::INFINITY, f64::min);
+    let steps = table.steps().map_err(Failure::Oracle)?;
+    let records = steps.windows(2).map(|pair| pair[1].0 - pair[0].0);
+    let interval = records.min().unwrap_or(0) as f64 * world.model().time_step;
+    let speed = speed.max(spin * radius);
+    let force = force.max(torque / radius);
+    let length = length.max(speed * interval);
+    Ok([length, speed, speed / radius, force, force * radius])
+}
+
 /// The largest recorded value of a kind; of positions, the largest displacement since the first record.
-fn largest_of(table: &Table, kind: usize, id: usize, places: impl Iterator<Item = usize>) -> f64 {
+fn largest(table: &Table, kind: usize, id: usize) -> f64 {
     let mut largest = 0.0_f64;
-    for place in places {
+    for place in KINDS[kind].1.iter().filter_map(|name| table.column(name).ok()) {
         for row in &table.rows {
             let first = table.rows.iter().find(|first| first[id] == row[id]);
-            let origin = if kind == 0 { first.map_or(0.0, |first| first[place]) } else { 0.0 };
+            let origin = match (kind, first) {
+                (0, Some(first)) => first[place],
+                _ => 0.0,
+            };
             largest = largest.max((row[place] - origin).abs());
         }
     }

@@ -48,10 +48,13 @@ fn overview() -> Outcome {
     Ok(Measurement::count(wrong).showing([Exhibit::Table(table)]))
 }
 
-/// Digits of agreement of a motion, and whether they suffice; those of an ensemble are its own check's.
+/// Digits of agreement of a motion, and whether they suffice; those of others are their own checks'.
 fn digits(case: &Case) -> Result<Option<(String, bool)>, Failure> {
-    if case.compares == Compared::Ensemble {
-        return Ok(Some(("statistical".to_owned(), true)));
+    let said = |words: &str| Ok(Some((words.to_owned(), true)));
+    match case.compares {
+        Compared::Ensemble => return said("equivalent within margins"),
+        Compared::Beam => return said("after the difference of the laws"),
+        Compared::Motion => {}
     }
     let differences = motion::differences(case)?;
     let size = largest(differences.iter().map(|(_, difference)| difference.largest()));
