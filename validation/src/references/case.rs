@@ -55,15 +55,32 @@ pub struct Case {
     pub result: Recorded,
 }
 
+/// What is taken of a series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Statistic {
+    /// The mean over time.
+    Mean,
+    /// The largest value.
+    Largest,
+    /// The value at the end.
+    Last,
+}
+
 /// A number that both programs measure in a run.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Observable {
-    /// Its column in the series, or what it is found from.
+    /// Its column in the series.
     pub name: String,
-    /// First and last step of the mean over time.
+    /// The column by whose mean its own is divided, if any.
+    pub over: Option<String>,
+    /// What is taken of the column.
+    pub statistic: Statistic,
+    /// First and last step of what is taken.
     pub steps: [u64; 2],
-    /// Largest difference of means that counts as equivalent, in units of the engine's mean.
+    /// Largest difference of means that counts as equivalent, in units of the engine's mean; fixed before
+    /// the kernel ran.
     pub margin: f64,
     /// Why this margin.
     pub reason: String,
@@ -73,8 +90,8 @@ pub struct Observable {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Control {
-    /// What is off, in words.
-    pub fault: String,
+    /// That the tests do not find it equivalent, a sentence that says what is wrong.
+    pub claim: String,
     /// Text of the scene.
     pub replace: String,
     /// What stands there instead.

@@ -7,7 +7,7 @@
 mod case;
 mod result;
 
-pub use case::{Case, Compared, Run};
+pub use case::{Case, Compared, Control, Observable, Run, Statistic};
 pub use result::{Recorded, RecordedRun, Table};
 
 use include_dir::{Dir, include_dir};

@@ -1,7 +1,9 @@
 //! Other programs' results.
 
 mod beam;
+mod ensemble;
 mod motion;
+mod observables;
 mod overview;
 
 use super::{Check, Effort, Failure, Origin, Outcome, Topic};
@@ -19,39 +21,55 @@ pub fn topic() -> Topic {
     }
 }
 
-/// The cases, and how each is compared: every folder of `references` stands here.
-macro_rules! cases {
-    ($($path:literal: $compare:path,)*) => {
-        fn cases() -> Vec<Check> {
-            vec![$(check($path, concat!("references.", $path), || $compare(stored($path)?)),)*]
-        }
-    };
-}
-
-cases! {
-    "lammps/bond-axial": motion::compare,
-    "lammps/bond-bending": motion::compare,
-    "lammps/bond-breaking": motion::compare,
-    "lammps/bond-forces": beam::compare,
-    "lammps/bond-frame": motion::compare,
-    "lammps/chain": motion::compare,
-    "lammps/cundall-strack": motion::compare,
-    "lammps/drop-and-bounce": motion::compare,
-    "lammps/forces": motion::compare,
-    "lammps/gran-hooke": motion::compare,
-    "lammps/gran-hooke-history": motion::compare,
-    "lammps/haff-werner": motion::compare,
-    "lammps/hertz": motion::compare,
-    "lammps/kelvin-voigt": motion::compare,
-    "lammps/rolling-to-slip": motion::compare,
-    "lammps/viscoelastic": motion::compare,
-    "lammps/viscoelastic-forces": motion::compare,
-    "yade/cundall-strack": motion::compare,
-    "yade/damped-cundall-strack": motion::compare,
-    "yade/drop-and-bounce": motion::compare,
-    "yade/granular-ratcheting": motion::compare,
-    "yade/hertz": motion::compare,
-    "yade/kelvin-voigt": motion::compare,
+/// Checks of the cases: every folder of `references` stands here.
+fn cases() -> Vec<Check> {
+    let mut checks = Vec::new();
+    macro_rules! compare {
+        ($words:ident, $compare:path, $($path:literal),* $(,)?) => {
+            $(checks.push($words($path, concat!("references.", $path), || $compare(stored($path)?)));)*
+        };
+    }
+    compare!(
+        step_by_step,
+        motion::compare,
+        "lammps/bond-axial",
+        "lammps/bond-bending",
+        "lammps/bond-breaking",
+        "lammps/bond-frame",
+        "lammps/chain",
+        "lammps/cundall-strack",
+        "lammps/drop-and-bounce",
+        "lammps/forces",
+        "lammps/gran-hooke",
+        "lammps/gran-hooke-history",
+        "lammps/haff-werner",
+        "lammps/hertz",
+        "lammps/kelvin-voigt",
+        "lammps/rolling-to-slip",
+        "lammps/viscoelastic",
+        "lammps/viscoelastic-forces",
+        "yade/cundall-strack",
+        "yade/damped-cundall-strack",
+        "yade/drop-and-bounce",
+        "yade/granular-ratcheting",
+        "yade/hertz",
+        "yade/kelvin-voigt",
+    );
+    compare!(step_by_step, beam::compare, "lammps/bond-forces");
+    macro_rules! average {
+        ($($path:literal),* $(,)?) => {
+            $(
+                checks.push(on_average($path, concat!("references.", $path), || {
+                    ensemble::compare(stored($path)?)
+                }));
+                checks.push(wrong_on_average($path, concat!("references.", $path, ".control"), || {
+                    ensemble::compare_wrong(stored($path)?)
+                }));
+            )*
+        };
+    }
+    average!("lammps/settling", "lammps/sheared-cell", "lammps/torn-block");
+    checks
 }
 
 /// A case of the folder.
@@ -59,8 +77,9 @@ fn stored(path: &str) -> Result<&'static Case, Failure> {
     case(path).map_err(Failure::Oracle)
 }
 
-/// The check of a case; what its files state stands in for the words of other checks.
-fn check(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Check {
+/// The check of a case that is repeated step by step; what its files state stands in for the words of
+/// other checks.
+fn step_by_step(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Check {
     let text = |pick: fn(&'static Case) -> &'static str| case(path).map_or(path, pick);
     Check {
         id,
@@ -73,5 +92,26 @@ fn check(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Chec
         reason: text(|case| &case.reason),
         effort: Effort::Quick,
         measure,
+    }
+}
+
+/// The check of a case that agrees on average.
+fn on_average(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Check {
+    Check {
+        norm: "Of the observable worst for its margin: mean difference of the runs plus the quantile of Student's t times its standard error, in units of the engine's mean",
+        origin: Origin::Statistical,
+        effort: Effort::Thorough,
+        ..step_by_step(path, id, measure)
+    }
+}
+
+/// The check that the tests of a case can fail.
+fn wrong_on_average(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Check {
+    let claim = case(path).ok().and_then(|case| case.control.as_ref());
+    Check {
+        claim: claim.map_or(path, |control| &control.claim),
+        norm: "Observables that should be rejected and are not",
+        reason: "The parameter moves them by more than their margins",
+        ..on_average(path, id, measure)
     }
 }
