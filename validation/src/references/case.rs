@@ -14,6 +14,8 @@ pub enum Compared {
     Motion,
     /// Forces of a bond, whose law differs by a known term.
     Beam,
+    /// Spins of particles whose moment of inertia differs by a known factor.
+    Inertia,
     /// Means over many runs, by tests of equivalence.
     Ensemble,
 }

@@ -1,6 +1,7 @@
 //! Other programs' results.
 
 mod beam;
+mod differences;
 mod ensemble;
 mod motion;
 mod observables;
@@ -13,6 +14,7 @@ use crate::references::{Case, case};
 pub fn topic() -> Topic {
     let mut checks = vec![overview::check()];
     checks.extend(cases());
+    checks.extend(differences::checks());
     Topic {
         id: "references",
         title: "Other programs",
@@ -45,6 +47,7 @@ fn cases() -> Vec<Check> {
         "lammps/haff-werner",
         "lammps/hertz",
         "lammps/kelvin-voigt",
+        "lammps/mass-damping",
         "lammps/rolling-to-slip",
         "lammps/viscoelastic",
         "lammps/viscoelastic-forces",

@@ -53,7 +53,7 @@ fn digits(case: &Case) -> Result<Option<(String, bool)>, Failure> {
     let said = |words: &str| Ok(Some((words.to_owned(), true)));
     match case.compares {
         Compared::Ensemble => return said("equivalent within margins"),
-        Compared::Beam => return said("after the difference of the laws"),
+        Compared::Beam | Compared::Inertia => return said("after the difference of the laws"),
         Compared::Motion => {}
     }
     let differences = motion::differences(case)?;
