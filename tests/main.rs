@@ -10,6 +10,7 @@ mod original_program;
 mod pay_for_use;
 mod program;
 mod readings;
+mod recorded;
 mod register;
 mod worlds;
 mod commands;

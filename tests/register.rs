@@ -80,3 +80,20 @@ fn every_topic_has_its_tests_and_every_check_its_own_name() {
         }
     }
 }
+
+#[test]
+fn every_stored_case_is_compared() {
+    let register = register();
+    let ids: Vec<&str> = register
+        .iter()
+        .flat_map(|topic| topic.checks.iter().map(|check| check.id))
+        .collect();
+    let differences = ["lammps/disc-inertia"];
+    for path in gouge_validation::references::paths() {
+        let id = format!("references.{path}");
+        assert!(
+            ids.contains(&id.as_str()) || differences.contains(&path),
+            "{path} stands in references/, but no check compares it"
+        );
+    }
+}

@@ -1,6 +1,7 @@
 //! The commands of the program, apart from reading arguments.
 
 use crate::error::Error;
+use crate::references;
 use crate::scene::{Scene, builtin, integrator_name};
 use gouge_kernel::forces::LinkKind;
 use gouge_kernel::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
@@ -212,9 +213,12 @@ fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
 pub fn scenes(name: Option<&str>) -> Result<String, Error> {
     let Some(name) = name else {
         let line = |(name, purpose, _): &(&str, &str, &str)| format!("{name:22} {purpose}\n");
-        return Ok(builtin::SCENES.iter().map(line).collect());
+        let lines: String = builtin::SCENES.iter().map(line).collect();
+        return Ok(lines
+            + "lammps/..., yade/...   ENGINE/CASE/RUN: a run stored in references, e.g. lammps/kelvin-voigt/thesis\n");
     };
     let text = builtin::text(name).map(str::to_owned);
+    let text = text.or_else(|| references::scene_text(name));
     text.ok_or_else(|| {
         let names = builtin::names().join(", ");
         Error::Argument(format!("'{name}' is no built-in scene; there are: {names}"))

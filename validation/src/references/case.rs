@@ -3,6 +3,8 @@
 use super::Recorded;
 use include_dir::Dir;
 use serde::Deserialize;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -116,6 +118,8 @@ pub struct Run {
 #[derive(Clone, Debug, Default)]
 struct Files {
     scene: String,
+    /// SHA-256 of every file by its path in the folder.
+    hashes: BTreeMap<String, String>,
     particles: Vec<(PathBuf, String)>,
     bonds: Vec<(PathBuf, String)>,
 }
@@ -139,10 +143,11 @@ impl Case {
         };
         let mut case: Self =
             toml::from_str(&text("case.toml")?).map_err(|e| format!("case.toml: {e}"))?;
-        case.result = serde_json::from_str(&text("result.json")?)
-            .map_err(|e| format!("result.json: {e}"))?;
+        case.result =
+            serde_json::from_str(&text("result.json")?).map_err(|e| format!("result.json: {e}"))?;
         case.files = Files {
             scene: text("scene.toml")?,
+            hashes: root.get_dir(folder).map(hashes).unwrap_or_default(),
             particles: tables("particles"),
             bonds: tables("bonds"),
         };
@@ -164,12 +169,39 @@ impl Case {
         Ok(text)
     }
 
+    /// Inputs of the engine that are not those that it was given.
+    pub fn changed_inputs(&self) -> Vec<&str> {
+        let recorded = self.result.inputs.iter();
+        let is_other =
+            |(path, hash): &(&String, &String)| self.files.hashes.get(*path) != Some(*hash);
+        recorded
+            .filter(is_other)
+            .map(|(path, _)| path.as_str())
+            .collect()
+    }
+
     /// The table of a run's seed.
     fn table<'a>(&self, tables: &'a [(PathBuf, String)], run: &Run) -> Option<&'a str> {
         let seed = run.variables.get("seed")?.as_str()?;
         let named = |(path, _): &&(PathBuf, String)| path.file_stem().is_some_and(|s| s == seed);
         tables.iter().find(named).map(|(_, text)| text.as_str())
     }
+}
+
+/// SHA-256 of all files of a folder, those of its own folders included.
+fn hashes(folder: &Dir) -> BTreeMap<String, String> {
+    let below = folder.dirs().flat_map(Dir::files);
+    let files = folder.files().chain(below);
+    let hash = |file: &include_dir::File| {
+        let path = file
+            .path()
+            .strip_prefix(folder.path())
+            .unwrap_or(file.path());
+        let digest = Sha256::digest(file.contents());
+        let text = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        (path.display().to_string(), text)
+    };
+    files.map(hash).collect()
 }
 
 /// A text with every `${name}` replaced.

@@ -67,6 +67,10 @@ impl Table {
         let place = self.column("step")?;
         let same = |a: &Vec<f64>, b: &Vec<f64>| a.get(place) == b.get(place);
         let step = |rows: &[Vec<f64>]| rows[0].get(place).map_or(0, |&step| step as u64);
-        Ok(self.rows.chunk_by(same).map(|rows| (step(rows), rows)).collect())
+        Ok(self
+            .rows
+            .chunk_by(same)
+            .map(|rows| (step(rows), rows))
+            .collect())
     }
 }

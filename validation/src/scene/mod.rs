@@ -14,6 +14,7 @@ pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Se
 pub use text::hex;
 
 use crate::error::{Error, SceneError};
+use crate::references;
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::integrators::Integrator;
 use gouge_kernel::laws::characteristic_length;
@@ -146,6 +147,9 @@ impl Scene {
     /// Unreadable files and every mistake in them.
     pub fn load(name: &str) -> std::result::Result<Self, Error> {
         if let Some(text) = builtin::text(name) {
+            return Ok(Self::parse(name, text.as_bytes(), Path::new("."))?);
+        }
+        if let Some(text) = references::scene_text(name) {
             return Ok(Self::parse(name, text.as_bytes(), Path::new("."))?);
         }
         let path = Path::new(name);

@@ -6,8 +6,8 @@
 
 use super::observables::{Course, value};
 use crate::checks::scenes::world;
-use crate::checks::{Curve, Exhibit, Failure, Measurement, Outcome, Table};
 use crate::checks::{Axis, Plot};
+use crate::checks::{Curve, Exhibit, Failure, Measurement, Outcome, Table};
 use crate::references::{Case, Control, Observable, RecordedRun, Run};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -18,10 +18,15 @@ type Pairs = Vec<[f64; 2]>;
 /// Test every observable of a case.
 pub(super) fn compare(case: &Case) -> Outcome {
     let courses = courses(case, None)?;
-    let mut table = table("Differences of the means, kernel less engine, in units of the engine's mean");
+    let mut table =
+        table("Differences of the means, kernel less engine, in units of the engine's mean");
     let mut measured = Vec::new();
     for observable in &case.observables {
-        let test = Test::of(observable, &pairs(case, observable, &courses)?, case.tolerance)?;
+        let test = Test::of(
+            observable,
+            &pairs(case, observable, &courses)?,
+            case.tolerance,
+        )?;
         measured.push(Measurement::absolute(0.0, test.bound, observable.margin));
         table.push(test.row(observable));
     }
@@ -42,7 +47,11 @@ pub(super) fn compare_wrong(case: &Case) -> Outcome {
     let mut table = table("The same tests with the wrong kernel");
     let mut passed = 0;
     for observable in &case.observables {
-        let test = Test::of(observable, &pairs(case, observable, &courses)?, case.tolerance)?;
+        let test = Test::of(
+            observable,
+            &pairs(case, observable, &courses)?,
+            case.tolerance,
+        )?;
         table.push(test.row(observable));
         let must_fail = control.rejects.contains(&observable.label());
         passed += usize::from(must_fail && test.bound < observable.margin);
@@ -62,7 +71,8 @@ fn courses(case: &Case, control: Option<&Control>) -> Result<Vec<Course>, Failur
             text = text.replacen(&control.replace, &control.with, 1);
         }
         let series = recorded.series.as_ref();
-        let series = series.ok_or_else(|| Failure::Oracle("the result has no series".to_owned()))?;
+        let series =
+            series.ok_or_else(|| Failure::Oracle("the result has no series".to_owned()))?;
         Course::beside(&mut world(&text)?, series)
     };
     runs.map(course).collect()
@@ -71,9 +81,15 @@ fn courses(case: &Case, control: Option<&Control>) -> Result<Vec<Course>, Failur
 fn pairs(case: &Case, observable: &Observable, courses: &[Course]) -> Result<Pairs, Failure> {
     let runs = case.result.runs.iter().zip(courses);
     let pair = |(recorded, course): (&RecordedRun, &Course)| {
-        let engine = recorded.series.as_ref().map(|series| value(series, observable));
+        let engine = recorded
+            .series
+            .as_ref()
+            .map(|series| value(series, observable));
         let engine = engine.unwrap_or_else(|| Err("the result has no series".to_owned()));
-        Ok([engine.map_err(Failure::Oracle)?, value(&course.0, observable).map_err(Failure::Oracle)?])
+        Ok([
+            engine.map_err(Failure::Oracle)?,
+            value(&course.0, observable).map_err(Failure::Oracle)?,
+        ])
     };
     runs.map(pair).collect()
 }
@@ -95,7 +111,8 @@ impl Test {
         let mean = |value: &dyn Fn(&[f64; 2]) -> f64| pairs.iter().map(value).sum::<f64>() / number;
         let means = [mean(&|pair| pair[0]), mean(&|pair| pair[1])];
         let difference = means[1] - means[0];
-        let variance = mean(&|pair| (pair[1] - pair[0] - difference).powi(2)) * number / (number - 1.0);
+        let variance =
+            mean(&|pair| (pair[1] - pair[0] - difference).powi(2)) * number / (number - 1.0);
         let student = StudentsT::new(0.0, 1.0, number - 1.0)
             .map_err(|error| Failure::Oracle(error.to_string()))?;
         let scale = means[0].abs();

@@ -71,7 +71,11 @@ fn cases() -> Vec<Check> {
             )*
         };
     }
-    average!("lammps/settling", "lammps/sheared-cell", "lammps/torn-block");
+    average!(
+        "lammps/settling",
+        "lammps/sheared-cell",
+        "lammps/torn-block"
+    );
     checks
 }
 

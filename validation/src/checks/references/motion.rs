@@ -2,7 +2,7 @@
 
 use crate::checks::scenes::{advance, world};
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot};
-use crate::references::{Case, RecordedRun, Run, Table};
+use crate::references::{Case, RecordedRun, Table};
 use gouge_kernel::World;
 
 /// Kinds of recorded quantities: each has its own scale.
@@ -18,6 +18,8 @@ const KINDS: [(&str, &[&str]); 5] = [
 pub(super) struct Difference {
     /// Largest difference at each recorded time in s, in units of its scale.
     pub course: Vec<[f64; 2]>,
+    /// Largest overlap at a recorded time, in units of the smallest radius.
+    pub depth: f64,
     /// Speeds of the particles by the engine and by the kernel, at the recorded times.
     speeds: [Vec<[f64; 2]>; 2],
 }
@@ -34,7 +36,11 @@ pub(super) fn compare(case: &Case) -> Outcome {
     let mut measured = Vec::new();
     let (mut residuals, mut motions) = (Vec::new(), Vec::new());
     for (run, difference) in differences(case)? {
-        measured.push(Measurement::absolute(0.0, difference.largest(), case.tolerance));
+        measured.push(Measurement::absolute(
+            0.0,
+            difference.largest(),
+            case.tolerance,
+        ));
         if motions.is_empty() {
             let [engine, kernel] = difference.speeds;
             motions.push(Curve::line(&case.result.engine, engine));
@@ -66,11 +72,16 @@ pub(super) fn compare(case: &Case) -> Outcome {
 /// Every run of a case with its difference.
 pub(super) fn differences(case: &Case) -> Result<Vec<(&str, Difference)>, Failure> {
     if case.runs.len() != case.result.runs.len() {
-        return Err(Failure::Oracle("case.toml and result.json list other runs".to_owned()));
+        return Err(Failure::Oracle(
+            "case.toml and result.json list other runs".to_owned(),
+        ));
     }
     let pairs = case.runs.iter().zip(&case.result.runs);
     pairs
-        .map(|(run, recorded)| Ok((run.name.as_str(), difference(case, run, recorded)?)))
+        .map(|(run, recorded)| {
+            let text = case.scene(run).map_err(Failure::Oracle)?;
+            Ok((run.name.as_str(), difference(&text, recorded)?))
+        })
         .collect()
 }
 
@@ -80,13 +91,14 @@ pub(super) fn recorded_motion(recorded: &RecordedRun) -> Result<&Table, Failure>
     recorded.motion.as_ref().ok_or_else(missing)
 }
 
-/// Repeat a run and compare it at the recorded steps.
-fn difference(case: &Case, run: &Run, recorded: &RecordedRun) -> Result<Difference, Failure> {
+/// Repeat a run by a scene and compare it at the recorded steps.
+pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Difference, Failure> {
     let table = recorded_motion(recorded)?;
-    let mut world = world(&case.scene(run).map_err(Failure::Oracle)?)?;
+    let mut world = world(scene)?;
     let columns = Columns::of(table, &world)?;
     let mut difference = Difference {
         course: Vec::new(),
+        depth: 0.0,
         speeds: [Vec::new(), Vec::new()],
     };
     for (step, rows) in table.steps().map_err(Failure::Oracle)? {
@@ -94,6 +106,7 @@ fn difference(case: &Case, run: &Run, recorded: &RecordedRun) -> Result<Differen
         advance(&mut world, missing)?;
         world.evaluate_if_pending()?;
         let time = world.time();
+        difference.depth = difference.depth.max(depth(&world));
         let errors = rows.iter().flat_map(|row| columns.errors(row, &world));
         let largest = crate::checks::largest(errors);
         difference.course.push([time, largest]);
@@ -104,6 +117,19 @@ fn difference(case: &Case, run: &Run, recorded: &RecordedRun) -> Result<Differen
         }
     }
     Ok(difference)
+}
+
+/// Largest overlap of a contact in units of the smallest radius.
+fn depth(world: &World) -> f64 {
+    let radius = world
+        .particles()
+        .radius
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    let links = world.links();
+    let depths = links.iter().map(|link| link.normal_displacement / radius);
+    depths.fold(0.0, f64::max)
 }
 
 /// Where the recorded quantities stand in a row, and their scales.
@@ -141,7 +167,9 @@ impl Columns {
     fn speeds(&self, row: &[f64], world: &World) -> [f64; 2] {
         let i = row[self.id] as usize - 1;
         let recorded = self.places.iter().filter(|(kind, ..)| *kind == 1);
-        let squared: f64 = recorded.map(|&(_, _, place, _)| row[place] * row[place]).sum();
+        let squared: f64 = recorded
+            .map(|&(_, _, place, _)| row[place] * row[place])
+            .sum();
         [squared.sqrt(), world.particles().velocity[i].norm()]
     }
 }
@@ -150,7 +178,12 @@ impl Columns {
 /// smallest radius, and a displacement is at least what the speed covers between two records.
 fn scales(table: &Table, id: usize, world: &World) -> Result<[f64; KINDS.len()], Failure> {
     let [length, speed, spin, force, torque] = [0, 1, 2, 3, 4].map(|kind| largest(table, kind, id));
-    let radius = world.particles().radius.iter().copied().fold(f64::INFINITY, f64::min);
+    let radius = world
+        .particles()
+        .radius
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
     let steps = table.steps().map_err(Failure::Oracle)?;
     let records = steps.windows(2).map(|pair| pair[1].0 - pair[0].0);
     let interval = records.min().unwrap_or(0) as f64 * world.model().time_step;
@@ -163,7 +196,11 @@ fn scales(table: &Table, id: usize, world: &World) -> Result<[f64; KINDS.len()],
 /// The largest recorded value of a kind; of positions, the largest displacement since the first record.
 fn largest(table: &Table, kind: usize, id: usize) -> f64 {
     let mut largest = 0.0_f64;
-    for place in KINDS[kind].1.iter().filter_map(|name| table.column(name).ok()) {
+    for place in KINDS[kind]
+        .1
+        .iter()
+        .filter_map(|name| table.column(name).ok())
+    {
         for row in &table.rows {
             let first = table.rows.iter().find(|first| first[id] == row[id]);
             let origin = match (kind, first) {

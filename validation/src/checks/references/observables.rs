@@ -22,7 +22,11 @@ impl Course {
             advance(world, missing)?;
             world.evaluate_if_pending()?;
             let columns = recorded.columns.iter();
-            rows.push(columns.map(|name| measured(world, name)).collect::<Result<_, _>>()?);
+            rows.push(
+                columns
+                    .map(|name| measured(world, name))
+                    .collect::<Result<_, _>>()?,
+            );
         }
         Ok(Self(Table {
             columns: recorded.columns.clone(),
@@ -41,9 +45,16 @@ pub(super) fn value(series: &Table, observable: &Observable) -> Result<f64, Stri
     let taken = |name: &str| {
         let place = series.column(name)?;
         let within = |row: &&Vec<f64>| (first as f64..=last as f64).contains(&row[step]);
-        let values: Vec<f64> = series.rows.iter().filter(within).map(|row| row[place]).collect();
+        let values: Vec<f64> = series
+            .rows
+            .iter()
+            .filter(within)
+            .map(|row| row[place])
+            .collect();
         if values.is_empty() {
-            return Err(format!("{name} has no record between steps {first} and {last}"));
+            return Err(format!(
+                "{name} has no record between steps {first} and {last}"
+            ));
         }
         Ok(values)
     };
@@ -83,7 +94,9 @@ fn measured(world: &World, name: &str) -> Result<f64, Failure> {
     let number = grains().count() as f64;
     Ok(match name {
         "step" => world.steps() as f64,
-        "kinetic_energy" => grains().map(|i| 0.5 * p.mass[i] * p.velocity[i].norm_squared()).sum(),
+        "kinetic_energy" => grains()
+            .map(|i| 0.5 * p.mass[i] * p.velocity[i].norm_squared())
+            .sum(),
         "mean_height" => grains().map(|i| p.position[i].y).sum::<f64>() / number,
         "coordination" => touches(world) as f64 / number,
         "wall_force_x" => pulled().map(|i| world.forces().force[i].x).sum(),

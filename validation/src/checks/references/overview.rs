@@ -1,7 +1,9 @@
 //! The table of all stored cases.
 
 use super::motion;
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest};
+use crate::checks::{
+    Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest,
+};
 use crate::references::{Case, Compared, case, paths};
 
 /// The check of this file.
@@ -12,7 +14,7 @@ pub fn check() -> Check {
         equations: "(28)-(58)",
         scene: "All cases of the folder references",
         oracle: "LAMMPS and YADE",
-        norm: "Cases without a version, an input or a run, or whose motion differs by more than their tolerance",
+        norm: "Cases without a version or a run, with inputs that are not those that the engine was given, by SHA-256, or whose motion differs by more than their tolerance",
         origin: Origin::Exact,
         reason: "None may be incomplete",
         effort: Effort::Quick,
@@ -23,7 +25,9 @@ pub fn check() -> Check {
 fn overview() -> Outcome {
     let mut table = Table::new(
         "Stored cases",
-        &["case", "engine", "version", "date", "runs", "laws", "digits"],
+        &[
+            "case", "engine", "version", "date", "runs", "laws", "digits",
+        ],
     );
     let mut wrong = 0;
     for path in paths() {
@@ -31,6 +35,7 @@ fn overview() -> Outcome {
         let result = &case.result;
         let is_complete = !result.version.is_empty()
             && !result.inputs.is_empty()
+            && case.changed_inputs().is_empty()
             && !case.runs.is_empty()
             && result.runs.iter().all(|run| !run.command.is_empty());
         let digits = digits(case)?;
@@ -57,7 +62,11 @@ fn digits(case: &Case) -> Result<Option<(String, bool)>, Failure> {
         Compared::Motion => {}
     }
     let differences = motion::differences(case)?;
-    let size = largest(differences.iter().map(|(_, difference)| difference.largest()));
+    let size = largest(
+        differences
+            .iter()
+            .map(|(_, difference)| difference.largest()),
+    );
     let digits = format!("{:.1}", -size.max(1e-17).log10());
     Ok(Some((digits, size <= case.tolerance)))
 }

@@ -1,0 +1,119 @@
+//! What this program said when it was last looked at: scene summaries, outputs and errors.
+//!
+//! These are recordings of ourselves, in `recorded/`. They tell that something changed, never that it is
+//! right; what others computed stands in `references/`. `cargo insta review` accepts a change.
+
+use crate::program::{run, stderr, stdout, write_scene};
+use std::process::Output;
+
+fn record(name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("recorded");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+/// Status, output and errors of a command, as a user sees them.
+fn seen(output: &Output) -> String {
+    format!(
+        "status {}\n--- output\n{}--- errors\n{}",
+        output.status.code().expect("a status"),
+        stdout(output),
+        stderr(output)
+    )
+}
+
+/// The lines of a summary that do not depend on the machine.
+fn steady(summary: &str) -> String {
+    let timed = ["wall_seconds", "_per_second"];
+    let is_steady = |line: &&str| !timed.iter().any(|word| line.contains(word));
+    let lines: Vec<&str> = summary.lines().filter(is_steady).collect();
+    lines.join("\n")
+}
+
+#[test]
+fn summaries_of_built_in_scenes() {
+    for (name, end, shorter) in [
+        ("head-on", "", ""),
+        ("oblique", "", ""),
+        ("rolling", "end = 0.3", "end = 0.03"),
+        ("cantilever", "end = 4e-3", "end = 4e-5"),
+        ("three-point-bend", "end = 3e-3", "end = 3e-5"),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let text = stdout(&run(&["scenes", name]));
+        assert!(text.contains(end), "{name} has another end");
+        let scene = write_scene(folder.path(), &text.replace(end, shorter));
+        let out = folder.path().join("out");
+        let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("UTF-8"));
+        let output = run(&["run", scene, "--out", out, "--quiet"]);
+        assert!(output.status.success(), "{name}: {}", stderr(&output));
+        let summary = std::fs::read_to_string(format!("{out}/summary.json")).expect("a summary");
+        record(&format!("summary_{name}"), &steady(&summary));
+    }
+}
+
+#[test]
+fn output_of_commands() {
+    for (name, arguments) in [
+        ("help", &["--help"][..]),
+        ("help_run", &["run", "--help"]),
+        ("help_verify", &["verify", "--help"]),
+        ("scenes", &["scenes"]),
+        (
+            "scene_of_a_stored_run",
+            &["scenes", "lammps/haff-werner/grazing"],
+        ),
+        ("links", &["links", "lammps/bond-forces/all"]),
+        ("stability_head_on", &["stability", "head-on"]),
+        ("stability_oblique", &["stability", "oblique"]),
+    ] {
+        record(name, &seen(&run(arguments)));
+    }
+}
+
+#[test]
+fn messages_of_errors() {
+    for (name, arguments) in [
+        ("no_command", &[][..]),
+        ("no_such_command", &["simulate"]),
+        ("no_scene", &["run"]),
+        ("no_such_scene", &["scenes", "no-such-scene"]),
+        ("no_such_file", &["links", "no-such-file.toml"]),
+        (
+            "no_such_stored_run",
+            &["scenes", "lammps/haff-werner/no-such-run"],
+        ),
+    ] {
+        record(name, &seen(&run(arguments)));
+    }
+    for (name, text, replace, with) in [
+        ("error_syntax", "head-on", "[time]", "[time"),
+        (
+            "error_unknown_key",
+            "head-on",
+            "[time]",
+            "[time]\nduration = 1.0",
+        ),
+        ("error_missing_key", "head-on", "step = ", "# step = "),
+        ("error_integrator", "head-on", "velocity-verlet", "leapfrog"),
+        (
+            "error_type",
+            "oblique",
+            "stiffness = ",
+            "stiffness = \"stiff\" # ",
+        ),
+        ("error_range", "oblique", "radius = ", "radius = -"),
+        ("error_overflow", "head-on", "step = ", "step = 1.0 # "),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = stdout(&run(&["scenes", text]));
+        assert!(scene.contains(replace), "{text} has no '{replace}'");
+        let path = write_scene(folder.path(), &scene.replacen(replace, with, 1));
+        let [path, out] = [path, folder.path().join("out")].map(|path| path.display().to_string());
+        let output = run(&["run", &path, "--out", &out, "--quiet"]);
+        let folder = folder.path().display().to_string();
+        record(name, &seen(&output).replace(&folder, "FOLDER"));
+    }
+}
