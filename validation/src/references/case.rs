@@ -43,7 +43,8 @@ pub struct Case {
     pub tolerance: f64,
     /// Why.
     pub reason: String,
-    /// Change of a number on another machine that means nothing, in units of the largest of its column.
+    /// Change of a number on another machine that means nothing, in units of the largest of its column; for
+    /// ensembles, change of a mean over the runs in units of its standard error.
     pub noise: f64,
     /// Ensembles: what is averaged, with its margins.
     #[serde(default)]

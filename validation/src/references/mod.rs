@@ -24,7 +24,7 @@ static CASES: LazyLock<BTreeMap<String, Result<Case, String>>> = LazyLock::new(|
         let path = folder.path().display().to_string();
         (path, Case::read(&FOLDER, folder.path()))
     };
-    with_case.map(|folder| read(folder)).collect()
+    with_case.map(read).collect()
 });
 
 /// Paths of all cases, in alphabetical order.

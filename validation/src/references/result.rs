@@ -39,6 +39,9 @@ pub struct RecordedRun {
     pub series: Option<Table>,
 }
 
+/// A step and the rows that belong to it.
+pub type Moment<'a> = (u64, &'a [Vec<f64>]);
+
 /// A table of numbers.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -63,7 +66,7 @@ impl Table {
     ///
     /// # Errors
     /// There is no column `step`.
-    pub fn steps(&self) -> Result<Vec<(u64, &[Vec<f64>])>, String> {
+    pub fn steps(&self) -> Result<Vec<Moment<'_>>, String> {
         let place = self.column("step")?;
         let same = |a: &Vec<f64>, b: &Vec<f64>| a.get(place) == b.get(place);
         let step = |rows: &[Vec<f64>]| rows[0].get(place).map_or(0, |&step| step as u64);
