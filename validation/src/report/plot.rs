@@ -142,7 +142,7 @@ fn frame<'a>(
         .build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()
-        .light_line_style(WHITE)
+        .max_light_lines(0)
         .bold_line_style(RGBColor(225, 225, 225))
         .x_labels(x_ticks)
         .y_labels(y_ticks)

@@ -18,7 +18,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "references",
         title: "Other programs",
-        about: "What LAMMPS and YADE computed with their own inputs, repeated by the kernel with their conventions for lever arms and their steps. Nothing of it was produced by this program; `references/regenerate` runs the engines again.",
+        about: "What LAMMPS and YADE computed with their own inputs, repeated by the kernel with their conventions for lever arms and their steps. Nothing of it was produced by this program; references/regenerate runs the engines again.",
         checks,
     }
 }

@@ -20,9 +20,20 @@ pub(super) struct Difference {
     pub course: Vec<[f64; 2]>,
     /// Largest overlap at a recorded time, in units of the smallest radius.
     pub depth: f64,
-    /// Speeds of the particles by the engine and by the kernel, at the recorded times.
-    speeds: [Vec<[f64; 2]>; 2],
+    /// Speeds or spins of the first particles at the recorded times.
+    tracks: Vec<Track>,
+    /// What the tracks show.
+    shown: &'static str,
 }
+
+/// A number of a particle over time, by the engine and by the kernel.
+struct Track {
+    engine: Vec<[f64; 2]>,
+    kernel: Vec<[f64; 2]>,
+}
+
+/// Particles whose motion is drawn.
+const DRAWN: usize = 3;
 
 impl Difference {
     /// The largest difference.
@@ -34,7 +45,7 @@ impl Difference {
 /// Compare all runs of a case.
 pub(super) fn compare(case: &Case) -> Outcome {
     let mut measured = Vec::new();
-    let (mut residuals, mut motions) = (Vec::new(), Vec::new());
+    let (mut residuals, mut motions, mut shown) = (Vec::new(), Vec::new(), "");
     for (run, difference) in differences(case)? {
         measured.push(Measurement::absolute(
             0.0,
@@ -42,17 +53,20 @@ pub(super) fn compare(case: &Case) -> Outcome {
             case.tolerance,
         ));
         if motions.is_empty() {
-            let [engine, kernel] = difference.speeds;
-            motions.push(Curve::line(&case.result.engine, engine));
-            motions.push(Curve::marks("kernel", kernel));
+            shown = difference.shown;
+            for (n, track) in (1..).zip(difference.tracks) {
+                let engine = format!("{}, particle {n}", case.result.engine);
+                motions.push(Curve::line(&engine, track.engine));
+                motions.push(Curve::marks(&format!("kernel, particle {n}"), track.kernel));
+            }
         }
         residuals.push(Curve::marked_line(run, difference.course));
     }
     let first = case.runs.first().map_or("", |run| &run.name);
     let motion = Plot {
-        title: format!("Speeds of the particles, run \"{first}\""),
+        title: format!("Run \"{first}\""),
         x: Axis::linear("time in s"),
-        y: Axis::linear("speed in m/s"),
+        y: Axis::linear(shown),
         curves: motions,
     };
     let residual = Plot {
@@ -61,12 +75,12 @@ pub(super) fn compare(case: &Case) -> Outcome {
         y: Axis::logarithmic("difference"),
         curves: residuals,
     };
-    let agreement = Exhibit::Text(case.agreement.clone());
-    Ok(Measurement::worst(measured).showing([
-        agreement,
-        Exhibit::Plot(motion),
-        Exhibit::Plot(residual),
-    ]))
+    let mut exhibits = vec![Exhibit::Text(case.agreement.clone())];
+    let moves = residual.curves.iter().any(|curve| curve.points.len() > 1);
+    if moves {
+        exhibits.extend([motion, residual].map(Exhibit::Plot));
+    }
+    Ok(Measurement::worst(measured).showing(exhibits))
 }
 
 /// Every run of a case with its difference.
@@ -99,7 +113,8 @@ pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Differen
     let mut difference = Difference {
         course: Vec::new(),
         depth: 0.0,
-        speeds: [Vec::new(), Vec::new()],
+        tracks: Vec::new(),
+        shown: columns.shown(),
     };
     for (step, rows) in table.steps().map_err(Failure::Oracle)? {
         let missing = step.saturating_sub(world.steps());
@@ -108,12 +123,19 @@ pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Differen
         let time = world.time();
         difference.depth = difference.depth.max(depth(&world));
         let errors = rows.iter().flat_map(|row| columns.errors(row, &world));
-        let largest = crate::checks::largest(errors);
-        difference.course.push([time, largest]);
-        for row in rows {
-            let [engine, kernel] = columns.speeds(row, &world);
-            difference.speeds[0].push([time, engine]);
-            difference.speeds[1].push([time, kernel]);
+        difference
+            .course
+            .push([time, crate::checks::largest(errors)]);
+        for (n, row) in rows.iter().take(DRAWN).enumerate() {
+            if difference.tracks.len() <= n {
+                difference.tracks.push(Track {
+                    engine: Vec::new(),
+                    kernel: Vec::new(),
+                });
+            }
+            let [engine, kernel] = columns.drawn(row, &world);
+            difference.tracks[n].engine.push([time, engine]);
+            difference.tracks[n].kernel.push([time, kernel]);
         }
     }
     Ok(difference)
@@ -121,15 +143,15 @@ pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Differen
 
 /// Largest overlap of a contact in units of the smallest radius.
 fn depth(world: &World) -> f64 {
-    let radius = world
-        .particles()
-        .radius
-        .iter()
-        .copied()
-        .fold(f64::INFINITY, f64::min);
+    let radius = smallest_radius(world);
     let links = world.links();
     let depths = links.iter().map(|link| link.normal_displacement / radius);
     depths.fold(0.0, f64::max)
+}
+
+fn smallest_radius(world: &World) -> f64 {
+    let radii = world.particles().radius.iter().copied();
+    radii.fold(f64::INFINITY, f64::min)
 }
 
 /// Where the recorded quantities stand in a row, and their scales.
@@ -137,11 +159,20 @@ struct Columns {
     id: usize,
     /// Kind, axis within the kind, place in the row, scale.
     places: Vec<(usize, usize, usize, f64)>,
+    /// Whether surfaces move by rotation more than by translation.
+    spins: bool,
 }
 
 impl Columns {
     fn of(table: &Table, world: &World) -> Result<Self, Failure> {
         let id = table.column("id").map_err(Failure::Oracle)?;
+        let is_particle =
+            |row: &Vec<f64>| (1.0..=world.particles().len() as f64).contains(&row[id]);
+        if !table.rows.iter().all(is_particle) {
+            return Err(Failure::Oracle(
+                "the result has other particles than the scene".to_owned(),
+            ));
+        }
         let scales = scales(table, id, world)?;
         let mut places = Vec::new();
         for (kind, (_, names)) in KINDS.iter().enumerate() {
@@ -151,7 +182,8 @@ impl Columns {
                 }
             }
         }
-        Ok(Self { id, places })
+        let spins = largest(table, 2, id) * smallest_radius(world) > largest(table, 1, id);
+        Ok(Self { id, places, spins })
     }
 
     /// Differences of a particle's quantities in units of their scales.
@@ -163,13 +195,24 @@ impl Columns {
         })
     }
 
-    /// The recorded speed of a particle and that of the kernel.
-    fn speeds(&self, row: &[f64], world: &World) -> [f64; 2] {
+    /// What is drawn.
+    fn shown(&self) -> &'static str {
+        if self.spins {
+            "spin in rad/s"
+        } else {
+            "speed in m/s"
+        }
+    }
+
+    /// What is drawn of a particle, by the engine and by the kernel.
+    fn drawn(&self, row: &[f64], world: &World) -> [f64; 2] {
         let i = row[self.id] as usize - 1;
-        let recorded = self.places.iter().filter(|(kind, ..)| *kind == 1);
-        let squared: f64 = recorded
-            .map(|&(_, _, place, _)| row[place] * row[place])
-            .sum();
+        let of = |wanted: usize| self.places.iter().filter(move |(kind, ..)| *kind == wanted);
+        if self.spins {
+            let spin: f64 = of(2).map(|&(_, _, place, _)| row[place]).sum();
+            return [spin, world.particles().angular_velocity[i]];
+        }
+        let squared: f64 = of(1).map(|&(_, _, place, _)| row[place] * row[place]).sum();
         [squared.sqrt(), world.particles().velocity[i].norm()]
     }
 }
@@ -178,12 +221,7 @@ impl Columns {
 /// smallest radius, and a displacement is at least what the speed covers between two records.
 fn scales(table: &Table, id: usize, world: &World) -> Result<[f64; KINDS.len()], Failure> {
     let [length, speed, spin, force, torque] = [0, 1, 2, 3, 4].map(|kind| largest(table, kind, id));
-    let radius = world
-        .particles()
-        .radius
-        .iter()
-        .copied()
-        .fold(f64::INFINITY, f64::min);
+    let radius = smallest_radius(world);
     let steps = table.steps().map_err(Failure::Oracle)?;
     let records = steps.windows(2).map(|pair| pair[1].0 - pair[0].0);
     let interval = records.min().unwrap_or(0) as f64 * world.model().time_step;
