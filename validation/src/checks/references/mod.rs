@@ -6,6 +6,7 @@ mod ensemble;
 mod motion;
 mod observables;
 mod overview;
+mod stretched;
 
 use super::{Check, Effort, Failure, Origin, Outcome, Topic};
 use crate::references::{Case, case};
@@ -15,6 +16,7 @@ pub fn topic() -> Topic {
     let mut checks = vec![overview::check()];
     checks.extend(cases());
     checks.extend(differences::checks());
+    checks.push(stretched::check());
     Topic {
         id: "references",
         title: "Other programs",

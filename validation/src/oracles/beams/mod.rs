@@ -7,6 +7,7 @@
 pub mod cantilever;
 pub mod network;
 pub mod pair;
+pub mod stretched;
 pub mod waves;
 
 /// Stiffnesses of a beam in N/m.
