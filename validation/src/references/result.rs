@@ -62,6 +62,18 @@ impl Table {
         found.ok_or_else(|| format!("the result has no column {name}"))
     }
 
+    /// Positions of several columns.
+    ///
+    /// # Errors
+    /// One of them is not there.
+    pub fn places<const N: usize>(&self, names: [&str; N]) -> Result<[usize; N], String> {
+        let mut places = [0; N];
+        for (place, name) in places.iter_mut().zip(names) {
+            *place = self.column(name)?;
+        }
+        Ok(places)
+    }
+
     /// Rows that belong together, one step after the other.
     ///
     /// # Errors

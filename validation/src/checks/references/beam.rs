@@ -37,8 +37,8 @@ fn compare_run(
     let mut world = world(&case.scene(run).map_err(Failure::Oracle)?)?;
     world.evaluate_if_pending()?;
     let motion = recorded_motion(recorded)?;
-    let column = |name: &str| motion.column(name).map_err(Failure::Oracle);
-    let (fx, fy, tqz) = (column("fx")?, column("fy")?, column("tqz")?);
+    let names = ["fx", "fy", "tqz"];
+    let [fx, fy, tqz] = motion.places(names).map_err(Failure::Oracle)?;
     let [first, second] = &motion.rows[..] else {
         return Err(Failure::Oracle("a bond has two ends".to_owned()));
     };

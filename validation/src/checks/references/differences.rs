@@ -261,10 +261,8 @@ fn inertia() -> Outcome {
         advance(&mut world, STEPS)?;
         let p = world.particles();
         let motion = recorded_motion(recorded)?;
-        let columns = ["x", "y", "vx", "vy", "omegaz"]
-            .map(|name| motion.column(name).map_err(Failure::Oracle));
-        let [x, y, vx, vy, omegaz] = columns;
-        let (x, y, vx, vy, omegaz) = (x?, y?, vx?, vy?, omegaz?);
+        let names = ["x", "y", "vx", "vy", "omegaz"];
+        let [x, y, vx, vy, omegaz] = motion.places(names).map_err(Failure::Oracle)?;
         for (i, row) in motion.rows.iter().rev().take(2).rev().enumerate() {
             let place = Vec2::new(row[x], row[y]);
             let velocity = Vec2::new(row[vx], row[vy]);

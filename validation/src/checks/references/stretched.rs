@@ -41,9 +41,8 @@ fn largest(world: &World, motion: &Table) -> Result<f64, Failure> {
     let mut states = beam.steps(pair, world.model().time_step);
     let p = world.particles();
     let centre = (p.position[0] + p.position[1]) * 0.5;
-    let names = ["x", "y", "vx", "vy", "omegaz"].map(|name| motion.column(name));
-    let [x, y, vx, vy, w] = names.map(|place| place.map_err(Failure::Oracle));
-    let (x, y, vx, vy, w) = (x?, y?, vx?, vy?, w?);
+    let names = ["x", "y", "vx", "vy", "omegaz"];
+    let [x, y, vx, vy, w] = motion.places(names).map_err(Failure::Oracle)?;
     let mut errors = [0.0_f64; 3];
     let mut scales = [0.0_f64; 3];
     let mut done = 0;
