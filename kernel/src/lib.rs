@@ -5,6 +5,7 @@
 //! only those above it. All quantities are in SI units.
 
 mod error;
+mod instructions;
 pub mod scalar;
 pub mod geometry;
 pub mod material;
@@ -22,4 +23,5 @@ pub mod distributions;
 pub mod calibration;
 
 pub use error::{ModelError, StepError};
+pub use instructions::Instructions;
 pub use world::{Drive, Start, World, stable_step_estimate};

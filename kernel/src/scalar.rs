@@ -1,7 +1,9 @@
 //! The arithmetic that laws and integrators may use.
 
+use crate::instructions::Instructions;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use pulp::NullaryFnOnce;
 
 /// A real number.
 ///
@@ -49,6 +51,12 @@ pub trait Real:
     fn acos(self) -> Self;
     /// Whether neither infinite nor undefined.
     fn is_finite(self) -> bool;
+
+    /// Run a loop over numbers of this type, with wide instructions where the machine has them for it.
+    #[inline(always)]
+    fn run<L: NullaryFnOnce>(_: Instructions, body: L) -> L::Output {
+        body.call()
+    }
 
     /// Zero.
     #[inline(always)]
@@ -142,6 +150,10 @@ impl Real for f64 {
     #[inline(always)]
     fn is_finite(self) -> bool {
         f64::is_finite(self)
+    }
+    #[inline(always)]
+    fn run<L: NullaryFnOnce>(instructions: Instructions, body: L) -> L::Output {
+        instructions.run(body)
     }
 }
 

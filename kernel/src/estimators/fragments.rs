@@ -14,10 +14,12 @@ pub struct Fragments {
 
 /// The fragments of a world.
 pub fn fragments<S: Real>(world: &World<S>) -> Fragments {
-    let links = world.strong_links().map_or(&[][..], |strong| &strong.links);
+    let pairs = world
+        .strong_links()
+        .map_or(&[][..], |strong| strong.pairs());
     connected(
         world.particles().len(),
-        links.iter().map(|link| link.pair.indices()),
+        pairs.iter().map(|pair| pair.indices()),
     )
 }
 

@@ -1,9 +1,10 @@
 //! Every link of a state with its kinematics and forces, for inspection.
 
+use super::block::Columns;
 use super::{StrongPass, WeakPass};
 use crate::geometry::{Arm, Metric, PairFrame, Vec2, overlap_factor};
 use crate::laws::{BeamLaw, NormalLaw, TangentialLaw};
-use crate::links::{Pair, StrongLink, WeakLinks};
+use crate::links::{Pair, StrongLink, StrongLinks, WeakLinks};
 use crate::particles::Particles;
 use crate::scalar::Real;
 
@@ -89,6 +90,7 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
     particles: &Particles<S>,
     weak: &WeakLinks<S>,
 ) -> Vec<LinkState> {
+    let columns = Columns::of(particles);
     let state = |(position, &pair): (usize, &Pair)| {
         let (i, j) = pair.indices();
         let frame = PairFrame::new(
@@ -99,11 +101,10 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
         if frame.distance >= reach {
             return None;
         }
-        let mut memory = match weak.memory.get(position) {
-            Some(memory) if memory.touches => *memory,
-            _ => pass.begin(&frame, [particles.angle[i], particles.angle[j]]),
-        };
-        let state = pass.state(particles, (i, j), frame, &mut memory);
+        let mut memory = weak
+            .memory_at(position)
+            .unwrap_or_else(|| pass.begin(&frame, [particles.angle[i], particles.angle[j]]));
+        let state = pass.any(&columns.ends(pair), &mut memory);
         Some(LinkState {
             tangential_displacement: doubles(state.zeta),
             normal_velocity: state.motion.normal_velocity.to_f64(),
@@ -121,10 +122,10 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
 pub(crate) fn strong<S: Real, M: Metric, B: BeamLaw>(
     pass: StrongPass<M, B>,
     particles: &Particles<S>,
-    links: &[StrongLink<S>],
+    strong: &StrongLinks<S>,
 ) -> Vec<LinkState> {
-    let state = |link: &StrongLink<S>| {
-        let state = pass.state(particles, &mut link.clone());
+    let state = |link: StrongLink<S>| {
+        let state = pass.state_of(particles, link);
         LinkState {
             adjusted_normal_displacement: state.xi_adjusted.to_f64(),
             tangential_displacement: doubles(state.zeta),
@@ -136,5 +137,5 @@ pub(crate) fn strong<S: Real, M: Metric, B: BeamLaw>(
             ..common(LinkKind::Strong, link.pair, particles, &state.frame)
         }
     };
-    links.iter().map(state).collect()
+    strong.iter().map(state).collect()
 }

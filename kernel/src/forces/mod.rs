@@ -4,6 +4,7 @@
 //! inside a loop.
 
 mod ambient;
+mod block;
 mod driving;
 mod external;
 pub(crate) mod links_at;
@@ -13,12 +14,14 @@ mod weak_links;
 pub use links_at::{LinkKind, LinkState};
 
 pub(crate) use ambient::ambient;
+pub(crate) use block::Block;
 pub(crate) use driving::{driving, measure};
 pub(crate) use external::external;
-pub(crate) use strong_links::{StrongPass, stored_in_strong_links, strong_links};
-pub(crate) use weak_links::{WeakPass, stored_in_weak_links, weak_links};
+pub(crate) use strong_links::{StrongLoop, StrongPass, stored_in_strong_links};
+pub(crate) use weak_links::{WeakLoop, WeakPass, stored_in_weak_links};
 
 use crate::geometry::Vec2;
+use crate::links::Pair;
 use crate::scalar::Real;
 
 /// Forces and torques on all particles.
@@ -42,15 +45,49 @@ impl<S: Real> Forces<S> {
         self.force.fill(Vec2::zero());
         self.torque.fill(S::zero());
     }
-    /// Add a link's force on i and its reaction on j, with the torques of both ends.
+    /// The columns, known to be equally long: one check serves both.
     #[inline(always)]
-    pub(crate) fn add_pair(&mut self, (i, j): (usize, usize), force: Vec2<S>, torques: [S; 2]) {
+    pub(crate) fn sums(&mut self) -> Sums<'_, S> {
+        let number = self.force.len();
+        Sums {
+            force: &mut self.force[..number],
+            torque: &mut self.torque[..number],
+        }
+    }
+}
+
+/// Forces and torques on all particles while links add to them.
+pub(crate) struct Sums<'a, S> {
+    force: &'a mut [Vec2<S>],
+    torque: &'a mut [S],
+}
+
+impl<S: Real> Sums<'_, S> {
+    #[inline(always)]
+    fn indices(&self, pair: Pair) -> (usize, usize) {
+        let (i, j) = pair.indices();
+        let number = self.force.len();
+        assert!(i < number && j < number, "{MISSING}");
+        (i, j)
+    }
+    /// Add a link's force on i and its reaction on j.
+    #[inline(always)]
+    pub fn add_forces(&mut self, pair: Pair, force: Vec2<S>) {
+        let (i, j) = self.indices(pair);
         self.force[i] += force;
         self.force[j] -= force;
+    }
+    /// Add the torques of both ends.
+    #[inline(always)]
+    pub fn add_torques(&mut self, pair: Pair, torques: [S; 2]) {
+        let (i, j) = self.indices(pair);
         self.torque[i] += torques[0];
         self.torque[j] += torques[1];
     }
 }
+
+/// Links are made between particles that exist, and no particle is ever removed.
+const MISSING: &str = "a link joins particles that exist";
 
 /// What a pass books besides forces, in one evaluation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,9 +1,10 @@
 //! The pass over strong links.
 
+use super::block::{Block, Columns, Ends, LINKS};
 use super::{Forces, Tally};
-use crate::geometry::{Metric, PairFrame, PairMotion, turn, wrapped};
+use crate::geometry::{Metric, PairFrame, PairMotion, is_wrapped, small_turn, turn, wrapped};
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, ZhangEckert};
-use crate::links::{StrongLink, StrongLinks};
+use crate::links::{Rest, StrongLink, StrongLinks};
 use crate::particles::Particles;
 use crate::scalar::Real;
 
@@ -30,43 +31,34 @@ pub(crate) struct StrongState<S> {
     pub torques: [S; 2],
 }
 
+/// A frame that has turned far from its reference, or an angle to be wrapped.
+const IRREGULAR: u64 = 1;
+/// A link that breaks.
+const BREAKS: u64 = 2;
+
 impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
-    /// Kinematics and forces of a link, thesis eqs. (28)-(34) and (43)-(45).
-    ///
-    /// A link whose frame has turned far from its reference takes the present direction as the new
-    /// one; the rest angles turn with it, so that angles stay functions of the state and never jump.
+    /// Forces of a link whose ends are at the given angles, in rad, to their unbent directions; thesis
+    /// eqs. (33)-(34) and (43)-(45).
     #[inline(always)]
-    pub fn state<S: Real>(
+    fn state<S: Real>(
         &self,
-        particles: &Particles<S>,
-        link: &mut StrongLink<S>,
+        ends: &Ends<S>,
+        frame: PairFrame<S>,
+        rest_distance: S,
+        angles: [S; 2],
     ) -> StrongState<S> {
-        let (i, j) = link.pair.indices();
-        let p = particles;
-        let frame = PairFrame::new(self.metric.displacement(p.position[i], p.position[j]));
-        let motion = PairMotion::new(&frame, p.velocity[j] - p.velocity[i]);
-        let xi_adjusted = link.rest_distance - frame.distance;
+        let motion = PairMotion::new(&frame, ends.velocity);
+        let xi_adjusted = rest_distance - frame.distance;
         let normal_force = self.normal.force(xi_adjusted, motion.normal_velocity);
         let (mut zeta, mut d_zeta) = ([S::zero(); 2], [S::zero(); 2]);
         let (mut torques, mut tangential_force) = ([S::zero(); 2], S::zero());
         if !B::ABSENT {
-            let (turned, is_small) = turn(link.reference, frame.normal);
-            let ends = [(i, 0), (j, 1)];
-            for (particle, end) in ends {
-                let mut angle = p.angle[particle] - link.rest_angles[end] - turned;
-                if self.wraps {
-                    angle = wrapped(angle);
-                }
-                zeta[end] = p.radius[particle] * angle;
-                d_zeta[end] =
-                    p.radius[particle] * (p.angular_velocity[particle] - motion.frame_rate);
-                torques[end] = p.radius[particle] * self.beam.force(zeta[end], d_zeta[end]);
+            for end in 0..2 {
+                zeta[end] = ends.radii[end] * angles[end];
+                d_zeta[end] = ends.radii[end] * (ends.spins[end] - motion.frame_rate);
+                torques[end] = ends.radii[end] * self.beam.force(zeta[end], d_zeta[end]);
             }
             tangential_force = (torques[0] + torques[1]) * frame.inverse_distance;
-            if !is_small {
-                link.reference = frame.normal;
-                link.rest_angles = link.rest_angles.map(|angle| angle + turned);
-            }
         }
         StrongState {
             frame,
@@ -80,57 +72,216 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
         }
     }
 
+    /// The state of most links, thesis eqs. (28)-(34), and whether it is that of this one.
+    #[inline(always)]
+    fn regular<S: Real>(&self, ends: &Ends<S>, rest: &Rest<S>) -> (StrongState<S>, bool) {
+        let frame = PairFrame::new(self.metric.nearest(ends.difference));
+        if B::ABSENT {
+            return (self.state(ends, frame, rest.distance, [S::zero(); 2]), true);
+        }
+        let (turned, is_small) = small_turn(rest.reference, frame.normal);
+        let angles = [0, 1].map(|end| ends.angles[end] - rest.angles[end] - turned);
+        let keeps = !self.wraps | (is_wrapped(angles[0]) & is_wrapped(angles[1]));
+        (
+            self.state(ends, frame, rest.distance, angles),
+            is_small & keeps,
+        )
+    }
+
+    /// The state of any link.
+    ///
+    /// A link whose frame has turned far from its reference takes the present direction as the new
+    /// one; the rest angles turn with it, so that angles stay functions of the state and never jump.
+    fn any<S: Real>(&self, ends: &Ends<S>, rest: &mut Rest<S>) -> StrongState<S> {
+        let frame = PairFrame::new(self.metric.nearest(ends.difference));
+        if B::ABSENT {
+            return self.state(ends, frame, rest.distance, [S::zero(); 2]);
+        }
+        let (turned, is_small) = turn(rest.reference, frame.normal);
+        let angles = [0, 1].map(|end| {
+            let angle = ends.angles[end] - rest.angles[end] - turned;
+            if self.wraps { wrapped(angle) } else { angle }
+        });
+        if !is_small {
+            rest.reference = frame.normal;
+            rest.angles = rest.angles.map(|angle| angle + turned);
+        }
+        self.state(ends, frame, rest.distance, angles)
+    }
+
+    /// The present state of a link.
+    pub fn state_of<S: Real>(
+        &self,
+        particles: &Particles<S>,
+        mut link: StrongLink<S>,
+    ) -> StrongState<S> {
+        let ends = Columns::of(particles).ends(link.pair);
+        self.any(&ends, &mut link.rest)
+    }
+
     #[inline(always)]
     fn stored<S: Real>(&self, state: &StrongState<S>) -> S {
         self.normal.stored_energy(state.xi_adjusted)
             + (self.beam.stored_energy(state.zeta[0]) + self.beam.stored_energy(state.zeta[1]))
     }
+
+    #[inline(always)]
+    fn heat_rate<S: Real>(&self, state: &StrongState<S>) -> S {
+        self.normal.heat_rate(state.motion.normal_velocity)
+            + (self.beam.heat_rate(state.d_zeta[0]) + self.beam.heat_rate(state.d_zeta[1]))
+    }
 }
 
-/// Add the forces of all strong links; those that break exert none and are listed.
+/// The loop over all strong links: adds their forces; those that break exert none and are listed.
 ///
 /// Reads positions, velocities and angles; writes forces and, where a frame has turned far, the
 /// references of links. Allocates nothing. `YIELDS` and `LEDGER` leave out what they name.
-#[inline(never)]
-pub(crate) fn strong_links<
-    S: Real,
-    M: Metric,
-    B: BeamLaw,
-    const YIELDS: bool,
-    const LEDGER: bool,
->(
-    pass: StrongPass<M, B>,
-    particles: &Particles<S>,
-    strong: &mut StrongLinks<S>,
-    forces: &mut Forces<S>,
-    tally: &mut Tally<S>,
-) {
-    let StrongLinks { links, broken } = strong;
-    for (position, link) in links.iter_mut().enumerate() {
-        let (i, j) = link.pair.indices();
-        let state = pass.state(particles, link);
-        if YIELDS
-            && let Some(law) = pass.yielding
-            && law.breaks(
-                state.normal_force,
-                state.tangential_force,
-                [particles.radius[i], particles.radius[j]],
-                link.strength_factor,
-            )
-        {
-            broken.push(position as u32);
-            if LEDGER {
-                tally.breaking += pass.stored(&state);
+pub(crate) struct StrongLoop<'a, S, M, B, const YIELDS: bool, const LEDGER: bool> {
+    pub pass: StrongPass<M, B>,
+    pub particles: &'a Particles<S>,
+    pub strong: &'a mut StrongLinks<S>,
+    pub forces: &'a mut Forces<S>,
+    pub tally: &'a mut Tally<S>,
+    pub block: &'a mut Block<S>,
+}
+
+impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> pulp::NullaryFnOnce
+    for StrongLoop<'_, S, M, B, YIELDS, LEDGER>
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        let number = self.strong.len();
+        let columns = Columns::of(self.particles);
+        for first in (0..number).step_by(LINKS) {
+            let last = number.min(first + LINKS);
+            let pairs = &self.strong.pairs[first..last];
+            self.block.gather(columns, pairs);
+            let flags = self.compute(first, last);
+            if flags & IRREGULAR != 0 {
+                self.compute_irregular(first, last);
             }
-            continue;
+            self.scatter(first, last);
         }
         if LEDGER {
-            tally.friction_rate += pass.normal.heat_rate(state.motion.normal_velocity)
-                + (pass.beam.heat_rate(state.d_zeta[0]) + pass.beam.heat_rate(state.d_zeta[1]));
+            for &position in &self.strong.broken {
+                let link = self.strong.get(position as usize);
+                self.tally.breaking += self.pass.stored(&self.pass.state_of(self.particles, link));
+            }
         }
-        let force = state.frame.normal * state.normal_force
+    }
+}
+
+impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
+    StrongLoop<'_, S, M, B, YIELDS, LEDGER>
+{
+    #[inline(always)]
+    fn compute(&mut self, first: usize, last: usize) -> u64 {
+        let number = (last - first).min(LINKS);
+        let references = &self.strong.references[first..][..number];
+        let angles = &self.strong.angles[first..][..number];
+        let distances = &self.strong.distances[first..][..number];
+        let factors = &self.strong.strength_factors[first..][..number];
+        let block = &mut *self.block;
+        let mut flags = 0;
+        for lane in 0..number {
+            let rest = Rest {
+                reference: references[lane],
+                angles: angles[lane],
+                distance: distances[lane],
+            };
+            let ends = block.ends(lane);
+            let (state, is_regular) = self.pass.regular(&ends, &rest);
+            let flag = self.pass.settle::<S, YIELDS, LEDGER>(
+                block,
+                lane,
+                &state,
+                ends.radii,
+                factors[lane],
+            ) | (IRREGULAR * u64::from(!is_regular));
+            block.flags[lane] = flag;
+            flags |= flag;
+        }
+        flags
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn compute_irregular(&mut self, first: usize, last: usize) {
+        for lane in 0..last - first {
+            if self.block.flags[lane] & IRREGULAR == 0 {
+                continue;
+            }
+            let position = first + lane;
+            let StrongLink {
+                mut rest,
+                strength_factor,
+                ..
+            } = self.strong.get(position);
+            let ends = self.block.ends(lane);
+            let state = self.pass.any(&ends, &mut rest);
+            self.strong.references[position] = rest.reference;
+            self.strong.angles[position] = rest.angles;
+            self.block.flags[lane] = self.pass.settle::<S, YIELDS, LEDGER>(
+                self.block,
+                lane,
+                &state,
+                ends.radii,
+                strength_factor,
+            );
+        }
+    }
+
+    #[inline(always)]
+    fn scatter(&mut self, first: usize, last: usize) {
+        let mut sums = self.forces.sums();
+        let mut heat_rate = self.tally.friction_rate;
+        let pairs = &self.strong.pairs[first..last];
+        for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
+            if YIELDS && self.block.flags[lane] & BREAKS != 0 {
+                self.strong.broken.push((first + lane) as u32);
+                continue;
+            }
+            if LEDGER {
+                heat_rate += self.block.heat_rate[lane];
+            }
+            sums.add_forces(pair, self.block.force[lane]);
+            if !B::ABSENT {
+                sums.add_torques(pair, self.block.torques[lane]);
+            }
+        }
+        self.tally.friction_rate = heat_rate;
+    }
+}
+
+impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
+    /// Write what a link does into its lane of the block.
+    #[inline(always)]
+    fn settle<S: Real, const YIELDS: bool, const LEDGER: bool>(
+        &self,
+        block: &mut Block<S>,
+        lane: usize,
+        state: &StrongState<S>,
+        radii: [S; 2],
+        strength_factor: S,
+    ) -> u64 {
+        block.force[lane] = state.frame.normal * state.normal_force
             + state.frame.tangent() * state.tangential_force;
-        forces.add_pair((i, j), force, state.torques);
+        block.torques[lane] = state.torques;
+        if LEDGER {
+            block.heat_rate[lane] = self.heat_rate(state);
+        }
+        let breaks = match self.yielding {
+            Some(law) if YIELDS => law.breaks(
+                state.normal_force,
+                state.tangential_force,
+                radii,
+                strength_factor,
+            ),
+            _ => false,
+        };
+        BREAKS * u64::from(breaks)
     }
 }
 
@@ -138,11 +289,11 @@ pub(crate) fn strong_links<
 pub(crate) fn stored_in_strong_links<S: Real, M: Metric, B: BeamLaw>(
     pass: StrongPass<M, B>,
     particles: &Particles<S>,
-    links: &[StrongLink<S>],
+    strong: &StrongLinks<S>,
 ) -> S {
     let mut sum = S::zero();
-    for link in links {
-        sum += pass.stored(&pass.state(particles, &mut link.clone()));
+    for link in strong.iter() {
+        sum += pass.stored(&pass.state_of(particles, link));
     }
     sum
 }

@@ -1,9 +1,11 @@
 //! The pass over weak links.
 
+use super::block::{Block, Columns, Ends, LINKS};
 use super::{Forces, Tally};
-use crate::geometry::{Arm, Metric, PairFrame, PairMotion, turn, wrapped};
+use crate::geometry::{Arm, Metric, PairFrame, PairMotion, is_wrapped, small_turn, turn, wrapped};
+use crate::instructions::Instructions;
 use crate::laws::{Friction, NormalLaw, Slide, TangentialLaw};
-use crate::links::{ContactMemory, WeakLinks};
+use crate::links::{ContactMemory, StrongLinks, WeakLinks};
 use crate::model::Reading;
 use crate::particles::Particles;
 use crate::scalar::Real;
@@ -33,21 +35,26 @@ pub(crate) struct WeakState<S> {
     pub torques: [S; 2],
 }
 
+/// A frame that has turned far from its reference, or an angle to be wrapped.
+const IRREGULAR: u64 = 1;
+
 impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
-    /// Kinematics and forces of a contact, thesis eqs. (28)-(42).
+    /// Whether tangential displacements are functions of the present angles.
+    const FOLLOWS_ANGLES: bool = T::REMEMBERS && !A::ACCUMULATES;
+
+    /// Kinematics and forces of a contact whose ends have turned by the given angles since it began, in
+    /// rad; thesis eqs. (28)-(42).
     #[inline(always)]
-    pub fn state<S: Real>(
+    fn state<S: Real>(
         &self,
-        particles: &Particles<S>,
-        (i, j): (usize, usize),
+        ends: &Ends<S>,
         frame: PairFrame<S>,
+        angles: [S; 2],
         memory: &mut ContactMemory<S>,
     ) -> WeakState<S> {
-        let p = particles;
-        let radii = [p.radius[i], p.radius[j]];
-        let motion = PairMotion::new(&frame, p.velocity[j] - p.velocity[i]);
-        let xi = frame.normal_displacement(radii);
-        let normal_force = self.normal.force(radii, xi, motion.normal_velocity);
+        let motion = PairMotion::new(&frame, ends.velocity);
+        let xi = frame.normal_displacement(ends.radii);
+        let normal_force = self.normal.force(ends.radii, xi, motion.normal_velocity);
         let mut state = WeakState {
             frame,
             motion,
@@ -64,7 +71,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
             torques: [S::zero(); 2],
         };
         if !T::ABSENT {
-            self.rub(particles, (i, j), memory, &mut state);
+            self.rub(ends, angles, memory, &mut state);
         }
         state
     }
@@ -73,25 +80,20 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
     #[inline(always)]
     fn rub<S: Real>(
         &self,
-        particles: &Particles<S>,
-        (i, j): (usize, usize),
+        ends: &Ends<S>,
+        angles: [S; 2],
         memory: &mut ContactMemory<S>,
         state: &mut WeakState<S>,
     ) {
-        let p = particles;
-        let radii = [p.radius[i], p.radius[j]];
-        let arms = self.arm.distances(radii, state.frame.distance);
-        let spins = [p.angular_velocity[i], p.angular_velocity[j]];
+        let arms = self.arm.distances(ends.radii, state.frame.distance);
         state.d_zeta = self
             .arm
-            .velocities(radii, &state.frame, &state.motion, spins);
-        if T::REMEMBERS {
-            state.zeta = if A::ACCUMULATES {
-                memory.ends = [0, 1].map(|end| memory.ends[end] + state.d_zeta[end] * self.elapsed);
-                memory.ends
-            } else {
-                self.displacements(p, (i, j), arms, memory, &state.frame)
-            };
+            .velocities(ends.radii, &state.frame, &state.motion, ends.spins);
+        if Self::FOLLOWS_ANGLES {
+            state.zeta = [arms[0] * angles[0], arms[1] * angles[1]];
+        } else if T::REMEMBERS {
+            memory.ends = [0, 1].map(|end| memory.ends[end] + state.d_zeta[end] * self.elapsed);
+            state.zeta = memory.ends;
         }
         let slide = Slide {
             displacement: state.zeta[0] + state.zeta[1],
@@ -121,32 +123,44 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         ContactMemory::begin(frame, ends)
     }
 
-    /// Tangential displacements of both ends since the contact began, thesis eqs. (29)-(32).
+    /// The state of most contacts, thesis eqs. (29)-(32), and whether it is that of this one.
     #[inline(always)]
-    fn displacements<S: Real>(
+    fn regular<S: Real>(
         &self,
-        particles: &Particles<S>,
-        (i, j): (usize, usize),
-        arms: [S; 2],
+        ends: &Ends<S>,
         memory: &mut ContactMemory<S>,
-        frame: &PairFrame<S>,
-    ) -> [S; 2] {
+    ) -> (WeakState<S>, bool) {
+        let frame = PairFrame::new(self.metric.nearest(ends.difference));
+        if !Self::FOLLOWS_ANGLES {
+            return (self.state(ends, frame, [S::zero(); 2], memory), true);
+        }
+        let (turned, is_small) = small_turn(memory.reference, frame.normal);
+        let angles = [0, 1].map(|end| ends.angles[end] - memory.ends[end] - turned);
+        let keeps =
+            (self.reading != Reading::Thesis) | angles.map(is_wrapped).iter().all(|&keeps| keeps);
+        (self.state(ends, frame, angles, memory), is_small & keeps)
+    }
+
+    /// The state of any contact; a frame that has turned far becomes the reference of its turn.
+    pub fn any<S: Real>(&self, ends: &Ends<S>, memory: &mut ContactMemory<S>) -> WeakState<S> {
+        let frame = PairFrame::new(self.metric.nearest(ends.difference));
+        if !Self::FOLLOWS_ANGLES {
+            return self.state(ends, frame, [S::zero(); 2], memory);
+        }
         let (turned, is_small) = turn(memory.reference, frame.normal);
-        let angles = [particles.angle[i], particles.angle[j]];
-        let zeta = [0, 1].map(|end| {
-            let angle = angles[end] - memory.ends[end] - turned;
-            arms[end]
-                * if self.reading == Reading::Thesis {
-                    wrapped(angle)
-                } else {
-                    angle
-                }
+        let angles = [0, 1].map(|end| {
+            let angle = ends.angles[end] - memory.ends[end] - turned;
+            if self.reading == Reading::Thesis {
+                wrapped(angle)
+            } else {
+                angle
+            }
         });
         if !is_small {
             memory.reference = frame.normal;
             memory.ends = memory.ends.map(|angle| angle + turned);
         }
-        zeta
+        self.state(ends, frame, angles, memory)
     }
 
     /// Energy stored in a contact in J.
@@ -167,69 +181,233 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
     }
 }
 
-/// Add the forces of all pairs that overlap, and begin or end their memory.
+/// The loop over all pairs: adds the forces of those that overlap, and begins or ends their memory.
 ///
-/// `is_broken` tells the pairs whose bonds broke in this evaluation: if they overlap, their stored
-/// energy is booked as work of bonding. Allocates nothing.
-#[inline(never)]
-pub(crate) fn weak_links<
-    S: Real,
-    M: Metric,
-    A: Arm,
-    N: NormalLaw,
-    T: TangentialLaw,
-    const LEDGER: bool,
->(
-    pass: WeakPass<M, A, N, T>,
-    particles: &Particles<S>,
-    weak: &mut WeakLinks<S>,
-    is_broken: impl Fn(crate::links::Pair) -> bool,
-    forces: &mut Forces<S>,
-    tally: &mut Tally<S>,
-) {
-    let WeakLinks { pairs, memory, .. } = weak;
-    let mut forgetful = ContactMemory::default();
-    for (position, pair) in pairs.iter().enumerate() {
-        let (i, j) = pair.indices();
-        let displacement = pass
-            .metric
-            .displacement(particles.position[i], particles.position[j]);
-        let radii = [particles.radius[i], particles.radius[j]];
-        let reach = radii[0] + radii[1];
-        let overlaps = displacement.norm_squared() < reach * reach;
-        if !T::REMEMBERS && !overlaps {
-            continue;
-        }
-        let memory = if T::REMEMBERS {
-            &mut memory[position]
-        } else {
-            &mut forgetful
-        };
-        if !overlaps {
-            if LEDGER && memory.touches {
-                let frame = PairFrame::new(displacement);
-                let state = pass.state(particles, (i, j), frame, memory);
-                // Without a normal force no law stores anything: all that was left is heat.
-                tally.friction += state.friction.heat;
+/// `strong` tells the pairs whose bonds broke in this evaluation: if they overlap, their stored energy
+/// is booked as work of bonding. Allocates nothing.
+pub(crate) struct WeakLoop<'a, S, M, A, N, T, const LEDGER: bool> {
+    pub pass: WeakPass<M, A, N, T>,
+    pub particles: &'a Particles<S>,
+    pub weak: &'a mut WeakLinks<S>,
+    pub strong: Option<&'a StrongLinks<S>>,
+    pub forces: &'a mut Forces<S>,
+    pub tally: &'a mut Tally<S>,
+    pub block: &'a mut Block<S>,
+}
+
+impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>
+    pulp::NullaryFnOnce for WeakLoop<'_, S, M, A, N, T, LEDGER>
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        let columns = Columns::of(self.particles);
+        let mut next = 0;
+        while next < self.weak.pairs.len() {
+            let lanes;
+            (lanes, next) = self.find_touching(columns, next);
+            self.gather(columns, lanes);
+            if self.compute(lanes) & IRREGULAR != 0 {
+                self.compute_irregular(lanes);
             }
-            memory.touches = false;
-            continue;
+            if T::REMEMBERS {
+                self.remember(lanes);
+            }
+            self.scatter(lanes);
+            if LEDGER {
+                self.book_bonding(lanes);
+            }
         }
-        let frame = PairFrame::new(displacement);
-        if T::REMEMBERS && !memory.touches {
-            *memory = pass.begin(&frame, [particles.angle[i], particles.angle[j]]);
+    }
+}
+
+impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>
+    WeakLoop<'_, S, M, A, N, T, LEDGER>
+{
+    /// Run the loop.
+    pub fn run(self, instructions: Instructions) {
+        A::run::<S, Self>(instructions, self);
+    }
+
+    /// Put pairs that overlap into the lanes of the block, from a position on, until it is full or no pair
+    /// is left; returns the number of lanes and the position after the last pair looked at.
+    #[inline(always)]
+    fn find_touching(&mut self, columns: Columns<S>, first: usize) -> (usize, usize) {
+        let number = self.weak.pairs.len();
+        let (mut lanes, mut position) = (0, first);
+        while position < number && lanes < LINKS {
+            let (difference, radii) = columns.gap(self.weak.pairs[position]);
+            let reach = radii[0] + radii[1];
+            let overlaps = self.pass.metric.nearest(difference).norm_squared() < reach * reach;
+            if T::REMEMBERS && overlaps != self.weak.memories.touches[position] {
+                if LEDGER && lanes > 0 {
+                    // What ends here is booked after what came before.
+                    break;
+                }
+                self.begin_or_end(position, overlaps);
+            }
+            // Every pair is put down, and those that do not overlap are written over: no branch.
+            self.block.position[lanes] = position as u32;
+            self.block.difference[lanes] = difference;
+            self.block.radii[lanes] = radii;
+            lanes += usize::from(overlaps);
+            position += 1;
         }
-        let state = pass.state(particles, (i, j), frame, memory);
+        (lanes, position)
+    }
+
+    /// A contact that ends: without a normal force no law stores anything, all that was left is heat.
+    #[cold]
+    #[inline(never)]
+    fn begin_or_end(&mut self, position: usize, begins: bool) {
+        let ends = Columns::of(self.particles).ends(self.weak.pairs[position]);
+        if begins {
+            let frame = PairFrame::new(self.pass.metric.nearest(ends.difference));
+            let memory = self.pass.begin(&frame, ends.angles);
+            self.weak.memories.set(position, memory);
+            return;
+        }
         if LEDGER {
-            tally.friction_rate += pass.heat_rate(radii, &state);
-            tally.friction += state.friction.heat;
-            if is_broken(*pair) {
-                tally.bonding += pass.stored(radii, &state, memory.state);
+            let state = self.pass.any(&ends, &mut self.weak.memories.get(position));
+            self.tally.friction += state.friction.heat;
+        }
+        self.weak.memories.touches[position] = false;
+    }
+
+    #[inline(always)]
+    fn gather(&mut self, columns: Columns<S>, lanes: usize) {
+        let memories = &self.weak.memories;
+        for lane in 0..lanes.min(LINKS) {
+            let position = self.block.position[lane] as usize;
+            let pair = self.weak.pairs[position];
+            self.block.velocity[lane] = columns.relative_velocity(pair);
+            if !T::ABSENT {
+                self.block.spins[lane] = columns.spins(pair);
+            }
+            if WeakPass::<M, A, N, T>::FOLLOWS_ANGLES {
+                self.block.angles[lane] = columns.angles(pair);
+                self.block.reference[lane] = memories.references[position];
+            }
+            if T::REMEMBERS {
+                self.block.rest[lane] = memories.ends[position];
+                self.block.state[lane] = memories.states[position];
             }
         }
-        let force = state.frame.normal * state.normal_force
+    }
+
+    #[inline(always)]
+    fn compute(&mut self, lanes: usize) -> u64 {
+        let block = &mut *self.block;
+        let mut flags = 0;
+        for lane in 0..lanes.min(LINKS) {
+            let mut memory = block.memory(lane);
+            let ends = block.ends(lane);
+            let (state, is_regular) = self.pass.regular(&ends, &mut memory);
+            // An irregular contact is found again, from the memory it had.
+            if T::REMEMBERS {
+                block.state[lane] = if is_regular {
+                    memory.state
+                } else {
+                    block.state[lane]
+                };
+            }
+            if A::ACCUMULATES {
+                block.rest[lane] = memory.ends;
+            }
+            self.pass.put::<S, LEDGER>(block, lane, &state, ends.radii);
+            block.flags[lane] = IRREGULAR * u64::from(!is_regular);
+            flags |= block.flags[lane];
+        }
+        flags
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn compute_irregular(&mut self, lanes: usize) {
+        for lane in 0..lanes.min(LINKS) {
+            if self.block.flags[lane] & IRREGULAR != 0 {
+                let ends = self.block.ends(lane);
+                let mut memory = self.block.memory(lane);
+                let state = self.pass.any(&ends, &mut memory);
+                self.block.remember(lane, memory);
+                self.pass
+                    .put::<S, LEDGER>(self.block, lane, &state, ends.radii);
+                let position = self.block.position[lane] as usize;
+                self.weak.memories.set(position, memory);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn remember(&mut self, lanes: usize) {
+        for lane in 0..lanes.min(LINKS) {
+            let position = self.block.position[lane] as usize;
+            self.weak.memories.states[position] = self.block.state[lane];
+            if A::ACCUMULATES {
+                self.weak.memories.ends[position] = self.block.rest[lane];
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn scatter(&mut self, lanes: usize) {
+        let mut sums = self.forces.sums();
+        let (mut heat_rate, mut heat) = (self.tally.friction_rate, self.tally.friction);
+        for lane in 0..lanes.min(LINKS) {
+            let pair = self.weak.pairs[self.block.position[lane] as usize];
+            if LEDGER {
+                heat_rate += self.block.heat_rate[lane];
+                heat += self.block.heat[lane];
+            }
+            sums.add_forces(pair, self.block.force[lane]);
+            if !T::ABSENT {
+                sums.add_torques(pair, self.block.torques[lane]);
+            }
+        }
+        (self.tally.friction_rate, self.tally.friction) = (heat_rate, heat);
+    }
+
+    /// Book the energy of contacts that take the place of broken bonds.
+    #[inline(always)]
+    fn book_bonding(&mut self, lanes: usize) {
+        let Some(strong) = self.strong.filter(|strong| !strong.broken.is_empty()) else {
+            return;
+        };
+        for lane in 0..lanes.min(LINKS) {
+            if strong.breaks_now(self.weak.pairs[self.block.position[lane] as usize]) {
+                let ends = self.block.ends(lane);
+                let mut memory = self.block.memory(lane);
+                let pass = WeakPass {
+                    elapsed: 0.0,
+                    ..self.pass
+                };
+                let state = pass.any(&ends, &mut memory);
+                self.tally.bonding += pass.stored(ends.radii, &state, memory.state);
+            }
+        }
+    }
+}
+
+impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
+    /// Write what a contact does into its lane of the block.
+    #[inline(always)]
+    fn put<S: Real, const LEDGER: bool>(
+        &self,
+        block: &mut Block<S>,
+        lane: usize,
+        state: &WeakState<S>,
+        radii: [S; 2],
+    ) {
+        block.force[lane] = state.frame.normal * state.normal_force
             + state.frame.tangent() * state.tangential_force;
-        forces.add_pair((i, j), force, state.torques);
+        if !T::ABSENT {
+            block.torques[lane] = state.torques;
+        }
+        if LEDGER {
+            block.heat_rate[lane] = self.heat_rate(radii, state);
+            block.heat[lane] = state.friction.heat;
+        }
     }
 }
 
@@ -239,6 +417,7 @@ pub(crate) fn stored_in_weak_links<S: Real, M: Metric, A: Arm, N: NormalLaw, T: 
     particles: &Particles<S>,
     weak: &WeakLinks<S>,
 ) -> S {
+    let columns = Columns::of(particles);
     let mut sum = S::zero();
     for (position, pair) in weak.pairs.iter().enumerate() {
         let (i, j) = pair.indices();
@@ -250,11 +429,10 @@ pub(crate) fn stored_in_weak_links<S: Real, M: Metric, A: Arm, N: NormalLaw, T: 
         if frame.distance >= radii[0] + radii[1] {
             continue;
         }
-        let mut memory = match weak.memory.get(position) {
-            Some(memory) if memory.touches => *memory,
-            _ => pass.begin(&frame, [particles.angle[i], particles.angle[j]]),
-        };
-        let state = pass.state(particles, (i, j), frame, &mut memory);
+        let mut memory = weak
+            .memory_at(position)
+            .unwrap_or_else(|| pass.begin(&frame, [particles.angle[i], particles.angle[j]]));
+        let state = pass.any(&columns.ends(*pair), &mut memory);
         sum += pass.stored(radii, &state, memory.state);
     }
     sum

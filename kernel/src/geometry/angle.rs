@@ -29,10 +29,16 @@ pub fn reversed<S: Real>(angle: S) -> S {
     }
 }
 
+/// Whether the angle lies in [-pi, pi).
+#[inline(always)]
+pub(crate) fn is_wrapped<S: Real>(angle: S) -> bool {
+    (angle >= S::from_f64(-PI)) & (angle < S::from_f64(PI))
+}
+
 /// The angle's representative in [-pi, pi).
 #[inline(always)]
 pub fn wrapped<S: Real>(angle: S) -> S {
-    if angle >= S::from_f64(-PI) && angle < S::from_f64(PI) {
+    if is_wrapped(angle) {
         angle
     } else {
         let turns = (angle * (1.0 / TAU) + S::from_f64(0.5)).floor();
@@ -52,12 +58,20 @@ const SMALL_SINE: f64 = 0.125;
 #[rendered]
 #[inline(always)]
 pub fn turn<S: Real>(reference: Vec2<S>, direction: Vec2<S>) -> (S, bool) {
-    let sine = reference.cross(direction);
-    let cosine = reference.dot(direction);
-    if sine.abs() <= S::from_f64(SMALL_SINE) && cosine > S::zero() {
-        (sine.asin_small(), true)
-    } else {
-        // As in `angle_of`: half a turn is +pi.
-        ((sine + S::zero()).atan2(cosine), false)
+    let (angle, is_small) = small_turn(reference, direction);
+    if is_small {
+        return (angle, true);
     }
+    let sine = reference.cross(direction);
+    // As in `angle_of`: half a turn is +pi.
+    ((sine + S::zero()).atan2(reference.dot(direction)), false)
+}
+
+/// The small angle of [`turn`], and whether it is the angle: without it, the number has no meaning.
+#[inline(always)]
+pub(crate) fn small_turn<S: Real>(reference: Vec2<S>, direction: Vec2<S>) -> (S, bool) {
+    let sine = reference.cross(direction);
+    let is_near = sine.abs() <= S::from_f64(SMALL_SINE);
+    let is_ahead = reference.dot(direction) > S::zero();
+    (sine.asin_small(), is_near & is_ahead)
 }

@@ -1,9 +1,11 @@
 //! Where two spheres touch: distances, half-length, area and volume of a contact (appendix D).
 
 use super::{MixedArms, PairFrame, PairMotion, overlap_factor};
+use crate::instructions::Instructions;
 use crate::scalar::Real;
 use core::f64::consts::PI;
 use gouge_equations::rendered;
+use pulp::NullaryFnOnce;
 
 /// Which distance of a particle's centre from the contact is its lever arm (d in thesis eq. (7)).
 ///
@@ -28,6 +30,11 @@ pub enum ContactDistance {
 pub trait Arm: Copy {
     /// Whether tangential displacements are summed up step by step instead of being functions of the state.
     const ACCUMULATES: bool = false;
+    /// Run a loop over contacts with these arms: with wide instructions where that is worth the code.
+    #[inline(always)]
+    fn run<S: Real, L: NullaryFnOnce>(_: Instructions, body: L) -> L::Output {
+        body.call()
+    }
     /// Distances of the centres of i and j from the contact.
     fn distances<S: Real>(self, radii: [S; 2], distance: S) -> [S; 2];
     /// Tangential velocities of both ends in m/s, for angular velocities `spins` in rad/s.
@@ -59,6 +66,10 @@ pub struct FocalArm;
 pub struct MeanArm;
 
 impl Arm for RadiusArm {
+    #[inline(always)]
+    fn run<S: Real, L: NullaryFnOnce>(instructions: Instructions, body: L) -> L::Output {
+        S::run(instructions, body)
+    }
     #[inline(always)]
     fn distances<S: Real>(self, radii: [S; 2], _: S) -> [S; 2] {
         radii

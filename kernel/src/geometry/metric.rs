@@ -6,8 +6,13 @@ use gouge_equations::rendered;
 
 /// A rule for the displacement from one point to another.
 pub trait Metric: Copy {
+    /// The shortest displacement for a difference of two representatives.
+    fn nearest<S: Real>(self, difference: Vec2<S>) -> Vec2<S>;
     /// Displacement from `from` to `to`; its length is the distance.
-    fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S>;
+    #[inline(always)]
+    fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S> {
+        self.nearest(to - from)
+    }
     /// The representative of a point.
     fn wrap<S: Real>(self, point: Vec2<S>) -> Vec2<S>;
 }
@@ -18,8 +23,8 @@ pub struct Open;
 
 impl Metric for Open {
     #[inline(always)]
-    fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S> {
-        to - from
+    fn nearest<S: Real>(self, difference: Vec2<S>) -> Vec2<S> {
+        difference
     }
     #[inline(always)]
     fn wrap<S: Real>(self, point: Vec2<S>) -> Vec2<S> {
@@ -43,14 +48,17 @@ pub struct PeriodicX {
 
 impl Metric for PeriodicX {
     #[inline(always)]
-    fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S> {
-        let mut d = to - from;
-        if d.x >= S::from_f64(0.5 * self.length) {
-            d.x -= S::from_f64(self.length);
-        } else if d.x < S::from_f64(-0.5 * self.length) {
-            d.x += S::from_f64(self.length);
-        }
-        d
+    fn nearest<S: Real>(self, difference: Vec2<S>) -> Vec2<S> {
+        let half = S::from_f64(0.5 * self.length);
+        // Selected instead of branched upon, so that many links are looked at together.
+        let period = if difference.x >= half {
+            S::from_f64(self.length)
+        } else if difference.x < -half {
+            S::from_f64(-self.length)
+        } else {
+            S::zero()
+        };
+        Vec2::new(difference.x - period, difference.y)
     }
     #[inline(always)]
     fn wrap<S: Real>(self, mut point: Vec2<S>) -> Vec2<S> {

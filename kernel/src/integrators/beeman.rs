@@ -1,6 +1,6 @@
 //! Modified Beeman method.
 
-use super::{Motion, Previous};
+use super::{Coordinate, Motion, Stage};
 use crate::scalar::Real;
 use gouge_equations::rendered;
 
@@ -19,37 +19,56 @@ use gouge_equations::rendered;
 /// earlier acceleration equal to the present one. Weakly unstable without damping: the amplitude grows
 /// by about (w dt)^4 / 12 a step.
 #[rendered]
-pub(crate) fn beeman_predict<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
-    for i in 0..motion.particles.len() {
-        let (a, alpha) = motion.acceleration(i);
-        if !previous.is_set {
-            (previous.linear[i], previous.angular[i]) = (a, alpha);
-        }
-        let (a_, alpha_) = (previous.linear[i], previous.angular[i]);
+pub(crate) struct BeemanPredict;
+
+impl Stage for BeemanPredict {
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
         let sixth = S::from_f64(step / 6.0);
-        let p = &mut *motion.particles;
-        let linear = (a * S::from_f64(4.0) - a_) * sixth;
-        p.position[i] += (p.velocity[i] + linear) * S::from_f64(step);
-        p.angle[i] += (p.angular_velocity[i] + (alpha * 4.0 - alpha_) * sixth) * step;
-        p.velocity[i] += (a * S::from_f64(3.0) - a_) * S::from_f64(0.5 * step);
-        p.angular_velocity[i] += (alpha * 3.0 - alpha_) * (0.5 * step);
-        (previous.older_linear[i], previous.older_angular[i]) = (a_, alpha_);
-        (previous.linear[i], previous.angular[i]) = (a, alpha);
+        let (half, step) = (S::from_f64(0.5 * step), S::from_f64(step));
+        let (three, four) = (S::from_f64(3.0), S::from_f64(4.0));
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.coordinate.iter_mut().zip(motion.velocity);
+        let kept = motion.previous.iter_mut().zip(motion.older);
+        for (((x, v), (&force, &inverse)), (previous, older)) in states.zip(loads).zip(kept) {
+            let a = force * inverse;
+            *x += (*v + (a * four - *previous) * sixth) * step;
+            *v += (a * three - *previous) * half;
+            *older = *previous;
+            *previous = a;
+        }
     }
-    previous.is_set = true;
+}
+
+/// Before the first step: the earlier acceleration equals the present one.
+pub(crate) struct BeemanBegin;
+
+impl Stage for BeemanBegin {
+    const MOVES: bool = false;
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, _: f64) {
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        for (previous, (&force, &inverse)) in motion.previous.iter_mut().zip(loads) {
+            *previous = force * inverse;
+        }
+    }
 }
 
 /// The correction, with the forces at the prediction.
-pub(crate) fn beeman_correct<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
-    let two = S::from_f64(2.0);
-    for i in 0..motion.particles.len() {
-        let (a, alpha) = motion.acceleration(i);
-        let p = &mut *motion.particles;
-        let bend = a - previous.linear[i] * two + previous.older_linear[i];
-        let twist = alpha - previous.angular[i] * two + previous.older_angular[i];
-        p.velocity[i] += bend * S::from_f64(step / 3.0);
-        p.angular_velocity[i] += twist * (step / 3.0);
-        p.position[i] += bend * S::from_f64(step * step / 6.0);
-        p.angle[i] += twist * (step * step / 6.0);
+pub(crate) struct BeemanCorrect;
+
+impl Stage for BeemanCorrect {
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let (third, sixth) = (S::from_f64(step / 3.0), S::from_f64(step * step / 6.0));
+        let two = S::from_f64(2.0);
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.coordinate.iter_mut().zip(motion.velocity);
+        let kept = motion.previous.iter().zip(motion.older);
+        for (((x, v), (&force, &inverse)), (&previous, &mut older)) in states.zip(loads).zip(kept) {
+            let bend = force * inverse - previous * two + older;
+            *v += bend * third;
+            *x += bend * sixth;
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Explicit and symplectic Euler methods.
 
-use super::Motion;
+use super::{Coordinate, Motion, Stage};
 use crate::scalar::Real;
 use gouge_equations::rendered;
 
@@ -11,14 +11,18 @@ use gouge_equations::rendered;
 /// Thesis eq. (55). First order, one evaluation a step. Unstable for every step on an undamped spring,
 /// where the amplitude grows by the factor sqrt(1 + (w dt)^2) (E37 of `docs/errata.md`).
 #[rendered]
-pub(crate) fn euler<S: Real>(motion: Motion<S>, step: f64) {
-    for i in 0..motion.particles.len() {
-        let (a, alpha) = motion.acceleration(i);
-        let p = &mut *motion.particles;
-        p.position[i] += p.velocity[i] * S::from_f64(step);
-        p.angle[i] += p.angular_velocity[i] * step;
-        p.velocity[i] += a * S::from_f64(step);
-        p.angular_velocity[i] += alpha * step;
+pub(crate) struct Euler;
+
+impl Stage for Euler {
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let step = S::from_f64(step);
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.coordinate.iter_mut().zip(motion.velocity);
+        for ((x, v), (&force, &inverse)) in states.zip(loads) {
+            *x += *v * step;
+            *v += force * inverse * step;
+        }
     }
 }
 
@@ -28,13 +32,17 @@ pub(crate) fn euler<S: Real>(motion: Motion<S>, step: f64) {
 ///
 /// First order, one evaluation a step; without damping symplectic and stable up to w dt = 2.
 #[rendered]
-pub(crate) fn symplectic_euler<S: Real>(motion: Motion<S>, step: f64) {
-    for i in 0..motion.particles.len() {
-        let (a, alpha) = motion.acceleration(i);
-        let p = &mut *motion.particles;
-        p.velocity[i] += a * S::from_f64(step);
-        p.angular_velocity[i] += alpha * step;
-        p.position[i] += p.velocity[i] * S::from_f64(step);
-        p.angle[i] += p.angular_velocity[i] * step;
+pub(crate) struct SymplecticEuler;
+
+impl Stage for SymplecticEuler {
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let step = S::from_f64(step);
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.coordinate.iter_mut().zip(motion.velocity);
+        for ((x, v), (&force, &inverse)) in states.zip(loads) {
+            *v += force * inverse * step;
+            *x += *v * step;
+        }
     }
 }

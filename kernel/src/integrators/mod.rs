@@ -10,15 +10,14 @@ pub use time_step::{
     Oscillator, characteristic_polynomial, crack_bound, critical_step, is_stable, wave_bound,
 };
 
-pub(crate) use beeman::{beeman_correct, beeman_predict};
-pub(crate) use euler::{euler, symplectic_euler};
-pub(crate) use taylor::taylor;
-pub(crate) use velocity_verlet::{half_kick, half_kick_and_drift, verlet_correct, verlet_predict};
+pub(crate) use beeman::{BeemanBegin, BeemanCorrect, BeemanPredict};
+pub(crate) use euler::{Euler, SymplecticEuler};
+pub(crate) use taylor::Taylor;
+pub(crate) use velocity_verlet::{HalfKick, HalfKickAndDrift, VerletCorrect, VerletPredict};
 
-use crate::forces::Forces;
 use crate::geometry::Vec2;
-use crate::particles::Particles;
 use crate::scalar::Real;
+use core::ops::{Add, AddAssign, Mul, Sub};
 
 /// Integration method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,14 +82,19 @@ pub struct Previous<S> {
 impl<S: Real> Previous<S> {
     /// None yet, for so many particles.
     pub fn new(integrator: Integrator, number: usize) -> Self {
+        let kept = if integrator.needs_previous() {
+            number
+        } else {
+            0
+        };
         let older = if integrator == Integrator::Beeman {
             number
         } else {
             0
         };
         Self {
-            linear: vec![Vec2::zero(); number],
-            angular: vec![S::zero(); number],
+            linear: vec![Vec2::zero(); kept],
+            angular: vec![S::zero(); kept],
             older_linear: vec![Vec2::zero(); older],
             older_angular: vec![S::zero(); older],
             is_set: false,
@@ -98,25 +102,51 @@ impl<S: Real> Previous<S> {
     }
 }
 
-/// What an integrator may touch: it moves particles under given forces.
-pub(crate) struct Motion<'a, S> {
-    /// The particles.
-    pub particles: &'a mut Particles<S>,
-    /// Forces and torques on them.
-    pub forces: &'a Forces<S>,
-    /// Inverse masses in 1/kg, zero for fixed particles.
-    pub inverse_mass: &'a [S],
-    /// Inverse moments of inertia in 1/(kg m^2), zero for fixed particles.
+/// What moves: a vector for translations, a number for rotations.
+pub(crate) trait Coordinate<S>:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<S, Output = Self> + AddAssign
+{
+}
+impl<S: Real> Coordinate<S> for Vec2<S> {}
+impl<S: Real> Coordinate<S> for S {}
+
+/// Translations or rotations of all particles, as columns of equal length.
+pub(crate) struct Motion<'a, V, S> {
+    /// Positions in m or angles in rad.
+    pub coordinate: &'a mut [V],
+    /// Velocities in m/s or rad/s.
+    pub velocity: &'a mut [V],
+    /// Forces in N or torques in N m.
+    pub force: &'a [V],
+    /// Inverse masses in 1/kg or moments of inertia in 1/(kg m^2), zero for fixed particles.
     pub inverse_inertia: &'a [S],
+    /// Accelerations of the previous evaluation, for methods that keep them.
+    pub previous: &'a mut [V],
+    /// Accelerations one evaluation earlier, for methods that keep them.
+    pub older: &'a mut [V],
 }
 
-impl<S: Real> Motion<'_, S> {
-    /// Acceleration of particle `i` in m/s^2 and its angular acceleration in rad/s^2, thesis eq. (51).
+/// A stage of a method: how coordinates and velocities change under given forces.
+///
+/// Accelerations are forces times inverse inertias, thesis eq. (51).
+pub(crate) trait Stage {
+    /// Whether coordinates change.
+    const MOVES: bool = true;
+    /// Advance by a time in s.
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64);
+}
+
+/// A stage on its columns, to be run with wide instructions.
+pub(crate) struct Advance<'a, T, V, S> {
+    pub stage: core::marker::PhantomData<T>,
+    pub motion: Motion<'a, V, S>,
+    pub step: f64,
+}
+
+impl<T: Stage, V: Coordinate<S>, S: Real> pulp::NullaryFnOnce for Advance<'_, T, V, S> {
+    type Output = ();
     #[inline(always)]
-    fn acceleration(&self, i: usize) -> (Vec2<S>, S) {
-        (
-            self.forces.force[i] * self.inverse_mass[i],
-            self.forces.torque[i] * self.inverse_inertia[i],
-        )
+    fn call(self) {
+        T::advance(self.motion, self.step);
     }
 }

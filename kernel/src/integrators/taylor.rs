@@ -1,6 +1,6 @@
 //! Taylor expansion.
 
-use super::Motion;
+use super::{Coordinate, Motion, Stage};
 use crate::scalar::Real;
 use gouge_equations::rendered;
 
@@ -11,13 +11,18 @@ use gouge_equations::rendered;
 /// Thesis eq. (56). Globally first order, because the velocities are; one evaluation a step. Unstable
 /// on an undamped spring.
 #[rendered]
-pub(crate) fn taylor<S: Real>(motion: Motion<S>, step: f64) {
-    for i in 0..motion.particles.len() {
-        let (a, alpha) = motion.acceleration(i);
-        let p = &mut *motion.particles;
-        p.position[i] += (p.velocity[i] + a * S::from_f64(0.5 * step)) * S::from_f64(step);
-        p.angle[i] += (p.angular_velocity[i] + alpha * (0.5 * step)) * step;
-        p.velocity[i] += a * S::from_f64(step);
-        p.angular_velocity[i] += alpha * step;
+pub(crate) struct Taylor;
+
+impl Stage for Taylor {
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let (half, step) = (S::from_f64(0.5 * step), S::from_f64(step));
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.coordinate.iter_mut().zip(motion.velocity);
+        for ((x, v), (&force, &inverse)) in states.zip(loads) {
+            let a = force * inverse;
+            *x += (*v + a * half) * step;
+            *v += a * step;
+        }
     }
 }

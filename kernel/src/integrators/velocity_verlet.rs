@@ -1,6 +1,6 @@
 //! Velocity Verlet.
 
-use super::{Motion, Previous};
+use super::{Coordinate, Motion, Stage};
 use crate::scalar::Real;
 use gouge_equations::rendered;
 
@@ -15,25 +15,36 @@ use gouge_equations::rendered;
 ///
 /// $$ \omega \Delta t = \sqrt{16 \zeta^2 + 4} - 4 \zeta $$
 #[rendered]
-pub(crate) fn verlet_predict<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
-    for i in 0..motion.particles.len() {
-        let (a, alpha) = motion.acceleration(i);
-        let p = &mut *motion.particles;
-        p.position[i] += (p.velocity[i] + a * S::from_f64(0.5 * step)) * S::from_f64(step);
-        p.angle[i] += (p.angular_velocity[i] + alpha * (0.5 * step)) * step;
-        p.velocity[i] += a * S::from_f64(step);
-        p.angular_velocity[i] += alpha * step;
-        (previous.linear[i], previous.angular[i]) = (a, alpha);
+pub(crate) struct VerletPredict;
+
+impl Stage for VerletPredict {
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let (half, step) = (S::from_f64(0.5 * step), S::from_f64(step));
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.coordinate.iter_mut().zip(motion.velocity);
+        for (((x, v), (&force, &inverse)), previous) in states.zip(loads).zip(motion.previous) {
+            let a = force * inverse;
+            *x += (*v + a * half) * step;
+            *v += a * step;
+            *previous = a;
+        }
     }
 }
 
 /// The rest of the step, with the forces at the prediction: half the change of acceleration is added.
-pub(crate) fn verlet_correct<S: Real>(motion: Motion<S>, previous: &mut Previous<S>, step: f64) {
-    for i in 0..motion.particles.len() {
-        let (a, alpha) = motion.acceleration(i);
-        let p = &mut *motion.particles;
-        p.velocity[i] += (a - previous.linear[i]) * S::from_f64(0.5 * step);
-        p.angular_velocity[i] += (alpha - previous.angular[i]) * (0.5 * step);
+pub(crate) struct VerletCorrect;
+
+impl Stage for VerletCorrect {
+    const MOVES: bool = false;
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let half = S::from_f64(0.5 * step);
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.velocity.iter_mut().zip(motion.previous);
+        for ((v, &mut previous), (&force, &inverse)) in states.zip(loads) {
+            *v += (force * inverse - previous) * half;
+        }
     }
 }
 
@@ -42,29 +53,34 @@ pub(crate) fn verlet_correct<S: Real>(motion: Motion<S>, previous: &mut Previous
 /// $$ \vec u = \vec v + \tfrac12 \vec a \Delta t, \qquad \vec x' = \vec x + \vec u \Delta t, \qquad \vec v' = \vec u + \tfrac12 \vec a' \Delta t $$
 ///
 /// The forces a' are evaluated at u, which lags by half a step: with damping the method is of first order.
-/// For comparison with LAMMPS, whose `fix nve` this is; [`verlet_predict`] is as cheap and better.
+/// For comparison with LAMMPS, whose `fix nve` this is; [`VerletPredict`] is as cheap and better.
 #[rendered]
-pub(crate) fn half_kick_and_drift<S: Real>(mut motion: Motion<S>, step: f64) {
-    motion.kick(0.5 * step);
-    for i in 0..motion.particles.len() {
-        let p = &mut *motion.particles;
-        p.position[i] += p.velocity[i] * S::from_f64(step);
-        p.angle[i] += p.angular_velocity[i] * step;
+pub(crate) struct HalfKickAndDrift;
+
+impl Stage for HalfKickAndDrift {
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let (half, step) = (S::from_f64(0.5 * step), S::from_f64(step));
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        let states = motion.coordinate.iter_mut().zip(motion.velocity);
+        for ((x, v), (&force, &inverse)) in states.zip(loads) {
+            *v += force * inverse * half;
+            *x += *v * step;
+        }
     }
 }
 
 /// The rest of the step, with the forces at its end.
-pub(crate) fn half_kick<S: Real>(mut motion: Motion<S>, step: f64) {
-    motion.kick(0.5 * step);
-}
+pub(crate) struct HalfKick;
 
-impl<S: Real> Motion<'_, S> {
-    /// Change velocities by what the forces do in a time in s.
-    fn kick(&mut self, time: f64) {
-        for i in 0..self.particles.len() {
-            let (a, alpha) = self.acceleration(i);
-            self.particles.velocity[i] += a * S::from_f64(time);
-            self.particles.angular_velocity[i] += alpha * time;
+impl Stage for HalfKick {
+    const MOVES: bool = false;
+    #[inline(always)]
+    fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
+        let half = S::from_f64(0.5 * step);
+        let loads = motion.force.iter().zip(motion.inverse_inertia);
+        for (v, (&force, &inverse)) in motion.velocity.iter_mut().zip(loads) {
+            *v += force * inverse * half;
         }
     }
 }

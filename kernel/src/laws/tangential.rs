@@ -200,18 +200,22 @@ impl TangentialLaw for CundallStrackTruncated {
     fn friction<S: Real>(self, slide: Slide<S>, normal_force: S, slip: &mut S) -> Friction<S> {
         let limit = normal_force.abs() * self.friction;
         let spring = (slide.displacement - *slip) * self.stiffness;
-        if spring.abs() <= limit {
-            return Friction {
-                force: -spring,
-                heat_rate: S::zero(),
-                heat: S::zero(),
-            };
-        }
+        let sticks = spring.abs() <= limit;
         let capped = spring.signum_or_zero() * limit;
-        *slip = slide.displacement - capped * (1.0 / self.stiffness);
-        let heat = capped * (spring - capped) * (1.0 / self.stiffness);
+        let compliance = 1.0 / self.stiffness;
+        // Chosen at the end, so that many contacts are looked at together.
+        let (force, heat) = if sticks {
+            (spring, S::zero())
+        } else {
+            (capped, capped * (spring - capped) * compliance)
+        };
+        *slip = if sticks {
+            *slip
+        } else {
+            slide.displacement - capped * compliance
+        };
         Friction {
-            force: -capped,
+            force: -force,
             heat_rate: S::zero(),
             heat,
         }

@@ -7,7 +7,7 @@ mod weak;
 
 pub use cells::{Cells, Index, precedes};
 pub use neighbors::Neighbors;
-pub use strong::{BondStart, StrongLink, StrongLinks};
+pub use strong::{BondStart, Rest, StrongLink, StrongLinks};
 pub use weak::{ContactMemory, ContactStart, WeakLinks};
 
 /// A pair of particles, the smaller index first.

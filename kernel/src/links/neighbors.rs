@@ -78,11 +78,11 @@ impl<S: Real> Neighbors<S> {
             return true;
         }
         let safe = S::from_f64(0.25 * self.margin * self.margin);
-        let far = |(&then, &now): (&Vec2<S>, &Vec2<S>)| {
-            let moved = metric.displacement(then, now).norm_squared();
-            moved.partial_cmp(&safe).is_none_or(|order| order.is_ge())
-        };
-        self.built_at.iter().zip(&particles.position).any(far)
+        let moves = self.built_at.iter().zip(&particles.position);
+        // No early end, so that many particles are looked at together.
+        !moves.fold(true, |all_near, (&then, &now)| {
+            all_near & (metric.displacement(then, now).norm_squared() < safe)
+        })
     }
 
     /// Find all pairs anew, in lexicographical order, into `pairs`.

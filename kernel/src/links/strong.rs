@@ -26,21 +26,31 @@ pub struct BondStart {
 pub struct StrongLink<S> {
     /// The pair.
     pub pair: Pair,
-    /// Direction of the pair frame from which its turn is measured.
-    pub reference: Vec2<S>,
-    /// Angles of both particles at which the ends are unbent, while the frame points along `reference`.
-    pub rest_angles: [S; 2],
-    /// Distance when the bond began, in m.
-    pub rest_distance: S,
+    /// What the bond keeps of its beginning.
+    pub rest: Rest<S>,
     /// Strength factor; infinite where the bond never breaks.
     pub strength_factor: S,
 }
 
-/// All bonds, in the order of their pairs.
-#[derive(Clone, Debug, Default)]
+/// The unstrained state of a bond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest<S> {
+    /// Direction of the pair frame from which its turn is measured.
+    pub reference: Vec2<S>,
+    /// Angles of both particles at which the ends are unbent, while the frame points along `reference`.
+    pub angles: [S; 2],
+    /// Distance when the bond began, in m.
+    pub distance: S,
+}
+
+/// All bonds, in the order of their pairs, as columns of equal length.
+#[derive(Clone, Debug)]
 pub struct StrongLinks<S> {
-    /// The bonds that hold.
-    pub links: Vec<StrongLink<S>>,
+    pub(crate) pairs: Vec<Pair>,
+    pub(crate) references: Vec<Vec2<S>>,
+    pub(crate) angles: Vec<[S; 2]>,
+    pub(crate) distances: Vec<S>,
+    pub(crate) strength_factors: Vec<S>,
     /// Positions of the links that broke in the latest evaluation, before they are removed.
     pub(crate) broken: Vec<u32>,
 }
@@ -74,39 +84,79 @@ impl<S: Real> StrongLinks<S> {
             links.push(link);
         }
         links.sort_by_key(|link| link.pair);
-        let broken = Vec::with_capacity(links.len());
-        Ok(Self { links, broken })
+        Ok(Self::from_links(&links))
     }
 
     /// Links as they were recorded, in the order of their pairs.
-    pub(crate) fn from_links(links: Vec<StrongLink<S>>) -> Self {
-        let broken = Vec::with_capacity(links.len());
-        Self { links, broken }
+    pub(crate) fn from_links(links: &[StrongLink<S>]) -> Self {
+        Self {
+            pairs: links.iter().map(|link| link.pair).collect(),
+            references: links.iter().map(|link| link.rest.reference).collect(),
+            angles: links.iter().map(|link| link.rest.angles).collect(),
+            distances: links.iter().map(|link| link.rest.distance).collect(),
+            strength_factors: links.iter().map(|link| link.strength_factor).collect(),
+            broken: Vec::with_capacity(links.len()),
+        }
+    }
+
+    /// Number of bonds that hold.
+    pub fn len(&self) -> usize {
+        self.pairs.len()
+    }
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty()
+    }
+    /// The pairs that are bonded.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+    /// The bond at a position.
+    #[inline(always)]
+    pub(crate) fn get(&self, position: usize) -> StrongLink<S> {
+        StrongLink {
+            pair: self.pairs[position],
+            rest: Rest {
+                reference: self.references[position],
+                angles: self.angles[position],
+                distance: self.distances[position],
+            },
+            strength_factor: self.strength_factors[position],
+        }
+    }
+    /// The bonds that hold.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = StrongLink<S>> + Clone {
+        (0..self.len()).map(|position| self.get(position))
     }
 
     /// Whether the pair is bonded.
     pub fn contains(&self, pair: Pair) -> bool {
-        self.links
-            .binary_search_by_key(&pair, |link| link.pair)
-            .is_ok()
+        self.pairs.binary_search(&pair).is_ok()
     }
 
     /// Whether the bond of the pair broke in the latest evaluation.
     pub(crate) fn breaks_now(&self, pair: Pair) -> bool {
         self.broken
-            .binary_search_by_key(&pair, |&position| self.links[position as usize].pair)
+            .binary_search_by_key(&pair, |&position| self.pairs[position as usize])
             .is_ok()
     }
 
     /// Remove the links that broke.
     pub(crate) fn remove_broken(&mut self) {
-        let mut broken = self.broken.iter().copied().peekable();
-        let mut position = 0;
-        self.links.retain(|_| {
-            let breaks = broken.next_if_eq(&position).is_some();
-            position += 1;
-            !breaks
-        });
+        fn remove<T>(column: &mut Vec<T>, broken: &[u32]) {
+            let mut broken = broken.iter().copied().peekable();
+            let mut position = 0;
+            column.retain(|_| {
+                let breaks = broken.next_if_eq(&position).is_some();
+                position += 1;
+                !breaks
+            });
+        }
+        remove(&mut self.pairs, &self.broken);
+        remove(&mut self.references, &self.broken);
+        remove(&mut self.angles, &self.broken);
+        remove(&mut self.distances, &self.broken);
+        remove(&mut self.strength_factors, &self.broken);
         self.broken.clear();
     }
 }
@@ -144,9 +194,11 @@ fn begin<S: Real, M: Metric>(
     };
     StrongLink {
         pair,
-        reference: frame.normal,
-        rest_angles: rest_angles(&frame, [particles.angle[i], particles.angle[j]], angles),
-        rest_distance: start.initial_distance.map_or(frame.distance, S::from_f64),
+        rest: Rest {
+            reference: frame.normal,
+            angles: rest_angles(&frame, [particles.angle[i], particles.angle[j]], angles),
+            distance: start.initial_distance.map_or(frame.distance, S::from_f64),
+        },
         strength_factor: S::from_f64(strength),
     }
 }

@@ -43,21 +43,69 @@ impl<S: Real> ContactMemory<S> {
     }
 }
 
-/// Room for pairs a particle, so that rebuilding allocates nothing: three contacts, half of the
-/// kissing number, and some within the margin.
-const PAIRS_A_PARTICLE: usize = 5;
+/// Memories of contacts, one a pair, as columns of equal length.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Memories<S> {
+    pub touches: Vec<bool>,
+    pub references: Vec<Vec2<S>>,
+    pub ends: Vec<[S; 2]>,
+    pub states: Vec<S>,
+}
+
+impl<S: Real> Memories<S> {
+    fn with_capacity(number: usize) -> Self {
+        Self {
+            touches: Vec::with_capacity(number),
+            references: Vec::with_capacity(number),
+            ends: Vec::with_capacity(number),
+            states: Vec::with_capacity(number),
+        }
+    }
+    /// The memory at a position.
+    #[inline(always)]
+    pub fn get(&self, position: usize) -> ContactMemory<S> {
+        ContactMemory {
+            touches: self.touches[position],
+            reference: self.references[position],
+            ends: self.ends[position],
+            state: self.states[position],
+        }
+    }
+    /// Replace the memory at a position.
+    #[inline(always)]
+    pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
+        self.touches[position] = memory.touches;
+        self.references[position] = memory.reference;
+        self.ends[position] = memory.ends;
+        self.states[position] = memory.state;
+    }
+    fn insert(&mut self, position: usize, memory: ContactMemory<S>) {
+        self.touches.insert(position, memory.touches);
+        self.references.insert(position, memory.reference);
+        self.ends.insert(position, memory.ends);
+        self.states.insert(position, memory.state);
+    }
+    fn resize(&mut self, number: usize) {
+        self.touches.resize(number, false);
+        self.references.resize(number, Vec2::zero());
+        self.ends.resize(number, [S::zero(); 2]);
+        self.states.resize(number, S::zero());
+    }
+}
+
+/// Room for pairs a particle, so that rebuilding allocates nothing: half of the kissing number, and
+/// some within the margin.
+const PAIRS_A_PARTICLE: usize = 4;
 
 /// The pairs that may touch, in order, and their memory where a law asks for it.
 #[derive(Clone, Debug)]
 pub struct WeakLinks<S> {
     /// Pairs near enough to touch before the next rebuild, without the bonded ones.
     pub pairs: Vec<Pair>,
-    /// One memory a pair, or none at all.
-    pub memory: Vec<ContactMemory<S>>,
+    pub(crate) memories: Memories<S>,
     remembers: bool,
     neighbors: Neighbors<S>,
-    old_pairs: Vec<Pair>,
-    old_memory: Vec<ContactMemory<S>>,
+    touching: Vec<Pair>,
 }
 
 impl<S: Real> WeakLinks<S> {
@@ -67,17 +115,30 @@ impl<S: Real> WeakLinks<S> {
         let memories = if remembers { pairs } else { 0 };
         Self {
             pairs: Vec::with_capacity(pairs),
-            memory: Vec::with_capacity(memories),
+            memories: Memories::with_capacity(memories),
             remembers,
             neighbors,
-            old_pairs: Vec::with_capacity(pairs),
-            old_memory: Vec::with_capacity(memories),
+            touching: Vec::with_capacity(memories),
         }
     }
 
     /// The neighbour list behind the pairs.
     pub fn neighbors(&self) -> &Neighbors<S> {
         &self.neighbors
+    }
+
+    /// For how many pairs there is room to remember.
+    pub fn memory_capacity(&self) -> usize {
+        self.memories.states.capacity()
+    }
+
+    /// What the pair at a position remembers, if it touches and anything is remembered.
+    #[inline]
+    pub(crate) fn memory_at(&self, position: usize) -> Option<ContactMemory<S>> {
+        let touches = self.memories.touches.get(position).copied();
+        touches
+            .unwrap_or_default()
+            .then(|| self.memories.get(position))
     }
 
     /// Find the pairs anew; memories of touching pairs are kept.
@@ -87,45 +148,58 @@ impl<S: Real> WeakLinks<S> {
         particles: &Particles<S>,
         strong: Option<&StrongLinks<S>>,
     ) {
-        std::mem::swap(&mut self.pairs, &mut self.old_pairs);
-        std::mem::swap(&mut self.memory, &mut self.old_memory);
+        self.gather_touching();
         self.neighbors.rebuild(metric, particles, &mut self.pairs);
         if let Some(strong) = strong {
             remove_bonded(&mut self.pairs, strong);
         }
-        if self.remembers {
-            self.carry_memory_over();
+        self.spread_touching();
+    }
+
+    /// Move the memories of touching pairs to the front, and list these pairs.
+    fn gather_touching(&mut self) {
+        self.touching.clear();
+        for position in 0..self.memories.touches.len() {
+            if let Some(memory) = self.memory_at(position) {
+                self.memories.set(self.touching.len(), memory);
+                self.touching.push(self.pairs[position]);
+            }
         }
     }
 
-    /// Give the new pairs the memory of the old ones; a touching pair is kept even if it has left the
+    /// Give the new pairs the memories at the front; a touching pair is kept even if it has left the
     /// margin, so that its end is seen whenever the list happens to be rebuilt.
-    fn carry_memory_over(&mut self) {
-        self.memory.clear();
-        self.memory
-            .resize(self.pairs.len(), ContactMemory::default());
-        for (pair, memory) in self.old_pairs.iter().zip(&self.old_memory) {
-            if !memory.touches {
-                continue;
+    fn spread_touching(&mut self) {
+        if !self.remembers {
+            return;
+        }
+        for pair in &self.touching {
+            if let Err(at) = self.pairs.binary_search(pair) {
+                self.pairs.insert(at, *pair);
             }
-            match self.pairs.binary_search(pair) {
-                Ok(at) => self.memory[at] = *memory,
-                Err(at) => {
-                    self.pairs.insert(at, *pair);
-                    self.memory.insert(at, *memory);
-                }
+        }
+        self.memories.resize(self.pairs.len());
+        // From behind: a memory never moves forward, so none is overwritten before it has moved.
+        let mut left = self.touching.len();
+        for position in (0..self.pairs.len()).rev() {
+            let touches = left > 0 && self.touching[left - 1] == self.pairs[position];
+            if touches {
+                left -= 1;
+                let memory = self.memories.get(left);
+                self.memories.set(position, memory);
             }
+            self.memories.touches[position] = touches;
         }
     }
 
     /// Let the pairs of broken bonds touch.
     pub(crate) fn admit_broken(&mut self, strong: &StrongLinks<S>) {
         for &position in &strong.broken {
-            let pair = strong.links[position as usize].pair;
+            let pair = strong.pairs[position as usize];
             if let Err(at) = self.pairs.binary_search(&pair) {
                 self.pairs.insert(at, pair);
                 if self.remembers {
-                    self.memory.insert(at, ContactMemory::default());
+                    self.memories.insert(at, ContactMemory::default());
                 }
             }
         }
@@ -161,29 +235,26 @@ impl<S: Real> WeakLinks<S> {
                 let frame = PairFrame::new(displacement);
                 let angles = [particles.angle[i], particles.angle[j]];
                 let rest = rest_angles(&frame, angles, Some(initial));
-                self.memory[at] = ContactMemory::begin(&frame, rest);
+                self.memories.set(at, ContactMemory::begin(&frame, rest));
             }
         }
         Ok(())
     }
 
     /// The contacts that remember, with their memory.
-    pub fn remembered(&self) -> impl Iterator<Item = (Pair, &ContactMemory<S>)> {
-        self.pairs
-            .iter()
-            .copied()
-            .zip(&self.memory)
-            .filter(|(_, memory)| memory.touches)
+    pub fn remembered(&self) -> impl Iterator<Item = (Pair, ContactMemory<S>)> {
+        let pairs = self.pairs.iter().enumerate();
+        pairs.filter_map(|(position, &pair)| Some((pair, self.memory_at(position)?)))
     }
 
     /// Restore memories, in the order of [`remembered`](Self::remembered), as a checkpoint holds them.
-    pub fn restore(&mut self, memories: Vec<(Pair, ContactMemory<S>)>) {
+    pub fn restore(&mut self, memories: &[(Pair, ContactMemory<S>)]) {
         if self.remembers {
             self.pairs.clear();
-            self.memory.clear();
-            for (pair, memory) in memories {
+            self.memories.resize(memories.len());
+            for (position, &(pair, memory)) in memories.iter().enumerate() {
                 self.pairs.push(pair);
-                self.memory.push(memory);
+                self.memories.set(position, memory);
             }
         }
     }
@@ -191,7 +262,7 @@ impl<S: Real> WeakLinks<S> {
 
 /// Remove from sorted pairs those that are bonded.
 fn remove_bonded<S: Real>(pairs: &mut Vec<Pair>, strong: &StrongLinks<S>) {
-    let mut bonded = strong.links.iter().map(|link| link.pair).peekable();
+    let mut bonded = strong.pairs.iter().copied().peekable();
     pairs.retain(|&pair| {
         while bonded.next_if(|&other| other < pair).is_some() {}
         bonded.peek() != Some(&pair)

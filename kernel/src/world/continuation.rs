@@ -21,12 +21,12 @@ impl World {
         if let Some(roles) = roles {
             self.particles.assign(roles);
         }
-        let links = self.strong.map_or_else(Vec::new, |strong| strong.links);
-        let contacts = self.weak.map_or_else(Vec::new, |weak| {
-            weak.remembered()
-                .map(|(pair, memory)| (pair, *memory))
-                .collect()
-        });
+        let links = self
+            .strong
+            .map_or_else(Vec::new, |strong| strong.iter().collect());
+        let contacts = self
+            .weak
+            .map_or_else(Vec::new, |weak| weak.remembered().collect());
         let start = Start {
             drive_force: self.drive.force,
             ..Start::default()
@@ -52,10 +52,10 @@ impl World {
         else {
             return;
         };
-        for link in &mut strong.links {
-            let (i, j) = link.pair.indices();
+        for (pair, factor) in strong.pairs.iter().zip(&mut strong.strength_factors) {
+            let (i, j) = pair.indices();
             if self.particles.role[i] != Role::Free || self.particles.role[j] != Role::Free {
-                link.strength_factor = f64::INFINITY;
+                *factor = f64::INFINITY;
             }
         }
     }

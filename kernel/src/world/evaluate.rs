@@ -4,7 +4,7 @@ use super::World;
 use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
 use crate::balance::Energy;
 use crate::error::StepError;
-use crate::forces::{self, LinkState, Tally, WeakPass};
+use crate::forces::{self, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
 use crate::geometry::{Metric, PeriodicX};
 use crate::laws::{Controller, Driven};
 use crate::links::Pair;
@@ -70,16 +70,18 @@ impl<S: Real> World<S> {
             forces,
             strong,
             tally,
+            block,
+            instructions,
             ..
         } = self;
         let (Some(strong), Some(bond)) = (strong, model.bond) else {
             return;
         };
         with_strong_pass!(model, bond, pass => match (bond.yielding.is_some(), model.ledger) {
-            (false, false) => forces::strong_links::<_, _, _, false, false>(pass, particles, strong, forces, tally),
-            (false, true) => forces::strong_links::<_, _, _, false, true>(pass, particles, strong, forces, tally),
-            (true, false) => forces::strong_links::<_, _, _, true, false>(pass, particles, strong, forces, tally),
-            (true, true) => forces::strong_links::<_, _, _, true, true>(pass, particles, strong, forces, tally),
+            (false, false) => S::run(*instructions, StrongLoop::<_, _, _, false, false> { pass, particles, strong, forces, tally, block }),
+            (false, true) => S::run(*instructions, StrongLoop::<_, _, _, false, true> { pass, particles, strong, forces, tally, block }),
+            (true, false) => S::run(*instructions, StrongLoop::<_, _, _, true, false> { pass, particles, strong, forces, tally, block }),
+            (true, true) => S::run(*instructions, StrongLoop::<_, _, _, true, true> { pass, particles, strong, forces, tally, block }),
         });
     }
 
@@ -91,6 +93,8 @@ impl<S: Real> World<S> {
             strong,
             weak,
             tally,
+            block,
+            instructions,
             ..
         } = self;
         let (Some(weak), Some(contact)) = (weak, model.contact) else {
@@ -102,14 +106,13 @@ impl<S: Real> World<S> {
         {
             weak.admit_broken(strong);
         }
-        let is_broken = |pair: Pair| strong.is_some_and(|strong| strong.breaks_now(pair));
         let elapsed = if advances { model.time_step } else { 0.0 };
         with_weak_pass!(model, contact, pass => {
             let pass = WeakPass { elapsed, ..pass };
             if model.ledger {
-                forces::weak_links::<_, _, _, _, _, true>(pass, particles, weak, is_broken, forces, tally);
+                WeakLoop::<_, _, _, _, _, true> { pass, particles, weak, strong, forces, tally, block }.run(*instructions);
             } else {
-                forces::weak_links::<_, _, _, _, _, false>(pass, particles, weak, is_broken, forces, tally);
+                WeakLoop::<_, _, _, _, _, false> { pass, particles, weak, strong, forces, tally, block }.run(*instructions);
             }
         });
     }
@@ -227,7 +230,7 @@ impl<S: Real> World<S> {
         }
         if let (Some(strong), Some(bond)) = (&self.strong, model.bond) {
             with_strong_pass!(model, bond, pass => {
-                states.extend(forces::links_at::strong(pass, particles, &strong.links));
+                states.extend(forces::links_at::strong(pass, particles, strong));
             });
         }
         states
@@ -246,7 +249,7 @@ impl<S: Real> World<S> {
         }
         if let (Some(strong), Some(bond)) = (&self.strong, model.bond) {
             energy.contact += with_strong_pass!(model, bond, pass => {
-                forces::stored_in_strong_links(pass, particles, &strong.links)
+                forces::stored_in_strong_links(pass, particles, strong)
             });
         }
         energy

@@ -10,11 +10,12 @@ pub use watch::stable_step_estimate;
 
 use crate::balance::{Energy, Ledger};
 use crate::error::{ModelError, StepError};
-use crate::forces::{Forces, Tally};
+use crate::forces::{Block, Forces, Tally};
 use crate::geometry::Vec2;
+use crate::instructions::Instructions;
 use crate::integrators::{
-    Integrator, Motion, Previous, beeman_correct, beeman_predict, euler, half_kick,
-    half_kick_and_drift, symplectic_euler, taylor, verlet_correct, verlet_predict,
+    Advance, BeemanBegin, BeemanCorrect, BeemanPredict, Euler, HalfKick, HalfKickAndDrift,
+    Integrator, Motion, Previous, Stage, SymplecticEuler, Taylor, VerletCorrect, VerletPredict,
 };
 use crate::links::{BondStart, ContactStart, Neighbors, StrongLinks, WeakLinks};
 use crate::model::{Domain, Model};
@@ -58,9 +59,12 @@ pub struct World<S: Real = f64> {
     weak: Option<WeakLinks<S>>,
     driven: Vec<u32>,
     drive: Drive<S>,
-    previous: Option<Previous<S>>,
+    previous: Previous<S>,
+    turns: bool,
     ledger: Option<Ledger<S>>,
     tally: Tally<S>,
+    block: Box<Block<S>>,
+    instructions: Instructions,
     steps: u64,
     is_evaluated: bool,
 }
@@ -106,12 +110,12 @@ impl<S: Real> World<S> {
                 force: start.drive_force.cast(),
                 ..Drive::default()
             },
-            previous: model
-                .integrator
-                .needs_previous()
-                .then(|| Previous::new(model.integrator, particles.len())),
+            previous: Previous::new(model.integrator, particles.len()),
+            turns: turns(&model, &particles),
             ledger: None,
             tally: Tally::default(),
+            block: Box::default(),
+            instructions: Instructions::default(),
             steps: 0,
             is_evaluated: false,
             model,
@@ -200,14 +204,22 @@ impl<S: Real> World<S> {
         let before = self.tally;
         let step = self.model.time_step;
         match self.model.integrator {
-            Integrator::Euler => self.move_by(step, euler),
-            Integrator::SymplecticEuler => self.move_by(step, symplectic_euler),
-            Integrator::Taylor => self.move_by(step, taylor),
+            Integrator::Euler => self.advance::<Euler>(step),
+            Integrator::SymplecticEuler => self.advance::<SymplecticEuler>(step),
+            Integrator::Taylor => self.advance::<Taylor>(step),
             Integrator::VelocityVerlet => {
-                self.predict_and_correct(step, verlet_predict, verlet_correct)?;
+                self.go_and_return::<VerletPredict, VerletCorrect>(step)?
             }
-            Integrator::VelocityVerletHalfStep => self.kick_drift_kick(step)?,
-            Integrator::Beeman => self.predict_and_correct(step, beeman_predict, beeman_correct)?,
+            Integrator::VelocityVerletHalfStep => {
+                self.go_and_return::<HalfKickAndDrift, HalfKick>(step)?;
+            }
+            Integrator::Beeman => {
+                if !self.previous.is_set {
+                    self.advance::<BeemanBegin>(step);
+                    self.previous.is_set = true;
+                }
+                self.go_and_return::<BeemanPredict, BeemanCorrect>(step)?;
+            }
         }
         self.steps += 1;
         self.is_evaluated = !self.model.integrator.evaluates_first();
@@ -255,46 +267,55 @@ impl<S: Real> World<S> {
         }
     }
 
-    /// What an integrator may touch.
-    fn motion(&mut self) -> Motion<'_, S> {
-        Motion {
-            particles: &mut self.particles,
-            forces: &self.forces,
-            inverse_mass: &self.inverse_mass,
-            inverse_inertia: &self.inverse_inertia,
+    /// Advance all particles by a stage of the method; rotations only where something turns.
+    fn advance<T: Stage>(&mut self, step: f64) {
+        let p = &mut self.particles;
+        let stage = core::marker::PhantomData::<T>;
+        let motion = Motion {
+            coordinate: &mut p.position,
+            velocity: &mut p.velocity,
+            force: &self.forces.force,
+            inverse_inertia: &self.inverse_mass,
+            previous: &mut self.previous.linear,
+            older: &mut self.previous.older_linear,
+        };
+        S::run(
+            self.instructions,
+            Advance {
+                stage,
+                motion,
+                step,
+            },
+        );
+        if self.turns {
+            let motion = Motion {
+                coordinate: &mut p.angle,
+                velocity: &mut p.angular_velocity,
+                force: &self.forces.torque,
+                inverse_inertia: &self.inverse_inertia,
+                previous: &mut self.previous.angular,
+                older: &mut self.previous.older_angular,
+            };
+            S::run(
+                self.instructions,
+                Advance {
+                    stage,
+                    motion,
+                    step,
+                },
+            );
+        }
+        if T::MOVES {
+            self.wrap();
         }
     }
 
-    fn move_by(&mut self, step: f64, advance: fn(Motion<S>, f64)) {
-        advance(self.motion(), step);
-        self.wrap();
-    }
-
-    fn predict_and_correct(
-        &mut self,
-        step: f64,
-        predict: fn(Motion<S>, &mut Previous<S>, f64),
-        correct: fn(Motion<S>, &mut Previous<S>, f64),
-    ) -> Result<(), StepError> {
-        let Some(mut previous) = self.previous.take() else {
-            return Ok(());
-        };
+    /// A step in two stages, with an evaluation between them.
+    fn go_and_return<T: Stage, U: Stage>(&mut self, step: f64) -> Result<(), StepError> {
         self.learn_velocity();
-        predict(self.motion(), &mut previous, step);
-        self.wrap();
+        self.advance::<T>(step);
         let outcome = self.evaluate(true);
-        correct(self.motion(), &mut previous, step);
-        self.wrap();
-        self.previous = Some(previous);
-        outcome
-    }
-
-    fn kick_drift_kick(&mut self, step: f64) -> Result<(), StepError> {
-        self.learn_velocity();
-        half_kick_and_drift(self.motion(), step);
-        self.wrap();
-        let outcome = self.evaluate(true);
-        half_kick(self.motion(), step);
+        self.advance::<U>(step);
         outcome
     }
 
@@ -306,6 +327,19 @@ impl<S: Real> World<S> {
             None => energy,
         }
     }
+}
+
+/// Whether anything turns: a particle that spins already, or a law that exerts a torque.
+fn turns<S: Real>(model: &Model, particles: &Particles<S>) -> bool {
+    let spins = particles
+        .angular_velocity
+        .iter()
+        .any(|spin| *spin != S::zero());
+    let rubs = model
+        .contact
+        .is_some_and(|contact| contact.tangential.is_some());
+    let bends = model.bond.is_some_and(|bond| bond.tangential.is_some());
+    spins || rubs || bends
 }
 
 /// What can move has a mass and a moment of inertia that are finite, and so are their inverses.

@@ -5,7 +5,7 @@ use crate::balance::Ledger;
 use crate::forces::{Forces, Tally};
 use crate::geometry::Vec2;
 use crate::integrators::Previous;
-use crate::links::{ContactMemory, Pair, StrongLink, StrongLinks};
+use crate::links::{ContactMemory, Pair, Rest, StrongLink, StrongLinks};
 use crate::model::Model;
 use crate::particles::{Particles, Role};
 
@@ -119,20 +119,23 @@ fn read_particles(reader: &mut Reader) -> Option<Particles> {
 
 fn write_strong_link(writer: &mut Writer, link: &StrongLink<f64>) {
     writer.pair(link.pair);
-    writer.vector(link.reference);
-    link.rest_angles
+    writer.vector(link.rest.reference);
+    link.rest
+        .angles
         .iter()
         .for_each(|&angle| writer.number(angle));
-    writer.number(link.rest_distance);
+    writer.number(link.rest.distance);
     writer.number(link.strength_factor);
 }
 
 fn read_strong_link(reader: &mut Reader) -> Option<StrongLink<f64>> {
     Some(StrongLink {
         pair: reader.pair()?,
-        reference: reader.vector()?,
-        rest_angles: [reader.number()?, reader.number()?],
-        rest_distance: reader.number()?,
+        rest: Rest {
+            reference: reader.vector()?,
+            angles: [reader.number()?, reader.number()?],
+            distance: reader.number()?,
+        },
         strength_factor: reader.number()?,
     })
 }
@@ -167,13 +170,15 @@ impl World {
         [self.drive.force, self.drive.applied, self.drive.reaction]
             .iter()
             .for_each(|&v| writer.vector(v));
-        let strong = self.strong.as_ref().map_or(&[][..], |strong| &strong.links);
-        writer.list(strong, write_strong_link);
-        let contacts: Vec<_> = self.weak.as_ref().map_or_else(Vec::new, |weak| {
-            weak.remembered()
-                .map(|(pair, memory)| (pair, *memory))
-                .collect()
-        });
+        let strong: Vec<_> = self
+            .strong
+            .as_ref()
+            .map_or_else(Vec::new, |strong| strong.iter().collect());
+        writer.list(&strong, write_strong_link);
+        let contacts: Vec<_> = self
+            .weak
+            .as_ref()
+            .map_or_else(Vec::new, |weak| weak.remembered().collect());
         writer.list(&contacts, write_contact);
         self.ledger
             .unwrap_or_default()
@@ -181,7 +186,8 @@ impl World {
             .iter()
             .for_each(|&x| writer.number(x));
         self.tally.numbers().iter().for_each(|&x| writer.number(x));
-        if let Some(previous) = &self.previous {
+        if self.model.integrator.needs_previous() {
+            let previous = &self.previous;
             writer.word(u64::from(previous.is_set));
             for column in [&previous.linear, &previous.older_linear] {
                 writer.list(column, |w, &a| w.vector(a));
@@ -228,8 +234,8 @@ impl World {
         let ledger = Ledger::from_numbers(reader.numbers()?);
         world.ledger = world.ledger.map(|_| ledger);
         world.tally = Tally::from_numbers(reader.numbers()?);
-        if let Some(previous) = &mut world.previous {
-            *previous = read_previous(&mut reader, previous)?;
+        if model.integrator.needs_previous() {
+            world.previous = read_previous(&mut reader, &world.previous)?;
         }
         reader.words.is_empty().then_some(world)
     }
@@ -241,10 +247,10 @@ impl World {
         contacts: Vec<(Pair, ContactMemory<f64>)>,
     ) {
         if let Some(strong) = &mut self.strong {
-            *strong = StrongLinks::from_links(links);
+            *strong = StrongLinks::from_links(&links);
         }
         if let Some(weak) = &mut self.weak {
-            weak.restore(contacts);
+            weak.restore(&contacts);
         }
         self.find_neighbors();
     }

@@ -91,9 +91,9 @@ pub fn stable_step_estimate<S: Real>(world: &World<S>) -> f64 {
     };
     if let (Some(strong), Some((k, c))) = (&world.strong, bond_constants(&world.model)) {
         strong
-            .links
+            .pairs
             .iter()
-            .for_each(|link| add(link.pair.indices(), k, c));
+            .for_each(|pair| add(pair.indices(), k, c));
     }
     if let (Some(weak), Some(contact)) = (&world.weak, world.model.contact) {
         for pair in &weak.pairs {

@@ -352,7 +352,7 @@ fn measure_stored() -> Outcome {
     let forgetful = super::scenes::world(&grains("euler", KELVIN_VOIGT, ""))?;
     let memories = forgetful
         .weak_links()
-        .map_or(0, |weak| weak.memory.capacity());
+        .map_or(0, |weak| weak.memory_capacity());
     all.push(Measurement::count(memories));
     Ok(Measurement::worst(all).into())
 }

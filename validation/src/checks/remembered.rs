@@ -9,7 +9,10 @@ use gouge_kernel::{Start, World};
 /// up to rounding.
 pub fn start(world: &World) -> Start {
     let p = world.particles();
-    let strong = world.strong_links().map_or(&[][..], |strong| &strong.links);
+    let strong = world
+        .strong_links()
+        .into_iter()
+        .flat_map(|strong| strong.iter());
     let touches = |pair: &Pair| {
         let (i, j) = pair.indices();
         frame(world, *pair).distance < p.radius[i] + p.radius[j]
@@ -19,10 +22,10 @@ pub fn start(world: &World) -> Start {
         .into_iter()
         .flat_map(|weak| weak.remembered());
     Start {
-        bonds: strong.iter().map(|link| bond(world, link)).collect(),
+        bonds: strong.map(|link| bond(world, &link)).collect(),
         contacts: weak
             .filter(|(pair, _)| touches(pair))
-            .map(|(pair, memory)| contact(world, pair, memory))
+            .map(|(pair, memory)| contact(world, pair, &memory))
             .collect(),
         drive_force: world.drive().force,
     }
@@ -53,12 +56,12 @@ fn bond(world: &World, link: &StrongLink<f64>) -> BondStart {
     BondStart {
         between: [i, j],
         strength_factor: link.strength_factor,
-        initial_distance: Some(link.rest_distance),
+        initial_distance: Some(link.rest.distance),
         initial_angles: Some(initial_angles(
             world,
             link.pair,
-            link.reference,
-            link.rest_angles,
+            link.rest.reference,
+            link.rest.angles,
         )),
     }
 }

@@ -359,7 +359,7 @@ impl<'a> Run<'a> {
 }
 
 fn bonds(world: &World) -> usize {
-    world.strong_links().map_or(0, |strong| strong.links.len())
+    world.strong_links().map_or(0, |strong| strong.len())
 }
 
 /// The files of a run, in the order in which a new run removes them: what remains if it is stopped

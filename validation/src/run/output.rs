@@ -47,7 +47,7 @@ fn row(scene: &Scene, world: &World, drive: &Drive<f64>) -> String {
         cells.extend(numbers.map(|value| format!("{value:?}")));
     }
     if let Some(strong) = world.strong_links() {
-        cells.push(strong.links.len().to_string());
+        cells.push(strong.len().to_string());
         cells.push(fragments(world).number.to_string());
     }
     cells.join(",") + "\n"
@@ -215,7 +215,9 @@ pub fn unbroken_lines(scene: &Scene, world: &World) -> impl Iterator<Item = (usi
         .domain
         .period()
         .map_or(f64::INFINITY, |width| 0.5 * width);
-    let links = world.strong_links().map_or(&[][..], |strong| &strong.links);
-    let pairs = links.iter().map(|link| link.pair.indices());
+    let bonded = world
+        .strong_links()
+        .map_or(&[][..], |strong| strong.pairs());
+    let pairs = bonded.iter().map(|pair| pair.indices());
     pairs.filter(move |&(i, j)| (position[i].x - position[j].x).abs() <= half)
 }

@@ -94,9 +94,7 @@ fn breaks(radii: [f64; 2], factor: f64, load: [f64; 2]) -> Result<bool, Failure>
         );
     let mut world = world(&text)?;
     world.evaluate_if_pending()?;
-    Ok(world
-        .strong_links()
-        .is_some_and(|strong| strong.links.is_empty()))
+    Ok(world.strong_links().is_some_and(|strong| strong.is_empty()))
 }
 
 fn loads() -> Outcome {
@@ -202,7 +200,7 @@ fn breaking_step([stretch, turn]: [f64; 2], step: f64) -> Result<u64, Failure> {
     let mut world = world(&text)?;
     while world
         .strong_links()
-        .is_some_and(|strong| !strong.links.is_empty())
+        .is_some_and(|strong| !strong.is_empty())
     {
         world.step()?;
         if world.time() > 2.0 * DURATION {

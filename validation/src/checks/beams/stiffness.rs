@@ -34,9 +34,11 @@ impl Rest {
 
     /// The bonds of a world, as if they began in its present state.
     pub fn of(world: &World) -> Self {
-        let links = world.strong_links().map_or(&[][..], |strong| &strong.links);
-        let bond = |link: &gouge_kernel::links::StrongLink<f64>| BondStart {
-            between: [link.pair.i as usize, link.pair.j as usize],
+        let pairs = world
+            .strong_links()
+            .map_or(&[][..], |strong| strong.pairs());
+        let bond = |pair: &gouge_kernel::links::Pair| BondStart {
+            between: [pair.i as usize, pair.j as usize],
             strength_factor: 1.0,
             initial_distance: None,
             initial_angles: None,
@@ -53,7 +55,7 @@ impl Rest {
             model,
             particles: world.particles().clone(),
             start: Start {
-                bonds: links.iter().map(bond).collect(),
+                bonds: pairs.iter().map(bond).collect(),
                 ..Start::default()
             },
         }

@@ -97,7 +97,7 @@ fn measure_broken() -> Outcome {
         .filter(|i| !BROKEN.contains(i))
         .map(|i| (i, i + 1))
         .collect();
-    let left = world.strong_links().map_or(0, |strong| strong.links.len());
+    let left = world.strong_links().map_or(0, |strong| strong.len());
     let wrong = differences(&fragments(&world), &edges) + usize::from(left != edges.len());
     Ok(Measurement::count(wrong).into())
 }

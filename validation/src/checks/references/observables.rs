@@ -102,7 +102,7 @@ fn measured(world: &World, name: &str) -> Result<f64, Failure> {
         "wall_force_x" => pulled().map(|i| world.forces().force[i].x).sum(),
         "wall_force_y" => pulled().map(|i| world.forces().force[i].y).sum(),
         "tension" => -pulled().map(|i| world.forces().force[i].y).sum::<f64>(),
-        "bonds" => world.strong_links().map_or(0, |strong| strong.links.len()) as f64,
+        "bonds" => world.strong_links().map_or(0, |strong| strong.len()) as f64,
         _ => return Err(Failure::Oracle(format!("nobody measures {name}"))),
     })
 }

@@ -45,8 +45,8 @@ struct Block {
 
 impl Block {
     fn of(world: &World) -> Self {
-        let links = world.strong_links().map(|strong| strong.links.iter());
-        let bond = |link: &gouge_kernel::links::StrongLink<f64>| {
+        let links = world.strong_links().map(|strong| strong.iter());
+        let bond = |link: gouge_kernel::links::StrongLink<f64>| {
             let (i, j) = link.pair.indices();
             (i, j, link.strength_factor)
         };

@@ -79,9 +79,9 @@ fn neighbours(world: &World) -> Vec<Vec<usize>> {
     let mut neighbours = vec![Vec::new(); world.particles().len()];
     let bonded = world
         .strong_links()
-        .map_or(&[][..], |strong| &strong.links)
+        .map_or(&[][..], |strong| strong.pairs())
         .iter()
-        .map(|link| link.pair);
+        .copied();
     let near = world.weak_links().map_or(&[][..], |weak| &weak.pairs);
     for pair in bonded.chain(near.iter().copied()) {
         let (i, j) = pair.indices();

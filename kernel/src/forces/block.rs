@@ -1,0 +1,182 @@
+//! Links side by side: what a pass gathers from the particles, and what it scatters back to them.
+
+use super::MISSING;
+use crate::geometry::Vec2;
+use crate::links::{ContactMemory, Pair};
+use crate::particles::Particles;
+use crate::scalar::Real;
+
+/// How many links a block holds.
+pub(crate) const LINKS: usize = 64;
+
+/// A link's part of the state of its particles.
+#[derive(Clone, Copy)]
+pub(crate) struct Ends<S> {
+    /// Difference of the positions of j and i in m, before the nearest image is taken.
+    pub difference: Vec2<S>,
+    /// Velocity of j relative to i in m/s.
+    pub velocity: Vec2<S>,
+    /// Angles in rad.
+    pub angles: [S; 2],
+    /// Angular velocities in rad/s.
+    pub spins: [S; 2],
+    /// Radii in m.
+    pub radii: [S; 2],
+}
+
+/// The columns of particles that links read, known to be equally long: one check serves all.
+#[derive(Clone, Copy)]
+pub(crate) struct Columns<'a, S> {
+    position: &'a [Vec2<S>],
+    velocity: &'a [Vec2<S>],
+    angle: &'a [S],
+    angular_velocity: &'a [S],
+    radius: &'a [S],
+}
+
+impl<'a, S: Real> Columns<'a, S> {
+    #[inline(always)]
+    pub fn of(particles: &'a Particles<S>) -> Self {
+        let number = particles.len();
+        Self {
+            position: &particles.position[..number],
+            velocity: &particles.velocity[..number],
+            angle: &particles.angle[..number],
+            angular_velocity: &particles.angular_velocity[..number],
+            radius: &particles.radius[..number],
+        }
+    }
+    #[inline(always)]
+    fn indices(&self, pair: Pair) -> (usize, usize) {
+        let (i, j) = pair.indices();
+        let number = self.position.len();
+        assert!(i < number && j < number, "{MISSING}");
+        (i, j)
+    }
+    /// The ends of a link between two particles.
+    #[inline(always)]
+    pub fn ends(&self, pair: Pair) -> Ends<S> {
+        let (difference, radii) = self.gap(pair);
+        Ends {
+            difference,
+            velocity: self.relative_velocity(pair),
+            angles: self.angles(pair),
+            spins: self.spins(pair),
+            radii,
+        }
+    }
+    /// Difference of the positions, and the radii: what decides whether they touch.
+    #[inline(always)]
+    pub fn gap(&self, pair: Pair) -> (Vec2<S>, [S; 2]) {
+        let (i, j) = self.indices(pair);
+        (
+            self.position[j] - self.position[i],
+            [self.radius[i], self.radius[j]],
+        )
+    }
+    #[inline(always)]
+    pub fn relative_velocity(&self, pair: Pair) -> Vec2<S> {
+        let (i, j) = self.indices(pair);
+        self.velocity[j] - self.velocity[i]
+    }
+    #[inline(always)]
+    pub fn angles(&self, pair: Pair) -> [S; 2] {
+        let (i, j) = self.indices(pair);
+        [self.angle[i], self.angle[j]]
+    }
+    #[inline(always)]
+    pub fn spins(&self, pair: Pair) -> [S; 2] {
+        let (i, j) = self.indices(pair);
+        [self.angular_velocity[i], self.angular_velocity[j]]
+    }
+}
+
+/// Columns of links, so that one instruction serves several of them.
+#[derive(Clone, Debug)]
+pub(crate) struct Block<S> {
+    pub difference: [Vec2<S>; LINKS],
+    pub velocity: [Vec2<S>; LINKS],
+    pub angles: [[S; 2]; LINKS],
+    pub spins: [[S; 2]; LINKS],
+    pub radii: [[S; 2]; LINKS],
+    /// Where the contact stands in the list of pairs.
+    pub position: [u32; LINKS],
+    /// What the contact remembers; see [`ContactMemory`].
+    pub reference: [Vec2<S>; LINKS],
+    pub rest: [[S; 2]; LINKS],
+    pub state: [S; LINKS],
+    /// Force on i in N.
+    pub force: [Vec2<S>; LINKS],
+    /// Torques on both ends in N m.
+    pub torques: [[S; 2]; LINKS],
+    /// Power turned into heat in W.
+    pub heat_rate: [S; LINKS],
+    /// Energy turned into heat at once in J.
+    pub heat: [S; LINKS],
+    /// What needs a second look.
+    pub flags: [u64; LINKS],
+}
+
+impl<S: Real> Default for Block<S> {
+    fn default() -> Self {
+        Self {
+            difference: [Vec2::zero(); LINKS],
+            velocity: [Vec2::zero(); LINKS],
+            angles: [[S::zero(); 2]; LINKS],
+            spins: [[S::zero(); 2]; LINKS],
+            radii: [[S::zero(); 2]; LINKS],
+            position: [0; LINKS],
+            reference: [Vec2::zero(); LINKS],
+            rest: [[S::zero(); 2]; LINKS],
+            state: [S::zero(); LINKS],
+            force: [Vec2::zero(); LINKS],
+            torques: [[S::zero(); 2]; LINKS],
+            heat_rate: [S::zero(); LINKS],
+            heat: [S::zero(); LINKS],
+            flags: [0; LINKS],
+        }
+    }
+}
+
+impl<S: Real> Block<S> {
+    #[inline(always)]
+    pub fn memory(&self, lane: usize) -> ContactMemory<S> {
+        ContactMemory {
+            touches: true,
+            reference: self.reference[lane],
+            ends: self.rest[lane],
+            state: self.state[lane],
+        }
+    }
+    #[inline(always)]
+    pub fn remember(&mut self, lane: usize, memory: ContactMemory<S>) {
+        self.reference[lane] = memory.reference;
+        self.rest[lane] = memory.ends;
+        self.state[lane] = memory.state;
+    }
+    /// Gather the ends of at most a block of links.
+    #[inline(always)]
+    pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair]) {
+        for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
+            self.set(lane, columns.ends(pair));
+        }
+    }
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, ends: Ends<S>) {
+        self.difference[lane] = ends.difference;
+        self.velocity[lane] = ends.velocity;
+        self.angles[lane] = ends.angles;
+        self.spins[lane] = ends.spins;
+        self.radii[lane] = ends.radii;
+    }
+    #[inline(always)]
+    pub fn ends(&self, lane: usize) -> Ends<S> {
+        Ends {
+            difference: self.difference[lane],
+            velocity: self.velocity[lane],
+            angles: self.angles[lane],
+            spins: self.spins[lane],
+            radii: self.radii[lane],
+        }
+    }
+}
