@@ -91,9 +91,9 @@ impl<'a, S: Real> Columns<'a, S> {
     }
 }
 
-/// Columns of links, so that one instruction serves several of them.
+/// What links read, as columns: one instruction serves several of them.
 #[derive(Clone, Debug)]
-pub(crate) struct Block<S> {
+pub(crate) struct Inputs<S> {
     pub difference: [Vec2<S>; LINKS],
     pub velocity: [Vec2<S>; LINKS],
     pub angles: [[S; 2]; LINKS],
@@ -105,19 +105,34 @@ pub(crate) struct Block<S> {
     pub reference: [Vec2<S>; LINKS],
     pub rest: [[S; 2]; LINKS],
     pub state: [S; LINKS],
+}
+
+/// What links do, as columns.
+#[derive(Clone, Debug)]
+pub(crate) struct Outputs<S> {
     /// Force on i in N.
-    pub force: [Vec2<S>; LINKS],
+    pub force: [[S; LINKS]; 2],
     /// Torques on both ends in N m.
-    pub torques: [[S; 2]; LINKS],
+    pub torques: [[S; LINKS]; 2],
     /// Power turned into heat in W.
     pub heat_rate: [S; LINKS],
     /// Energy turned into heat at once in J.
     pub heat: [S; LINKS],
+    /// What the contact remembers from now on, where it changes step by step.
+    pub rest: [[S; LINKS]; 2],
+    pub state: [S; LINKS],
     /// What needs a second look.
     pub flags: [u64; LINKS],
 }
 
-impl<S: Real> Default for Block<S> {
+/// A block of links. Inputs and outputs lie apart, so that no result can be the input of a later link.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Block<S: Real> {
+    pub inputs: Box<Inputs<S>>,
+    pub outputs: Box<Outputs<S>>,
+}
+
+impl<S: Real> Default for Inputs<S> {
     fn default() -> Self {
         Self {
             difference: [Vec2::zero(); LINKS],
@@ -129,16 +144,25 @@ impl<S: Real> Default for Block<S> {
             reference: [Vec2::zero(); LINKS],
             rest: [[S::zero(); 2]; LINKS],
             state: [S::zero(); LINKS],
-            force: [Vec2::zero(); LINKS],
-            torques: [[S::zero(); 2]; LINKS],
+        }
+    }
+}
+
+impl<S: Real> Default for Outputs<S> {
+    fn default() -> Self {
+        Self {
+            force: [[S::zero(); LINKS]; 2],
+            torques: [[S::zero(); LINKS]; 2],
             heat_rate: [S::zero(); LINKS],
             heat: [S::zero(); LINKS],
+            rest: [[S::zero(); LINKS]; 2],
+            state: [S::zero(); LINKS],
             flags: [0; LINKS],
         }
     }
 }
 
-impl<S: Real> Block<S> {
+impl<S: Real> Inputs<S> {
     #[inline(always)]
     pub fn memory(&self, lane: usize) -> ContactMemory<S> {
         ContactMemory {
@@ -147,12 +171,6 @@ impl<S: Real> Block<S> {
             ends: self.rest[lane],
             state: self.state[lane],
         }
-    }
-    #[inline(always)]
-    pub fn remember(&mut self, lane: usize, memory: ContactMemory<S>) {
-        self.reference[lane] = memory.reference;
-        self.rest[lane] = memory.ends;
-        self.state[lane] = memory.state;
     }
     /// Gather the ends of at most a block of links.
     #[inline(always)]
@@ -178,5 +196,24 @@ impl<S: Real> Block<S> {
             spins: self.spins[lane],
             radii: self.radii[lane],
         }
+    }
+}
+
+impl<S: Real> Outputs<S> {
+    /// Put down the force on i in N and the torques on both ends in N m.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, force: Vec2<S>, torques: [S; 2]) {
+        self.force[0][lane] = force.x;
+        self.force[1][lane] = force.y;
+        self.torques[0][lane] = torques[0];
+        self.torques[1][lane] = torques[1];
+    }
+    #[inline(always)]
+    pub fn force(&self, lane: usize) -> Vec2<S> {
+        Vec2::new(self.force[0][lane], self.force[1][lane])
+    }
+    #[inline(always)]
+    pub fn torques(&self, lane: usize) -> [S; 2] {
+        [self.torques[0][lane], self.torques[1][lane]]
     }
 }

@@ -1,6 +1,6 @@
 //! The pass over strong links.
 
-use super::block::{Block, Columns, Ends, LINKS};
+use super::block::{Block, Columns, Ends, LINKS, Outputs};
 use super::{Forces, Tally};
 use crate::geometry::{Metric, PairFrame, PairMotion, is_wrapped, small_turn, turn, wrapped};
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, ZhangEckert};
@@ -136,7 +136,7 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
 ///
 /// Reads positions, velocities and angles; writes forces and, where a frame has turned far, the
 /// references of links. Allocates nothing. `YIELDS` and `LEDGER` leave out what they name.
-pub(crate) struct StrongLoop<'a, S, M, B, const YIELDS: bool, const LEDGER: bool> {
+pub(crate) struct StrongLoop<'a, S: Real, M, B, const YIELDS: bool, const LEDGER: bool> {
     pub pass: StrongPass<M, B>,
     pub particles: &'a Particles<S>,
     pub strong: &'a mut StrongLinks<S>,
@@ -157,7 +157,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> pul
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.strong.pairs[first..last];
-            self.block.gather(columns, pairs);
+            self.block.inputs.gather(columns, pairs);
             let flags = self.compute(first, last);
             if flags & IRREGULAR != 0 {
                 self.compute_irregular(first, last);
@@ -183,7 +183,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
         let angles = &self.strong.angles[first..][..number];
         let distances = &self.strong.distances[first..][..number];
         let factors = &self.strong.strength_factors[first..][..number];
-        let block = &mut *self.block;
+        let (inputs, outputs) = (&*self.block.inputs, &mut *self.block.outputs);
         let mut flags = 0;
         for lane in 0..number {
             let rest = Rest {
@@ -191,16 +191,16 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
                 angles: angles[lane],
                 distance: distances[lane],
             };
-            let ends = block.ends(lane);
+            let ends = inputs.ends(lane);
             let (state, is_regular) = self.pass.regular(&ends, &rest);
             let flag = self.pass.settle::<S, YIELDS, LEDGER>(
-                block,
+                outputs,
                 lane,
                 &state,
                 ends.radii,
                 factors[lane],
             ) | (IRREGULAR * u64::from(!is_regular));
-            block.flags[lane] = flag;
+            outputs.flags[lane] = flag;
             flags |= flag;
         }
         flags
@@ -210,7 +210,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
     #[inline(never)]
     fn compute_irregular(&mut self, first: usize, last: usize) {
         for lane in 0..last - first {
-            if self.block.flags[lane] & IRREGULAR == 0 {
+            if self.block.outputs.flags[lane] & IRREGULAR == 0 {
                 continue;
             }
             let position = first + lane;
@@ -219,12 +219,12 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
                 strength_factor,
                 ..
             } = self.strong.get(position);
-            let ends = self.block.ends(lane);
+            let ends = self.block.inputs.ends(lane);
             let state = self.pass.any(&ends, &mut rest);
             self.strong.references[position] = rest.reference;
             self.strong.angles[position] = rest.angles;
-            self.block.flags[lane] = self.pass.settle::<S, YIELDS, LEDGER>(
-                self.block,
+            self.block.outputs.flags[lane] = self.pass.settle::<S, YIELDS, LEDGER>(
+                &mut self.block.outputs,
                 lane,
                 &state,
                 ends.radii,
@@ -239,16 +239,16 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
         let mut heat_rate = self.tally.friction_rate;
         let pairs = &self.strong.pairs[first..last];
         for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
-            if YIELDS && self.block.flags[lane] & BREAKS != 0 {
+            if YIELDS && self.block.outputs.flags[lane] & BREAKS != 0 {
                 self.strong.broken.push((first + lane) as u32);
                 continue;
             }
             if LEDGER {
-                heat_rate += self.block.heat_rate[lane];
+                heat_rate += self.block.outputs.heat_rate[lane];
             }
-            sums.add_forces(pair, self.block.force[lane]);
+            sums.add_forces(pair, self.block.outputs.force(lane));
             if !B::ABSENT {
-                sums.add_torques(pair, self.block.torques[lane]);
+                sums.add_torques(pair, self.block.outputs.torques(lane));
             }
         }
         self.tally.friction_rate = heat_rate;
@@ -256,21 +256,21 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
 }
 
 impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
-    /// Write what a link does into its lane of the block.
+    /// Write what a link does into its lane.
     #[inline(always)]
     fn settle<S: Real, const YIELDS: bool, const LEDGER: bool>(
         &self,
-        block: &mut Block<S>,
+        outputs: &mut Outputs<S>,
         lane: usize,
         state: &StrongState<S>,
         radii: [S; 2],
         strength_factor: S,
     ) -> u64 {
-        block.force[lane] = state.frame.normal * state.normal_force
+        let force = state.frame.normal * state.normal_force
             + state.frame.tangent() * state.tangential_force;
-        block.torques[lane] = state.torques;
+        outputs.set(lane, force, state.torques);
         if LEDGER {
-            block.heat_rate[lane] = self.heat_rate(state);
+            outputs.heat_rate[lane] = self.heat_rate(state);
         }
         let breaks = match self.yielding {
             Some(law) if YIELDS => law.breaks(

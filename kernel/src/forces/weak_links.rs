@@ -1,6 +1,6 @@
 //! The pass over weak links.
 
-use super::block::{Block, Columns, Ends, LINKS};
+use super::block::{Block, Columns, Ends, LINKS, Outputs};
 use super::{Forces, Tally};
 use crate::geometry::{Arm, Metric, PairFrame, PairMotion, is_wrapped, small_turn, turn, wrapped};
 use crate::instructions::Instructions;
@@ -185,7 +185,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
 ///
 /// `strong` tells the pairs whose bonds broke in this evaluation: if they overlap, their stored energy
 /// is booked as work of bonding. Allocates nothing.
-pub(crate) struct WeakLoop<'a, S, M, A, N, T, const LEDGER: bool> {
+pub(crate) struct WeakLoop<'a, S: Real, M, A, N, T, const LEDGER: bool> {
     pub pass: WeakPass<M, A, N, T>,
     pub particles: &'a Particles<S>,
     pub weak: &'a mut WeakLinks<S>,
@@ -248,9 +248,9 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                 self.begin_or_end(position, overlaps);
             }
             // Every pair is put down, and those that do not overlap are written over: no branch.
-            self.block.position[lanes] = position as u32;
-            self.block.difference[lanes] = difference;
-            self.block.radii[lanes] = radii;
+            self.block.inputs.position[lanes] = position as u32;
+            self.block.inputs.difference[lanes] = difference;
+            self.block.inputs.radii[lanes] = radii;
             lanes += usize::from(overlaps);
             position += 1;
         }
@@ -279,45 +279,43 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     fn gather(&mut self, columns: Columns<S>, lanes: usize) {
         let memories = &self.weak.memories;
         for lane in 0..lanes.min(LINKS) {
-            let position = self.block.position[lane] as usize;
+            let position = self.block.inputs.position[lane] as usize;
             let pair = self.weak.pairs[position];
-            self.block.velocity[lane] = columns.relative_velocity(pair);
+            self.block.inputs.velocity[lane] = columns.relative_velocity(pair);
             if !T::ABSENT {
-                self.block.spins[lane] = columns.spins(pair);
+                self.block.inputs.spins[lane] = columns.spins(pair);
             }
             if WeakPass::<M, A, N, T>::FOLLOWS_ANGLES {
-                self.block.angles[lane] = columns.angles(pair);
-                self.block.reference[lane] = memories.references[position];
+                self.block.inputs.angles[lane] = columns.angles(pair);
+                self.block.inputs.reference[lane] = memories.references[position];
             }
             if T::REMEMBERS {
-                self.block.rest[lane] = memories.ends[position];
-                self.block.state[lane] = memories.states[position];
+                self.block.inputs.rest[lane] = memories.ends[position];
+                self.block.inputs.state[lane] = memories.states[position];
             }
         }
     }
 
     #[inline(always)]
     fn compute(&mut self, lanes: usize) -> u64 {
-        let block = &mut *self.block;
+        let (inputs, outputs) = (&*self.block.inputs, &mut *self.block.outputs);
         let mut flags = 0;
         for lane in 0..lanes.min(LINKS) {
-            let mut memory = block.memory(lane);
-            let ends = block.ends(lane);
+            let mut memory = inputs.memory(lane);
+            let ends = inputs.ends(lane);
             let (state, is_regular) = self.pass.regular(&ends, &mut memory);
-            // An irregular contact is found again, from the memory it had.
             if T::REMEMBERS {
-                block.state[lane] = if is_regular {
-                    memory.state
-                } else {
-                    block.state[lane]
-                };
+                outputs.state[lane] = memory.state;
             }
             if A::ACCUMULATES {
-                block.rest[lane] = memory.ends;
+                for end in 0..2 {
+                    outputs.rest[end][lane] = memory.ends[end];
+                }
             }
-            self.pass.put::<S, LEDGER>(block, lane, &state, ends.radii);
-            block.flags[lane] = IRREGULAR * u64::from(!is_regular);
-            flags |= block.flags[lane];
+            self.pass
+                .put::<S, LEDGER>(outputs, lane, &state, ends.radii);
+            outputs.flags[lane] = IRREGULAR * u64::from(!is_regular);
+            flags |= outputs.flags[lane];
         }
         flags
     }
@@ -326,14 +324,14 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     #[inline(never)]
     fn compute_irregular(&mut self, lanes: usize) {
         for lane in 0..lanes.min(LINKS) {
-            if self.block.flags[lane] & IRREGULAR != 0 {
-                let ends = self.block.ends(lane);
-                let mut memory = self.block.memory(lane);
+            if self.block.outputs.flags[lane] & IRREGULAR != 0 {
+                let ends = self.block.inputs.ends(lane);
+                let mut memory = self.block.inputs.memory(lane);
                 let state = self.pass.any(&ends, &mut memory);
-                self.block.remember(lane, memory);
+                self.block.outputs.state[lane] = memory.state;
                 self.pass
-                    .put::<S, LEDGER>(self.block, lane, &state, ends.radii);
-                let position = self.block.position[lane] as usize;
+                    .put::<S, LEDGER>(&mut self.block.outputs, lane, &state, ends.radii);
+                let position = self.block.inputs.position[lane] as usize;
                 self.weak.memories.set(position, memory);
             }
         }
@@ -342,10 +340,10 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     #[inline(always)]
     fn remember(&mut self, lanes: usize) {
         for lane in 0..lanes.min(LINKS) {
-            let position = self.block.position[lane] as usize;
-            self.weak.memories.states[position] = self.block.state[lane];
+            let position = self.block.inputs.position[lane] as usize;
+            self.weak.memories.states[position] = self.block.outputs.state[lane];
             if A::ACCUMULATES {
-                self.weak.memories.ends[position] = self.block.rest[lane];
+                self.weak.memories.ends[position] = self.block.outputs.rest.map(|end| end[lane]);
             }
         }
     }
@@ -355,14 +353,14 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         let mut sums = self.forces.sums();
         let (mut heat_rate, mut heat) = (self.tally.friction_rate, self.tally.friction);
         for lane in 0..lanes.min(LINKS) {
-            let pair = self.weak.pairs[self.block.position[lane] as usize];
+            let pair = self.weak.pairs[self.block.inputs.position[lane] as usize];
             if LEDGER {
-                heat_rate += self.block.heat_rate[lane];
-                heat += self.block.heat[lane];
+                heat_rate += self.block.outputs.heat_rate[lane];
+                heat += self.block.outputs.heat[lane];
             }
-            sums.add_forces(pair, self.block.force[lane]);
+            sums.add_forces(pair, self.block.outputs.force(lane));
             if !T::ABSENT {
-                sums.add_torques(pair, self.block.torques[lane]);
+                sums.add_torques(pair, self.block.outputs.torques(lane));
             }
         }
         (self.tally.friction_rate, self.tally.friction) = (heat_rate, heat);
@@ -375,9 +373,13 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             return;
         };
         for lane in 0..lanes.min(LINKS) {
-            if strong.breaks_now(self.weak.pairs[self.block.position[lane] as usize]) {
-                let ends = self.block.ends(lane);
-                let mut memory = self.block.memory(lane);
+            if strong.breaks_now(self.weak.pairs[self.block.inputs.position[lane] as usize]) {
+                let ends = self.block.inputs.ends(lane);
+                let mut memory = self.block.inputs.memory(lane);
+                memory.state = self.block.outputs.state[lane];
+                if A::ACCUMULATES {
+                    memory.ends = self.block.outputs.rest.map(|end| end[lane]);
+                }
                 let pass = WeakPass {
                     elapsed: 0.0,
                     ..self.pass
@@ -390,23 +392,21 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
 }
 
 impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
-    /// Write what a contact does into its lane of the block.
+    /// Write what a contact does into its lane.
     #[inline(always)]
     fn put<S: Real, const LEDGER: bool>(
         &self,
-        block: &mut Block<S>,
+        outputs: &mut Outputs<S>,
         lane: usize,
         state: &WeakState<S>,
         radii: [S; 2],
     ) {
-        block.force[lane] = state.frame.normal * state.normal_force
+        let force = state.frame.normal * state.normal_force
             + state.frame.tangent() * state.tangential_force;
-        if !T::ABSENT {
-            block.torques[lane] = state.torques;
-        }
+        outputs.set(lane, force, state.torques);
         if LEDGER {
-            block.heat_rate[lane] = self.heat_rate(radii, state);
-            block.heat[lane] = state.friction.heat;
+            outputs.heat_rate[lane] = self.heat_rate(radii, state);
+            outputs.heat[lane] = state.friction.heat;
         }
     }
 }

@@ -30,19 +30,22 @@ impl<S: Real> PairFrame<S> {
     #[inline(always)]
     pub fn new(displacement: Vec2<S>) -> Self {
         let squared = displacement.norm_squared();
-        if squared < S::from_f64(COINCIDENT) {
-            return Self {
-                distance: S::zero(),
-                inverse_distance: S::zero(),
-                normal: Vec2::new(S::from_f64(1.0), S::zero()),
-            };
-        }
         let distance = squared.sqrt();
         let inverse_distance = S::from_f64(1.0) / distance;
-        Self {
+        let frame = Self {
             distance,
             inverse_distance,
             normal: displacement * inverse_distance,
+        };
+        // Chosen at the end, so that many pairs are looked at together.
+        if squared < S::from_f64(COINCIDENT) {
+            Self {
+                distance: S::zero(),
+                inverse_distance: S::zero(),
+                normal: Vec2::new(S::from_f64(1.0), S::zero()),
+            }
+        } else {
+            frame
         }
     }
 

@@ -46,10 +46,9 @@ pub struct KelvinVoigt {
 impl NormalLaw for KelvinVoigt {
     #[inline(always)]
     fn force<S: Real>(self, _: [S; 2], xi: S, d_xi: S) -> S {
-        if xi < S::zero() {
-            return S::zero();
-        }
-        S::zero().min(-(xi * self.stiffness + d_xi * self.damping))
+        let force = S::zero().min(-(xi * self.stiffness + d_xi * self.damping));
+        // Chosen at the end, so that many contacts are looked at together.
+        if xi < S::zero() { S::zero() } else { force }
     }
     #[inline(always)]
     fn elastic_force<S: Real>(self, _: [S; 2], xi: S) -> S {
@@ -108,11 +107,10 @@ impl Bshp {
 impl NormalLaw for Bshp {
     #[inline(always)]
     fn force<S: Real>(self, radii: [S; 2], xi: S, d_xi: S) -> S {
-        if xi < S::zero() {
-            return S::zero();
-        }
         let rate = xi + d_xi * self.dissipative_constant;
-        S::zero().min(-(self.prefactor(radii) * xi.sqrt() * rate))
+        let root = xi.max(S::zero()).sqrt();
+        let force = S::zero().min(-(self.prefactor(radii) * root * rate));
+        if xi < S::zero() { S::zero() } else { force }
     }
     #[inline(always)]
     fn elastic_force<S: Real>(self, radii: [S; 2], xi: S) -> S {
