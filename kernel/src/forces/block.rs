@@ -2,7 +2,7 @@
 
 use super::MISSING;
 use crate::geometry::Vec2;
-use crate::links::{ContactMemory, Pair};
+use crate::links::Pair;
 use crate::particles::Particles;
 use crate::scalar::Real;
 
@@ -99,12 +99,6 @@ pub(crate) struct Inputs<S> {
     pub angles: [[S; 2]; LINKS],
     pub spins: [[S; 2]; LINKS],
     pub radii: [[S; 2]; LINKS],
-    /// Where the contact stands in the list of pairs.
-    pub position: [u32; LINKS],
-    /// What the contact remembers; see [`ContactMemory`].
-    pub reference: [Vec2<S>; LINKS],
-    pub rest: [[S; 2]; LINKS],
-    pub state: [S; LINKS],
 }
 
 /// What links do, as columns.
@@ -140,10 +134,6 @@ impl<S: Real> Default for Inputs<S> {
             angles: [[S::zero(); 2]; LINKS],
             spins: [[S::zero(); 2]; LINKS],
             radii: [[S::zero(); 2]; LINKS],
-            position: [0; LINKS],
-            reference: [Vec2::zero(); LINKS],
-            rest: [[S::zero(); 2]; LINKS],
-            state: [S::zero(); LINKS],
         }
     }
 }
@@ -163,15 +153,6 @@ impl<S: Real> Default for Outputs<S> {
 }
 
 impl<S: Real> Inputs<S> {
-    #[inline(always)]
-    pub fn memory(&self, lane: usize) -> ContactMemory<S> {
-        ContactMemory {
-            touches: true,
-            reference: self.reference[lane],
-            ends: self.rest[lane],
-            state: self.state[lane],
-        }
-    }
     /// Gather the ends of at most a block of links.
     #[inline(always)]
     pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair]) {
@@ -181,11 +162,15 @@ impl<S: Real> Inputs<S> {
     }
     #[inline(always)]
     pub fn set(&mut self, lane: usize, ends: Ends<S>) {
-        self.difference[lane] = ends.difference;
+        self.set_gap(lane, (ends.difference, ends.radii));
         self.velocity[lane] = ends.velocity;
         self.angles[lane] = ends.angles;
         self.spins[lane] = ends.spins;
-        self.radii[lane] = ends.radii;
+    }
+    #[inline(always)]
+    pub fn set_gap(&mut self, lane: usize, (difference, radii): (Vec2<S>, [S; 2])) {
+        self.difference[lane] = difference;
+        self.radii[lane] = radii;
     }
     #[inline(always)]
     pub fn ends(&self, lane: usize) -> Ends<S> {

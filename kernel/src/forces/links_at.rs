@@ -92,19 +92,14 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
 ) -> Vec<LinkState> {
     let columns = Columns::of(particles);
     let state = |(position, &pair): (usize, &Pair)| {
-        let (i, j) = pair.indices();
-        let frame = PairFrame::new(
-            pass.metric
-                .displacement(particles.position[i], particles.position[j]),
-        );
-        let reach = particles.radius[i] + particles.radius[j];
-        if frame.distance >= reach {
+        let ends = columns.ends(pair);
+        if !pass.touch(&ends) {
             return None;
         }
         let mut memory = weak
             .memory_at(position)
-            .unwrap_or_else(|| pass.begin(&frame, [particles.angle[i], particles.angle[j]]));
-        let state = pass.any(&columns.ends(pair), &mut memory);
+            .unwrap_or_else(|| pass.begin(&ends));
+        let state = pass.any(&ends, &mut memory);
         Some(LinkState {
             tangential_displacement: doubles(state.zeta),
             normal_velocity: state.motion.normal_velocity.to_f64(),
@@ -112,7 +107,7 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
             normal_force: state.normal_force.to_f64(),
             tangential_force: state.tangential_force.to_f64(),
             torque: doubles(state.torques),
-            ..common(LinkKind::Weak, pair, particles, &frame)
+            ..common(LinkKind::Weak, pair, particles, &state.frame)
         })
     };
     weak.pairs.iter().enumerate().filter_map(state).collect()

@@ -9,6 +9,7 @@ use crate::links::{ContactMemory, StrongLinks, WeakLinks};
 use crate::model::Reading;
 use crate::particles::Particles;
 use crate::scalar::Real;
+use core::ops::Range;
 
 /// Laws and choices of the pass.
 #[derive(Clone, Copy)]
@@ -35,8 +36,11 @@ pub(crate) struct WeakState<S> {
     pub torques: [S; 2],
 }
 
-/// A frame that has turned far from its reference, or an angle to be wrapped.
-const IRREGULAR: u64 = 1;
+/// A pair that overlaps.
+const TOUCHES: u64 = 1;
+/// A contact that begins or ends, a frame that has turned far from its reference, or an angle to be
+/// wrapped.
+const IRREGULAR: u64 = 2;
 
 impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
     /// Whether tangential displacements are functions of the present angles.
@@ -113,14 +117,22 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         };
     }
 
+    /// Whether the spheres overlap.
+    #[inline(always)]
+    pub fn touch<S: Real>(&self, ends: &Ends<S>) -> bool {
+        let reach = ends.radii[0] + ends.radii[1];
+        self.metric.nearest(ends.difference).norm_squared() < reach * reach
+    }
+
     /// The memory of a contact that begins.
-    pub fn begin<S: Real>(&self, frame: &PairFrame<S>, angles: [S; 2]) -> ContactMemory<S> {
-        let ends = if A::ACCUMULATES {
+    pub fn begin<S: Real>(&self, ends: &Ends<S>) -> ContactMemory<S> {
+        let frame = PairFrame::new(self.metric.nearest(ends.difference));
+        let rest = if A::ACCUMULATES {
             [S::zero(); 2]
         } else {
-            angles
+            ends.angles
         };
-        ContactMemory::begin(frame, ends)
+        ContactMemory::begin(&frame, rest)
     }
 
     /// The state of most contacts, thesis eqs. (29)-(32), and whether it is that of this one.
@@ -183,6 +195,9 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
 
 /// The loop over all pairs: adds the forces of those that overlap, and begins or ends their memory.
 ///
+/// All pairs of a block are looked at as if they touched, without a branch; what is rare is found by its
+/// flag and computed again.
+///
 /// `strong` tells the pairs whose bonds broke in this evaluation: if they overlap, their stored energy
 /// is booked as work of bonding. Allocates nothing.
 pub(crate) struct WeakLoop<'a, S: Real, M, A, N, T, const LEDGER: bool> {
@@ -203,20 +218,17 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     #[inline(always)]
     fn call(mut self) {
         let columns = Columns::of(self.particles);
-        let mut next = 0;
-        while next < self.weak.pairs.len() {
-            let lanes;
-            (lanes, next) = self.find_touching(columns, next);
-            self.gather(columns, lanes);
-            if self.compute(lanes) & IRREGULAR != 0 {
-                self.compute_irregular(lanes);
+        let number = self.weak.pairs.len();
+        for first in (0..number).step_by(LINKS) {
+            let last = number.min(first + LINKS);
+            self.gather(columns, first..last);
+            if self.compute(first..last) & IRREGULAR != 0 {
+                self.compute_irregular(first..last);
             }
-            if T::REMEMBERS {
-                self.remember(lanes);
-            }
-            self.scatter(lanes);
+            self.remember(first..last);
+            self.scatter(first..last);
             if LEDGER {
-                self.book_bonding(lanes);
+                self.book_bonding(first..last);
             }
         }
     }
@@ -230,137 +242,128 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         A::run::<S, Self>(instructions, self);
     }
 
-    /// Put pairs that overlap into the lanes of the block, from a position on, until it is full or no pair
-    /// is left; returns the number of lanes and the position after the last pair looked at.
     #[inline(always)]
-    fn find_touching(&mut self, columns: Columns<S>, first: usize) -> (usize, usize) {
-        let number = self.weak.pairs.len();
-        let (mut lanes, mut position) = (0, first);
-        while position < number && lanes < LINKS {
-            let (difference, radii) = columns.gap(self.weak.pairs[position]);
-            let reach = radii[0] + radii[1];
-            let overlaps = self.pass.metric.nearest(difference).norm_squared() < reach * reach;
-            if T::REMEMBERS && overlaps != self.weak.memories.touches[position] {
-                if LEDGER && lanes > 0 {
-                    // What ends here is booked after what came before.
-                    break;
-                }
-                self.begin_or_end(position, overlaps);
-            }
-            // Every pair is put down, and those that do not overlap are written over: no branch.
-            self.block.inputs.position[lanes] = position as u32;
-            self.block.inputs.difference[lanes] = difference;
-            self.block.inputs.radii[lanes] = radii;
-            lanes += usize::from(overlaps);
-            position += 1;
-        }
-        (lanes, position)
-    }
-
-    /// A contact that ends: without a normal force no law stores anything, all that was left is heat.
-    #[cold]
-    #[inline(never)]
-    fn begin_or_end(&mut self, position: usize, begins: bool) {
-        let ends = Columns::of(self.particles).ends(self.weak.pairs[position]);
-        if begins {
-            let frame = PairFrame::new(self.pass.metric.nearest(ends.difference));
-            let memory = self.pass.begin(&frame, ends.angles);
-            self.weak.memories.set(position, memory);
-            return;
-        }
-        if LEDGER {
-            let state = self.pass.any(&ends, &mut self.weak.memories.get(position));
-            self.tally.friction += state.friction.heat;
-        }
-        self.weak.memories.touches[position] = false;
-    }
-
-    #[inline(always)]
-    fn gather(&mut self, columns: Columns<S>, lanes: usize) {
-        let memories = &self.weak.memories;
-        for lane in 0..lanes.min(LINKS) {
-            let position = self.block.inputs.position[lane] as usize;
-            let pair = self.weak.pairs[position];
-            self.block.inputs.velocity[lane] = columns.relative_velocity(pair);
-            if !T::ABSENT {
-                self.block.inputs.spins[lane] = columns.spins(pair);
-            }
+    fn gather(&mut self, columns: Columns<S>, block: Range<usize>) {
+        let inputs = &mut *self.block.inputs;
+        for (lane, &pair) in self.weak.pairs[block].iter().enumerate().take(LINKS) {
+            inputs.set_gap(lane, columns.gap(pair));
+            inputs.velocity[lane] = columns.relative_velocity(pair);
             if WeakPass::<M, A, N, T>::FOLLOWS_ANGLES {
-                self.block.inputs.angles[lane] = columns.angles(pair);
-                self.block.inputs.reference[lane] = memories.references[position];
+                inputs.angles[lane] = columns.angles(pair);
             }
-            if T::REMEMBERS {
-                self.block.inputs.rest[lane] = memories.ends[position];
-                self.block.inputs.state[lane] = memories.states[position];
+            if !T::ABSENT {
+                inputs.spins[lane] = columns.spins(pair);
             }
         }
     }
 
+    /// Look at all pairs of the block as if they touched; tells which do, and whether some contact is
+    /// not what it seems.
     #[inline(always)]
-    fn compute(&mut self, lanes: usize) -> u64 {
+    fn compute(&mut self, block: Range<usize>) -> u64 {
+        let number = block.len().min(LINKS);
+        let memories = self.weak.memories.part(if T::REMEMBERS {
+            block.start..block.start + number
+        } else {
+            0..0
+        });
         let (inputs, outputs) = (&*self.block.inputs, &mut *self.block.outputs);
         let mut flags = 0;
-        for lane in 0..lanes.min(LINKS) {
-            let mut memory = inputs.memory(lane);
+        for lane in 0..number {
             let ends = inputs.ends(lane);
+            let touches = self.pass.touch(&ends);
+            let old = if T::REMEMBERS {
+                memories.get(lane)
+            } else {
+                ContactMemory::default()
+            };
+            let mut memory = old;
             let (state, is_regular) = self.pass.regular(&ends, &mut memory);
             if T::REMEMBERS {
-                outputs.state[lane] = memory.state;
+                outputs.state[lane] = if touches { memory.state } else { old.state };
             }
             if A::ACCUMULATES {
-                for end in 0..2 {
-                    outputs.rest[end][lane] = memory.ends[end];
-                }
+                let now = if touches { memory.ends } else { old.ends };
+                outputs.rest[0][lane] = now[0];
+                outputs.rest[1][lane] = now[1];
             }
             self.pass
-                .put::<S, LEDGER>(outputs, lane, &state, ends.radii);
-            outputs.flags[lane] = IRREGULAR * u64::from(!is_regular);
-            flags |= outputs.flags[lane];
+                .put::<S, LEDGER>(outputs, lane, &state, ends.radii, touches);
+            let is_irregular = (touches != old.touches) & T::REMEMBERS | touches & !is_regular;
+            let flag = TOUCHES * u64::from(touches) | IRREGULAR * u64::from(is_irregular);
+            outputs.flags[lane] = flag;
+            flags |= flag;
         }
         flags
     }
 
+    /// Begin and end contacts, and compute again what was not what it seemed.
+    ///
+    /// A contact that ends: without a normal force no law stores anything, all that was left is heat.
     #[cold]
     #[inline(never)]
-    fn compute_irregular(&mut self, lanes: usize) {
-        for lane in 0..lanes.min(LINKS) {
-            if self.block.outputs.flags[lane] & IRREGULAR != 0 {
-                let ends = self.block.inputs.ends(lane);
-                let mut memory = self.block.inputs.memory(lane);
-                let state = self.pass.any(&ends, &mut memory);
-                self.block.outputs.state[lane] = memory.state;
-                self.pass
-                    .put::<S, LEDGER>(&mut self.block.outputs, lane, &state, ends.radii);
-                let position = self.block.inputs.position[lane] as usize;
-                self.weak.memories.set(position, memory);
+    fn compute_irregular(&mut self, block: Range<usize>) {
+        for (lane, position) in block.enumerate() {
+            let flags = self.block.outputs.flags[lane];
+            if flags & IRREGULAR == 0 {
+                continue;
+            }
+            let ends = self.block.inputs.ends(lane);
+            let outputs = &mut *self.block.outputs;
+            let mut memory = self.weak.memories.get(position);
+            let touches = flags & TOUCHES != 0;
+            if touches && !memory.touches {
+                memory = self.pass.begin(&ends);
+            }
+            let state = self.pass.any(&ends, &mut memory);
+            self.pass
+                .put::<S, LEDGER>(outputs, lane, &state, ends.radii, touches);
+            if !touches {
+                memory.touches = false;
+                outputs.heat[lane] = state.friction.heat;
+            }
+            self.weak.memories.set(position, memory);
+            outputs.state[lane] = memory.state;
+            for end in 0..2 {
+                outputs.rest[end][lane] = memory.ends[end];
             }
         }
     }
 
     #[inline(always)]
-    fn remember(&mut self, lanes: usize) {
-        for lane in 0..lanes.min(LINKS) {
-            let position = self.block.inputs.position[lane] as usize;
-            self.weak.memories.states[position] = self.block.outputs.state[lane];
-            if A::ACCUMULATES {
-                self.weak.memories.ends[position] = self.block.outputs.rest.map(|end| end[lane]);
+    fn remember(&mut self, block: Range<usize>) {
+        let number = block.len().min(LINKS);
+        let outputs = &*self.block.outputs;
+        if T::REMEMBERS {
+            self.weak.memories.states[block.clone()].copy_from_slice(&outputs.state[..number]);
+        }
+        if A::ACCUMULATES {
+            for (lane, ends) in self.weak.memories.ends[block]
+                .iter_mut()
+                .enumerate()
+                .take(LINKS)
+            {
+                *ends = outputs.rest.map(|end| end[lane]);
             }
         }
     }
 
     #[inline(always)]
-    fn scatter(&mut self, lanes: usize) {
+    fn scatter(&mut self, block: Range<usize>) {
+        let outputs = &*self.block.outputs;
+        let pairs = &self.weak.pairs[block];
         let mut sums = self.forces.sums();
         let (mut heat_rate, mut heat) = (self.tally.friction_rate, self.tally.friction);
-        for lane in 0..lanes.min(LINKS) {
-            let pair = self.weak.pairs[self.block.inputs.position[lane] as usize];
+        for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
             if LEDGER {
-                heat_rate += self.block.outputs.heat_rate[lane];
-                heat += self.block.outputs.heat[lane];
+                heat_rate += outputs.heat_rate[lane];
+                heat += outputs.heat[lane];
             }
-            sums.add_forces(pair, self.block.outputs.force(lane));
-            if !T::ABSENT {
-                sums.add_torques(pair, self.block.outputs.torques(lane));
+            if outputs.flags[lane] & TOUCHES != 0 {
+                sums.add_forces(pair, outputs.force(lane));
+                if !T::ABSENT {
+                    sums.add_torques(pair, outputs.torques(lane));
+                }
             }
         }
         (self.tally.friction_rate, self.tally.friction) = (heat_rate, heat);
@@ -368,18 +371,15 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
 
     /// Book the energy of contacts that take the place of broken bonds.
     #[inline(always)]
-    fn book_bonding(&mut self, lanes: usize) {
+    fn book_bonding(&mut self, block: Range<usize>) {
         let Some(strong) = self.strong.filter(|strong| !strong.broken.is_empty()) else {
             return;
         };
-        for lane in 0..lanes.min(LINKS) {
-            if strong.breaks_now(self.weak.pairs[self.block.inputs.position[lane] as usize]) {
+        for (lane, position) in block.enumerate() {
+            let touches = self.block.outputs.flags[lane] & TOUCHES != 0;
+            if touches && strong.breaks_now(self.weak.pairs[position]) {
                 let ends = self.block.inputs.ends(lane);
-                let mut memory = self.block.inputs.memory(lane);
-                memory.state = self.block.outputs.state[lane];
-                if A::ACCUMULATES {
-                    memory.ends = self.block.outputs.rest.map(|end| end[lane]);
-                }
+                let mut memory = self.weak.memories.get(position);
                 let pass = WeakPass {
                     elapsed: 0.0,
                     ..self.pass
@@ -400,13 +400,15 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         lane: usize,
         state: &WeakState<S>,
         radii: [S; 2],
+        touches: bool,
     ) {
         let force = state.frame.normal * state.normal_force
             + state.frame.tangent() * state.tangential_force;
         outputs.set(lane, force, state.torques);
         if LEDGER {
-            outputs.heat_rate[lane] = self.heat_rate(radii, state);
-            outputs.heat[lane] = state.friction.heat;
+            let (heat_rate, heat) = (self.heat_rate(radii, state), state.friction.heat);
+            outputs.heat_rate[lane] = if touches { heat_rate } else { S::zero() };
+            outputs.heat[lane] = if touches { heat } else { S::zero() };
         }
     }
 }
@@ -420,20 +422,15 @@ pub(crate) fn stored_in_weak_links<S: Real, M: Metric, A: Arm, N: NormalLaw, T: 
     let columns = Columns::of(particles);
     let mut sum = S::zero();
     for (position, pair) in weak.pairs.iter().enumerate() {
-        let (i, j) = pair.indices();
-        let displacement = pass
-            .metric
-            .displacement(particles.position[i], particles.position[j]);
-        let radii = [particles.radius[i], particles.radius[j]];
-        let frame = PairFrame::new(displacement);
-        if frame.distance >= radii[0] + radii[1] {
+        let ends = columns.ends(*pair);
+        if !pass.touch(&ends) {
             continue;
         }
         let mut memory = weak
             .memory_at(position)
-            .unwrap_or_else(|| pass.begin(&frame, [particles.angle[i], particles.angle[j]]));
-        let state = pass.any(&columns.ends(*pair), &mut memory);
-        sum += pass.stored(radii, &state, memory.state);
+            .unwrap_or_else(|| pass.begin(&ends));
+        let state = pass.any(&ends, &mut memory);
+        sum += pass.stored(ends.radii, &state, memory.state);
     }
     sum
 }

@@ -6,6 +6,7 @@ use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::particles::Particles;
 use crate::scalar::Real;
+use core::ops::Range;
 
 /// What a scene says of a contact that began before its initial state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +53,27 @@ pub(crate) struct Memories<S> {
     pub states: Vec<S>,
 }
 
+/// Part of the memories of contacts.
+pub(crate) struct MemoriesPart<'a, S> {
+    touches: &'a [bool],
+    references: &'a [Vec2<S>],
+    ends: &'a [[S; 2]],
+    states: &'a [S],
+}
+
+impl<S: Real> MemoriesPart<'_, S> {
+    /// The memory at a position of the part.
+    #[inline(always)]
+    pub fn get(&self, position: usize) -> ContactMemory<S> {
+        ContactMemory {
+            touches: self.touches[position],
+            reference: self.references[position],
+            ends: self.ends[position],
+            state: self.states[position],
+        }
+    }
+}
+
 impl<S: Real> Memories<S> {
     fn with_capacity(number: usize) -> Self {
         Self {
@@ -69,6 +91,16 @@ impl<S: Real> Memories<S> {
             reference: self.references[position],
             ends: self.ends[position],
             state: self.states[position],
+        }
+    }
+    /// The memories at some positions.
+    #[inline(always)]
+    pub fn part(&self, positions: Range<usize>) -> MemoriesPart<'_, S> {
+        MemoriesPart {
+            touches: &self.touches[positions.clone()],
+            references: &self.references[positions.clone()],
+            ends: &self.ends[positions.clone()],
+            states: &self.states[positions],
         }
     }
     /// Replace the memory at a position.
