@@ -94,11 +94,11 @@ impl<'a, S: Real> Columns<'a, S> {
 /// What links read, as columns: one instruction serves several of them.
 #[derive(Clone, Debug)]
 pub(crate) struct Inputs<S> {
-    pub difference: [Vec2<S>; LINKS],
-    pub velocity: [Vec2<S>; LINKS],
-    pub angles: [[S; 2]; LINKS],
-    pub spins: [[S; 2]; LINKS],
-    pub radii: [[S; 2]; LINKS],
+    difference: [[S; LINKS]; 2],
+    velocity: [[S; LINKS]; 2],
+    angles: [[S; LINKS]; 2],
+    spins: [[S; LINKS]; 2],
+    radii: [[S; LINKS]; 2],
 }
 
 /// What links do, as columns.
@@ -128,12 +128,13 @@ pub(crate) struct Block<S: Real> {
 
 impl<S: Real> Default for Inputs<S> {
     fn default() -> Self {
+        let zeros = [[S::zero(); LINKS]; 2];
         Self {
-            difference: [Vec2::zero(); LINKS],
-            velocity: [Vec2::zero(); LINKS],
-            angles: [[S::zero(); 2]; LINKS],
-            spins: [[S::zero(); 2]; LINKS],
-            radii: [[S::zero(); 2]; LINKS],
+            difference: zeros,
+            velocity: zeros,
+            angles: zeros,
+            spins: zeros,
+            radii: zeros,
         }
     }
 }
@@ -152,34 +153,53 @@ impl<S: Real> Default for Outputs<S> {
     }
 }
 
+#[inline(always)]
+fn put<S>(columns: &mut [[S; LINKS]; 2], lane: usize, [first, second]: [S; 2]) {
+    columns[0][lane] = first;
+    columns[1][lane] = second;
+}
+
+#[inline(always)]
+fn taken<S: Copy>(columns: &[[S; LINKS]; 2], lane: usize) -> [S; 2] {
+    [columns[0][lane], columns[1][lane]]
+}
+
 impl<S: Real> Inputs<S> {
     /// Gather the ends of at most a block of links.
     #[inline(always)]
     pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair]) {
         for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
-            self.set(lane, columns.ends(pair));
+            self.gather_positions(columns, lane, pair);
+            self.gather_angles(columns, lane, pair);
+            self.gather_spins(columns, lane, pair);
         }
     }
+    /// Gather what all links read.
     #[inline(always)]
-    pub fn set(&mut self, lane: usize, ends: Ends<S>) {
-        self.set_gap(lane, (ends.difference, ends.radii));
-        self.velocity[lane] = ends.velocity;
-        self.angles[lane] = ends.angles;
-        self.spins[lane] = ends.spins;
+    pub fn gather_positions(&mut self, columns: Columns<S>, lane: usize, pair: Pair) {
+        let (difference, radii) = columns.gap(pair);
+        let velocity = columns.relative_velocity(pair);
+        put(&mut self.difference, lane, [difference.x, difference.y]);
+        put(&mut self.radii, lane, radii);
+        put(&mut self.velocity, lane, [velocity.x, velocity.y]);
     }
     #[inline(always)]
-    pub fn set_gap(&mut self, lane: usize, (difference, radii): (Vec2<S>, [S; 2])) {
-        self.difference[lane] = difference;
-        self.radii[lane] = radii;
+    pub fn gather_angles(&mut self, columns: Columns<S>, lane: usize, pair: Pair) {
+        put(&mut self.angles, lane, columns.angles(pair));
+    }
+    #[inline(always)]
+    pub fn gather_spins(&mut self, columns: Columns<S>, lane: usize, pair: Pair) {
+        put(&mut self.spins, lane, columns.spins(pair));
     }
     #[inline(always)]
     pub fn ends(&self, lane: usize) -> Ends<S> {
+        let vector = |[x, y]: [S; 2]| Vec2::new(x, y);
         Ends {
-            difference: self.difference[lane],
-            velocity: self.velocity[lane],
-            angles: self.angles[lane],
-            spins: self.spins[lane],
-            radii: self.radii[lane],
+            difference: vector(taken(&self.difference, lane)),
+            velocity: vector(taken(&self.velocity, lane)),
+            angles: taken(&self.angles, lane),
+            spins: taken(&self.spins, lane),
+            radii: taken(&self.radii, lane),
         }
     }
 }

@@ -246,13 +246,12 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     fn gather(&mut self, columns: Columns<S>, block: Range<usize>) {
         let inputs = &mut *self.block.inputs;
         for (lane, &pair) in self.weak.pairs[block].iter().enumerate().take(LINKS) {
-            inputs.set_gap(lane, columns.gap(pair));
-            inputs.velocity[lane] = columns.relative_velocity(pair);
+            inputs.gather_positions(columns, lane, pair);
             if WeakPass::<M, A, N, T>::FOLLOWS_ANGLES {
-                inputs.angles[lane] = columns.angles(pair);
+                inputs.gather_angles(columns, lane, pair);
             }
             if !T::ABSENT {
-                inputs.spins[lane] = columns.spins(pair);
+                inputs.gather_spins(columns, lane, pair);
             }
         }
     }
