@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod collisions;
+mod instructions;
 mod integrators;
 mod links;
 mod nothing_lost;

@@ -1,10 +1,6 @@
 //! What is absent costs nothing and changes nothing; a step allocates nothing.
 
-use crate::worlds::{INTEGRATORS, advance, bits, head, particle, world};
-use gouge_validation::run::{enter, phases};
-use gouge_validation::scene::Scene;
-use gouge_validation::scene::builtin;
-use std::path::Path;
+use crate::worlds::{INTEGRATORS, advance, bits, head, particle, sheared_with, world};
 
 /// A handful of grains that collide, spin and fall apart again.
 fn grains(more: &str) -> String {
@@ -58,32 +54,12 @@ fn the_ledger_changes_no_motion() {
     assert!(outcome(&text(true)) == outcome(&text(false)));
 }
 
-/// A small fault in its shear phase, with short phases before.
+/// A small fault in its shear phase.
 fn sheared(integrator: &str, friction: &str) -> gouge_kernel::World {
-    let text = builtin::text("granite-fault-small").expect("built in");
-    let text = text
-        .replace("duration = 0.5e-3", "duration = 2e-6")
-        .replace("duration = 1e-3", "duration = 0.2e-3")
-        .replace(
-            "integrator = \"velocity-verlet\"",
-            &format!("integrator = \"{integrator}\""),
-        )
-        .replace(
-            "law = \"cundall-strack-truncated\"",
-            &format!("law = \"{friction}\""),
-        )
-        .replace("normal_strength = 280e6", "normal_strength = 20e6");
-    let scene = Scene::parse("fault.toml", text.as_bytes(), Path::new(".")).expect("valid");
-    let phases = phases(&scene);
-    let mut world = None;
-    for index in 0..phases.len() {
-        let mut next = enter(&scene, &phases, index, world).expect("enters");
-        if index + 1 < phases.len() {
-            advance(&mut next, phases[index].steps);
-        }
-        world = Some(next);
-    }
-    world.expect("there is a phase")
+    sheared_with(&[
+        ("velocity-verlet", integrator),
+        ("cundall-strack-truncated", friction),
+    ])
 }
 
 #[test]

@@ -3,7 +3,8 @@
 pub use gouge_validation::checks::scenes::{bits, particle};
 
 use gouge_kernel::World;
-use gouge_validation::scene::Scene;
+use gouge_validation::run::{enter, phases};
+use gouge_validation::scene::{Scene, builtin};
 use std::path::Path;
 
 /// Names of all integrators.
@@ -43,4 +44,34 @@ pub fn head(integrator: &str, step: f64) -> String {
         "[time]\nstep = {step:e}\nend = 1.0\nintegrator = \"{integrator}\"\n\
          [material]\ndensity = 2700.0\n"
     )
+}
+
+/// A small fault of weak bonds in its shear phase, with short phases before; in its text, first the given
+/// replacements are made.
+pub fn sheared_with(replacements: &[(&str, &str)]) -> World {
+    let text = builtin::text("granite-fault-small").expect("built in");
+    let shorter = [
+        ("duration = 0.5e-3", "duration = 2e-6"),
+        ("duration = 1e-3", "duration = 0.2e-3"),
+        ("normal_strength = 280e6", "normal_strength = 20e6"),
+    ];
+    let replaced = |text: String, (old, new): &(&str, &str)| {
+        assert!(text.contains(old), "the scene has no {old}");
+        text.replace(old, new)
+    };
+    let text = shorter
+        .iter()
+        .chain(replacements)
+        .fold(text.to_owned(), replaced);
+    let scene = scene(&text);
+    let phases = phases(&scene);
+    let mut world = None;
+    for index in 0..phases.len() {
+        let mut next = enter(&scene, &phases, index, world).expect("enters");
+        if index + 1 < phases.len() {
+            advance(&mut next, phases[index].steps);
+        }
+        world = Some(next);
+    }
+    world.expect("there is a phase")
 }

@@ -3,6 +3,7 @@
 pub mod checks;
 pub mod commands;
 pub mod error;
+pub mod machine;
 pub mod oracles;
 pub mod references;
 pub mod report;

@@ -333,9 +333,10 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     fn remember(&mut self, block: Range<usize>) {
         let number = block.len().min(LINKS);
         let outputs = &*self.block.outputs;
-        if T::REMEMBERS {
-            self.weak.memories.states[block.clone()].copy_from_slice(&outputs.state[..number]);
+        if !T::REMEMBERS {
+            return;
         }
+        self.weak.memories.states[block.clone()].copy_from_slice(&outputs.state[..number]);
         if A::ACCUMULATES {
             for (lane, ends) in self.weak.memories.ends[block]
                 .iter_mut()
@@ -378,7 +379,11 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             let touches = self.block.outputs.flags[lane] & TOUCHES != 0;
             if touches && strong.breaks_now(self.weak.pairs[position]) {
                 let ends = self.block.inputs.ends(lane);
-                let mut memory = self.weak.memories.get(position);
+                let mut memory = if T::REMEMBERS {
+                    self.weak.memories.get(position)
+                } else {
+                    self.pass.begin(&ends)
+                };
                 let pass = WeakPass {
                     elapsed: 0.0,
                     ..self.pass

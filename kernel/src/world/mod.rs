@@ -155,6 +155,12 @@ impl<S: Real> World<S> {
         Ok(())
     }
 
+    /// The same world, computed with the given instructions; bits do not depend on them.
+    pub fn with_instructions(mut self, instructions: Instructions) -> Self {
+        self.instructions = instructions;
+        self
+    }
+
     /// The model.
     pub fn model(&self) -> &Model {
         &self.model

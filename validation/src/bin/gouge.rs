@@ -3,7 +3,7 @@
 use clap::{Parser, Subcommand};
 use gouge_validation::error::Error;
 use gouge_validation::scene::Scene;
-use gouge_validation::{commands, run, verify};
+use gouge_validation::{commands, machine, run, verify};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -69,6 +69,7 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 fn execute(command: Command) -> Result<(), Error> {
+    machine::instructions()?;
     let text = match command {
         Command::Run {
             scene,

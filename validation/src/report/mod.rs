@@ -1,6 +1,7 @@
 //! What `gouge verify` leaves: one page for people, one file for programs.
 
 mod machine;
+pub use machine::words as machine_words;
 mod page;
 mod pictures;
 mod plot;

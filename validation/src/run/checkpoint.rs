@@ -1,6 +1,7 @@
 //! What `--resume` continues from: written whole or not at all, checked before it is used.
 
 use crate::error::Error;
+use crate::machine::equipped;
 use crate::scene::{Place, Scene};
 use gouge_kernel::World;
 use sha2::{Digest, Sha256};
@@ -132,7 +133,8 @@ impl Checkpoint {
     /// # Errors
     /// Words that are no state of the model.
     pub fn world(&self, path: &Path, model: gouge_kernel::model::Model) -> Result<World, Error> {
-        World::from_words(model, &self.world).ok_or_else(|| Error::Checkpoint {
+        let world = World::from_words(model, &self.world);
+        world.map(equipped).ok_or_else(|| Error::Checkpoint {
             path: path.to_owned(),
             reason: "its state does not fit the scene".to_owned(),
         })

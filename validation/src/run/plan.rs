@@ -1,6 +1,7 @@
 //! The phases of a run: those of the set-up, then the scene proper.
 
 use crate::error::Error;
+use crate::machine::equipped;
 use crate::scene::{Amount, PhaseTable, Scene, Setup, steps_for, wrap};
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::links::BondStart;
@@ -208,7 +209,7 @@ fn loose(scene: &Scene, setup: &Setup, kind: Kind) -> Result<World, ModelError> 
         ledger: false,
         ..model(scene, kind, &radii)
     };
-    World::new(model, particles, &start)
+    World::new(model, particles, &start).map(equipped)
 }
 
 fn wants_more(amount: &Amount, columns: usize, scene: &Scene, number: usize, covered: f64) -> bool {
@@ -266,7 +267,7 @@ fn block(scene: &Scene, setup: &Setup, world: World, kind: Kind) -> Result<World
         ledger: false,
         ..model(scene, kind, &radii)
     };
-    World::new(model, all, &start)
+    World::new(model, all, &start).map(equipped)
 }
 
 /// Bonds between neighbouring grains, without those that the fault cuts.

@@ -14,6 +14,7 @@ pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Se
 pub use text::hex;
 
 use crate::error::{Error, SceneError};
+use crate::machine::equipped;
 use crate::references;
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::integrators::Integrator;
@@ -261,7 +262,7 @@ impl Scene {
             contacts: self.contacts.iter().map(|(contact, _)| *contact).collect(),
             drive_force: self.initial_force(),
         };
-        World::new(model, particles, &start)
+        World::new(model, particles, &start).map(equipped)
     }
 
     /// Total driving force at t = 0 in N.

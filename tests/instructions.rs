@@ -1,0 +1,113 @@
+//! Results do not depend on the instructions that the machine offers.
+
+use crate::program::{gouge, stderr};
+use crate::worlds::{advance, sheared_with, world};
+use gouge_kernel::{Instructions, World};
+use gouge_validation::scene::builtin;
+use std::collections::BTreeMap;
+
+/// Replacements that choose another law or another way in the text of the fault.
+const VARIANTS: [&[(&str, &str)]; 9] = [
+    &[],
+    &[("interval = 50e-6", "interval = 50e-6\nenergy = false")],
+    &[("\"velocity-verlet\"", "\"beeman\"")],
+    &[("\"velocity-verlet\"", "\"taylor\"")],
+    &[("\"cundall-strack-truncated\"", "\"cundall-strack\"")],
+    &[("\"corrected\"", "\"thesis\"")],
+    &[(
+        "law = \"cundall-strack-truncated\"   # or cundall-strack, or haff-werner with damping = 1e2 instead of the stiffness\nfriction = 0.7\nstiffness = 1e8",
+        "law = \"haff-werner\"\nfriction = 0.7\ndamping = 100.0",
+    )],
+    &[(
+        "law = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0",
+        "law = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\ndissipative_constant = 1e-8",
+    )],
+    &[("distance = \"radius\"", "distance = \"focal\"")],
+];
+
+/// The state after some steps from a recorded one, computed with the given instructions.
+fn continued(world: &World, instructions: Instructions, steps: u64) -> Vec<u64> {
+    let copy = World::from_words(*world.model(), &world.to_words()).expect("just recorded");
+    let mut copy = copy.with_instructions(instructions);
+    advance(&mut copy, steps);
+    copy.to_words()
+}
+
+fn compare(world: &World, steps: u64, what: &str) {
+    let portable = continued(world, Instructions::portable(), steps);
+    for instructions in Instructions::available() {
+        assert!(
+            continued(world, instructions, steps) == portable,
+            "{what}: {} gives other bits than the portable instructions",
+            instructions.name()
+        );
+    }
+}
+
+#[test]
+fn a_fault_has_the_same_bits_with_all() {
+    for variant in VARIANTS {
+        let world = sheared_with(variant);
+        let bonds = |world: &World| world.strong_links().map_or(0, |bonds| bonds.len());
+        let (before, rebuilds) = (bonds(&world), world.rebuilds());
+        compare(&world, 4000, &format!("{variant:?}"));
+        let mut after = world.clone();
+        advance(&mut after, 4000);
+        assert!(
+            bonds(&after) < before && after.rebuilds() > rebuilds && after.contacts() > 0,
+            "the scene shows too little: {variant:?}"
+        );
+    }
+}
+
+#[test]
+fn single_collisions_have_the_same_bits_with_all() {
+    for name in ["head-on", "oblique", "rolling", "cantilever"] {
+        let text = builtin::text(name).expect("built in");
+        compare(&world(text), 3000, name);
+    }
+}
+
+/// Contents of all files that a run writes, but for those that tell the time it took.
+fn outputs(instructions: Option<&str>) -> BTreeMap<String, Vec<u8>> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut command = gouge();
+    command
+        .args(["run", "oblique", "--quiet", "--out"])
+        .arg(folder.path());
+    if let Some(name) = instructions {
+        command.env("GOUGE_INSTRUCTIONS", name);
+    }
+    let output = command.output().expect("the program starts");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let files = std::fs::read_dir(folder.path()).expect("a folder of outputs");
+    let names = files.map(|file| file.expect("readable").path());
+    names
+        .filter(|path| path.extension().is_some_and(|extension| extension == "csv"))
+        .map(|path| {
+            let name = path
+                .file_name()
+                .expect("has a name")
+                .to_string_lossy()
+                .into_owned();
+            (name, std::fs::read(path).expect("readable"))
+        })
+        .collect()
+}
+
+#[test]
+fn an_environment_variable_forces_them() {
+    let widest = outputs(None);
+    assert!(!widest.is_empty());
+    for instructions in Instructions::available() {
+        assert!(outputs(Some(instructions.name())) == widest);
+    }
+    let output = gouge()
+        .args(["scenes"])
+        .env("GOUGE_INSTRUCTIONS", "fast")
+        .output()
+        .expect("the program starts");
+    assert_eq!(output.status.code(), Some(2));
+    let message = stderr(&output);
+    assert!(message.contains("GOUGE_INSTRUCTIONS = fast") && message.contains("portable"));
+}
