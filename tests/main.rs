@@ -3,7 +3,7 @@
 
 mod bad_input;
 mod collisions;
-mod instructions;
+mod machine;
 mod integrators;
 mod links;
 mod nothing_lost;

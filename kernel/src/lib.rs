@@ -6,6 +6,7 @@
 
 mod error;
 mod instructions;
+mod parts;
 pub mod scalar;
 pub mod geometry;
 pub mod material;

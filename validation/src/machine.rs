@@ -7,10 +7,31 @@ use std::sync::LazyLock;
 
 /// The environment variable that names the instructions to use instead of the widest ones.
 pub const INSTRUCTIONS: &str = "GOUGE_INSTRUCTIONS";
+/// The environment variable that says how many threads a world uses, instead of [`default_threads`].
+pub const THREADS: &str = "GOUGE_THREADS";
 
-static CHOSEN: LazyLock<Result<Instructions, String>> = LazyLock::new(choose);
+/// Particles below which a second thread costs more than it gives.
+const WORTH_A_THREAD: usize = 10_000;
+/// Most threads that one may ask for.
+const MOST_THREADS: usize = 1024;
 
-fn choose() -> Result<Instructions, String> {
+/// What the environment asks for.
+#[derive(Clone, Copy, Debug)]
+pub struct Machine {
+    /// The instructions that worlds use.
+    pub instructions: Instructions,
+    /// The number of threads, where it does not follow from the size of the world.
+    pub threads: Option<usize>,
+}
+
+static CHOSEN: LazyLock<Result<Machine, String>> = LazyLock::new(|| {
+    Ok(Machine {
+        instructions: chosen_instructions()?,
+        threads: chosen_threads()?,
+    })
+});
+
+fn chosen_instructions() -> Result<Instructions, String> {
     let Some(name) = std::env::var_os(INSTRUCTIONS) else {
         return Ok(Instructions::widest());
     };
@@ -28,15 +49,49 @@ fn choose() -> Result<Instructions, String> {
     })
 }
 
-/// The instructions that worlds use.
+fn chosen_threads() -> Result<Option<usize>, String> {
+    let Some(text) = std::env::var_os(THREADS) else {
+        return Ok(None);
+    };
+    let number = text.to_str().and_then(|text| text.parse().ok());
+    match number.filter(|number| (1..=MOST_THREADS).contains(number)) {
+        Some(number) => Ok(Some(number)),
+        None => Err(format!(
+            "{THREADS} = {}: must be an integer from 1 to {MOST_THREADS}",
+            text.to_string_lossy()
+        )),
+    }
+}
+
+/// What the environment asks for.
 ///
 /// # Errors
-/// An environment variable that names none of this machine.
-pub fn instructions() -> Result<Instructions, Error> {
+/// Instructions that this machine has not, numbers of threads that are none.
+pub fn machine() -> Result<Machine, Error> {
     CHOSEN.clone().map_err(Error::Argument)
 }
 
-/// A world that uses the chosen instructions; the widest ones where the choice is an error.
+/// Threads for a world of so many particles: one, or all of the machine where each has enough to do.
+pub fn default_threads(particles: usize) -> usize {
+    let available = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    (particles / WORTH_A_THREAD).clamp(1, available)
+}
+
+/// A world that uses the machine as chosen; where the choice is an error, as without one.
 pub(crate) fn equipped<S: Real>(world: World<S>) -> World<S> {
-    world.with_instructions(CHOSEN.clone().unwrap_or_default())
+    let default = Machine {
+        instructions: Instructions::widest(),
+        threads: None,
+    };
+    let machine = CHOSEN.as_ref().copied().unwrap_or(default);
+    let particles = world.particles().len();
+    let threads = machine
+        .threads
+        .unwrap_or_else(|| default_threads(particles));
+    let world = world.with_instructions(machine.instructions);
+    if threads > 1 {
+        world.with_threads(threads)
+    } else {
+        world
+    }
 }

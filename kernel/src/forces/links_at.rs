@@ -120,7 +120,7 @@ pub(crate) fn strong<S: Real, M: Metric, B: BeamLaw>(
     strong: &StrongLinks<S>,
 ) -> Vec<LinkState> {
     let state = |link: StrongLink<S>| {
-        let state = pass.state_of(particles, link);
+        let state = pass.state_of(particles, link.pair, link.rest);
         LinkState {
             adjusted_normal_displacement: state.xi_adjusted.to_f64(),
             tangential_displacement: doubles(state.zeta),

@@ -5,6 +5,7 @@
 
 mod ambient;
 mod block;
+mod departures;
 mod driving;
 mod external;
 pub(crate) mod links_at;
@@ -14,7 +15,8 @@ mod weak_links;
 pub use links_at::{LinkKind, LinkState};
 
 pub(crate) use ambient::ambient;
-pub(crate) use block::Block;
+use block::Block;
+pub(crate) use departures::{Arrival, Departures};
 pub(crate) use driving::{driving, measure};
 pub(crate) use external::external;
 pub(crate) use strong_links::{StrongLoop, StrongPass, stored_in_strong_links};
@@ -45,45 +47,102 @@ impl<S: Real> Forces<S> {
         self.force.fill(Vec2::zero());
         self.torque.fill(S::zero());
     }
-    /// The columns, known to be equally long: one check serves both.
-    #[inline(always)]
+    /// All of them, to be added to.
     pub(crate) fn sums(&mut self) -> Sums<'_, S> {
-        let number = self.force.len();
         Sums {
-            force: &mut self.force[..number],
-            torque: &mut self.torque[..number],
+            first: 0,
+            force: &mut self.force,
+            torque: &mut self.torque,
         }
     }
 }
 
-/// Forces and torques on all particles while links add to them.
+/// Forces and torques on consecutive particles while links add to them.
 pub(crate) struct Sums<'a, S> {
+    first: usize,
     force: &'a mut [Vec2<S>],
     torque: &'a mut [S],
 }
 
-impl<S: Real> Sums<'_, S> {
+impl<'a, S: Real> Sums<'a, S> {
+    fn split_at(self, particle: usize) -> (Self, Self) {
+        let (force, other_force) = self.force.split_at_mut(particle);
+        let (torque, other_torque) = self.torque.split_at_mut(particle);
+        let first = self.first;
+        let left = Self {
+            first,
+            force,
+            torque,
+        };
+        let right = Self {
+            first: first + particle,
+            force: other_force,
+            torque: other_torque,
+        };
+        (left, right)
+    }
+    /// The same for a shorter while, known to be equally long: one check serves both columns.
     #[inline(always)]
-    fn indices(&self, pair: Pair) -> (usize, usize) {
-        let (i, j) = pair.indices();
+    fn equally_long(&mut self) -> Sums<'_, S> {
         let number = self.force.len();
-        assert!(i < number && j < number, "{MISSING}");
-        (i, j)
+        Sums {
+            first: self.first,
+            force: &mut self.force[..number],
+            torque: &mut self.torque[..number],
+        }
     }
-    /// Add a link's force on i and its reaction on j.
     #[inline(always)]
-    pub fn add_forces(&mut self, pair: Pair, force: Vec2<S>) {
-        let (i, j) = self.indices(pair);
-        self.force[i] += force;
-        self.force[j] -= force;
+    fn places(&self, pair: Pair) -> (usize, usize) {
+        let (i, j) = pair.indices();
+        (i.wrapping_sub(self.first), j.wrapping_sub(self.first))
     }
-    /// Add the torques of both ends.
+    /// Add a link's force on i and its reaction on j, where they are among the particles.
     #[inline(always)]
-    pub fn add_torques(&mut self, pair: Pair, torques: [S; 2]) {
-        let (i, j) = self.indices(pair);
-        self.torque[i] += torques[0];
-        self.torque[j] += torques[1];
+    fn add_forces(&mut self, pair: Pair, force: Vec2<S>) {
+        let (i, j) = self.places(pair);
+        let number = self.force.len();
+        if i < number {
+            self.force[i] += force;
+        }
+        if j < number {
+            self.force[j] -= force;
+        }
     }
+    /// Add the torques of both ends, where they are among the particles.
+    #[inline(always)]
+    fn add_torques(&mut self, pair: Pair, torques: [S; 2]) {
+        let (i, j) = self.places(pair);
+        let number = self.force.len();
+        if i < number {
+            self.torque[i] += torques[0];
+        }
+        if j < number {
+            self.torque[j] += torques[1];
+        }
+    }
+    /// Add what links of earlier parts do to these particles.
+    fn add_arrivals<const TURNS: bool>(&mut self, arrivals: &[Vec<Arrival<S>>]) {
+        for arrival in arrivals.iter().flatten() {
+            let (_, j) = self.places(arrival.pair);
+            if j < self.force.len() {
+                self.force[j] -= arrival.force;
+                if TURNS {
+                    self.torque[j] += arrival.torque;
+                }
+            }
+        }
+    }
+}
+
+/// What a part needs to compute links.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Desk<S: Real> {
+    /// Links side by side.
+    pub block: Block<S>,
+    /// What the part books; without a ledger nothing.
+    pub tally: Tally<S>,
+    /// Positions of the links that broke.
+    pub broken: Vec<u32>,
 }
 
 /// Links are made between particles that exist, and no particle is ever removed.

@@ -1,12 +1,15 @@
 //! The pass over strong links.
 
 use super::block::{Block, Columns, Ends, LINKS, Outputs};
-use super::{Forces, Tally};
-use crate::geometry::{Metric, PairFrame, PairMotion, is_wrapped, small_turn, turn, wrapped};
+use super::{Arrival, Desk, Sums};
+use crate::geometry::{Metric, PairFrame, PairMotion, Vec2, is_wrapped, small_turn, turn, wrapped};
+use crate::instructions::Instructions;
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, ZhangEckert};
-use crate::links::{Rest, StrongLink, StrongLinks};
+use crate::links::{Pair, Rest, StrongColumns, StrongLinks, pairs_before};
 use crate::particles::Particles;
+use crate::parts::{Ready, Work};
 use crate::scalar::Real;
+use core::ops::Range;
 
 /// Laws and choices of the pass.
 #[derive(Clone, Copy)]
@@ -29,6 +32,14 @@ pub(crate) struct StrongState<S> {
     pub normal_force: S,
     pub tangential_force: S,
     pub torques: [S; 2],
+}
+
+impl<S: Real> StrongState<S> {
+    /// Force on i in N.
+    #[inline(always)]
+    pub fn force(&self) -> Vec2<S> {
+        self.frame.normal * self.normal_force + self.frame.tangent() * self.tangential_force
+    }
 }
 
 /// A frame that has turned far from its reference, or an angle to be wrapped.
@@ -113,10 +124,25 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
     pub fn state_of<S: Real>(
         &self,
         particles: &Particles<S>,
-        mut link: StrongLink<S>,
+        pair: Pair,
+        mut rest: Rest<S>,
     ) -> StrongState<S> {
+        let ends = Columns::of(particles).ends(pair);
+        self.any(&ends, &mut rest)
+    }
+
+    /// Force on i in N and torque on j in N m of the link at a position; nothing if it breaks.
+    pub fn effect<S: Real>(
+        &self,
+        particles: &Particles<S>,
+        strong: &StrongLinks<S>,
+        position: usize,
+    ) -> Option<(Vec2<S>, S)> {
+        let link = strong.get(position);
         let ends = Columns::of(particles).ends(link.pair);
-        self.any(&ends, &mut link.rest)
+        let state = self.any(&ends, &mut { link.rest });
+        let breaks = self.breaks(&state, ends.radii, link.strength_factor);
+        (!breaks).then(|| (state.force(), state.torques[1]))
     }
 
     #[inline(always)]
@@ -139,37 +165,57 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
 pub(crate) struct StrongLoop<'a, S: Real, M, B, const YIELDS: bool, const LEDGER: bool> {
     pub pass: StrongPass<M, B>,
     pub particles: &'a Particles<S>,
-    pub strong: &'a mut StrongLinks<S>,
-    pub forces: &'a mut Forces<S>,
-    pub tally: &'a mut Tally<S>,
-    pub block: &'a mut Block<S>,
+    pub links: StrongColumns<'a, S>,
+    pub sums: Sums<'a, S>,
+    pub arrivals: &'a [Vec<Arrival<S>>],
 }
 
-impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> pulp::NullaryFnOnce
+impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Work<Desk<S>>
     for StrongLoop<'_, S, M, B, YIELDS, LEDGER>
 {
-    type Output = ();
+    fn split_at(self, particle: usize) -> (Self, Self) {
+        let at = pairs_before(self.links.pairs, self.sums.first + particle);
+        let (links, other_links) = self.links.split_at(at);
+        let (sums, other_sums) = self.sums.split_at(particle);
+        let left = Self {
+            links,
+            sums,
+            ..self
+        };
+        let right = Self {
+            links: other_links,
+            sums: other_sums,
+            ..left
+        };
+        (left, right)
+    }
 
     #[inline(always)]
-    fn call(mut self) {
-        let number = self.strong.len();
+    fn act(mut self, desk: &mut Desk<S>) {
+        let number = self.links.pairs.len();
         let columns = Columns::of(self.particles);
+        if B::ABSENT {
+            self.sums.add_arrivals::<false>(self.arrivals);
+        } else {
+            self.sums.add_arrivals::<true>(self.arrivals);
+        }
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
-            let pairs = &self.strong.pairs[first..last];
-            self.block.inputs.gather(columns, pairs);
-            let flags = self.compute(first, last);
-            if flags & IRREGULAR != 0 {
-                self.compute_irregular(first, last);
+            desk.block
+                .inputs
+                .gather(columns, &self.links.pairs[first..last]);
+            if self.compute(&mut desk.block, first..last) & IRREGULAR != 0 {
+                self.compute_irregular(&mut desk.block, first..last);
             }
-            self.scatter(first, last);
+            self.scatter(desk, first..last);
         }
         if LEDGER {
-            for &position in &self.strong.broken {
-                let link = self.strong.get(position as usize);
-                self.tally.breaking += self.pass.stored(&self.pass.state_of(self.particles, link));
-            }
+            self.book_breaking(desk);
         }
+    }
+
+    fn start(ready: Ready<Self, Desk<S>>, instructions: Instructions) {
+        S::run(instructions, ready);
     }
 }
 
@@ -177,13 +223,13 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
     StrongLoop<'_, S, M, B, YIELDS, LEDGER>
 {
     #[inline(always)]
-    fn compute(&mut self, first: usize, last: usize) -> u64 {
-        let number = (last - first).min(LINKS);
-        let references = &self.strong.references[first..][..number];
-        let angles = &self.strong.angles[first..][..number];
-        let distances = &self.strong.distances[first..][..number];
-        let factors = &self.strong.strength_factors[first..][..number];
-        let (inputs, outputs) = (&*self.block.inputs, &mut *self.block.outputs);
+    fn compute(&mut self, block: &mut Block<S>, links: Range<usize>) -> u64 {
+        let number = links.len().min(LINKS);
+        let references = &self.links.references[links.start..][..number];
+        let angles = &self.links.angles[links.start..][..number];
+        let distances = &self.links.distances[links.start..][..number];
+        let factors = &self.links.strength_factors[links.start..][..number];
+        let (inputs, outputs) = (&*block.inputs, &mut *block.outputs);
         let mut flags = 0;
         for lane in 0..number {
             let rest = Rest {
@@ -208,50 +254,55 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
 
     #[cold]
     #[inline(never)]
-    fn compute_irregular(&mut self, first: usize, last: usize) {
-        for lane in 0..last - first {
-            if self.block.outputs.flags[lane] & IRREGULAR == 0 {
+    fn compute_irregular(&mut self, block: &mut Block<S>, links: Range<usize>) {
+        for (lane, position) in links.enumerate() {
+            if block.outputs.flags[lane] & IRREGULAR == 0 {
                 continue;
             }
-            let position = first + lane;
-            let StrongLink {
-                mut rest,
-                strength_factor,
-                ..
-            } = self.strong.get(position);
-            let ends = self.block.inputs.ends(lane);
+            let mut rest = self.links.rest(position);
+            let ends = block.inputs.ends(lane);
             let state = self.pass.any(&ends, &mut rest);
-            self.strong.references[position] = rest.reference;
-            self.strong.angles[position] = rest.angles;
-            self.block.outputs.flags[lane] = self.pass.settle::<S, YIELDS, LEDGER>(
-                &mut self.block.outputs,
+            self.links.references[position] = rest.reference;
+            self.links.angles[position] = rest.angles;
+            block.outputs.flags[lane] = self.pass.settle::<S, YIELDS, LEDGER>(
+                &mut block.outputs,
                 lane,
                 &state,
                 ends.radii,
-                strength_factor,
+                self.links.strength_factors[position],
             );
         }
     }
 
     #[inline(always)]
-    fn scatter(&mut self, first: usize, last: usize) {
-        let mut sums = self.forces.sums();
-        let mut heat_rate = self.tally.friction_rate;
-        let pairs = &self.strong.pairs[first..last];
-        for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
-            if YIELDS && self.block.outputs.flags[lane] & BREAKS != 0 {
-                self.strong.broken.push((first + lane) as u32);
+    fn scatter(&mut self, desk: &mut Desk<S>, links: Range<usize>) {
+        let outputs = &*desk.block.outputs;
+        let before = self.links.first + links.start;
+        let mut sums = self.sums.equally_long();
+        let mut heat_rate = desk.tally.friction_rate;
+        for (lane, &pair) in self.links.pairs[links].iter().enumerate().take(LINKS) {
+            if YIELDS && outputs.flags[lane] & BREAKS != 0 {
+                desk.broken.push((before + lane) as u32);
                 continue;
             }
             if LEDGER {
-                heat_rate += self.block.outputs.heat_rate[lane];
+                heat_rate += outputs.heat_rate[lane];
             }
-            sums.add_forces(pair, self.block.outputs.force(lane));
+            sums.add_forces(pair, outputs.force(lane));
             if !B::ABSENT {
-                sums.add_torques(pair, self.block.outputs.torques(lane));
+                sums.add_torques(pair, outputs.torques(lane));
             }
         }
-        self.tally.friction_rate = heat_rate;
+        desk.tally.friction_rate = heat_rate;
+    }
+
+    fn book_breaking(&self, desk: &mut Desk<S>) {
+        for &position in &desk.broken {
+            let position = position as usize - self.links.first;
+            let (pair, rest) = (self.links.pairs[position], self.links.rest(position));
+            let state = self.pass.state_of(self.particles, pair, rest);
+            desk.tally.breaking += self.pass.stored(&state);
+        }
     }
 }
 
@@ -266,22 +317,23 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
         radii: [S; 2],
         strength_factor: S,
     ) -> u64 {
-        let force = state.frame.normal * state.normal_force
-            + state.frame.tangent() * state.tangential_force;
-        outputs.set(lane, force, state.torques);
+        outputs.set(lane, state.force(), state.torques);
         if LEDGER {
             outputs.heat_rate[lane] = self.heat_rate(state);
         }
-        let breaks = match self.yielding {
-            Some(law) if YIELDS => law.breaks(
-                state.normal_force,
-                state.tangential_force,
-                radii,
-                strength_factor,
-            ),
-            _ => false,
-        };
-        BREAKS * u64::from(breaks)
+        BREAKS * u64::from(YIELDS && self.breaks(state, radii, strength_factor))
+    }
+
+    #[inline(always)]
+    pub fn breaks<S: Real>(
+        &self,
+        state: &StrongState<S>,
+        radii: [S; 2],
+        strength_factor: S,
+    ) -> bool {
+        let (normal, tangential) = (state.normal_force, state.tangential_force);
+        self.yielding
+            .is_some_and(|law| law.breaks(normal, tangential, radii, strength_factor))
     }
 }
 
@@ -293,7 +345,7 @@ pub(crate) fn stored_in_strong_links<S: Real, M: Metric, B: BeamLaw>(
 ) -> S {
     let mut sum = S::zero();
     for link in strong.iter() {
-        sum += pass.stored(&pass.state_of(particles, link));
+        sum += pass.stored(&pass.state_of(particles, link.pair, link.rest));
     }
     sum
 }

@@ -1,13 +1,16 @@
 //! The pass over weak links.
 
 use super::block::{Block, Columns, Ends, LINKS, Outputs};
-use super::{Forces, Tally};
-use crate::geometry::{Arm, Metric, PairFrame, PairMotion, is_wrapped, small_turn, turn, wrapped};
+use super::{Arrival, Desk, Sums};
+use crate::geometry::{
+    Arm, Metric, PairFrame, PairMotion, Vec2, is_wrapped, small_turn, turn, wrapped,
+};
 use crate::instructions::Instructions;
 use crate::laws::{Friction, NormalLaw, Slide, TangentialLaw};
-use crate::links::{ContactMemory, StrongLinks, WeakLinks};
+use crate::links::{ContactMemory, MemoryColumns, Pair, StrongLinks, WeakLinks, pairs_before};
 use crate::model::Reading;
 use crate::particles::Particles;
+use crate::parts::{Ready, Work};
 use crate::scalar::Real;
 use core::ops::Range;
 
@@ -34,6 +37,14 @@ pub(crate) struct WeakState<S> {
     pub friction: Friction<S>,
     pub tangential_force: S,
     pub torques: [S; 2],
+}
+
+impl<S: Real> WeakState<S> {
+    /// Force on i in N.
+    #[inline(always)]
+    pub fn force(&self) -> Vec2<S> {
+        self.frame.normal * self.normal_force + self.frame.tangent() * self.tangential_force
+    }
 }
 
 /// A pair that overlaps.
@@ -175,6 +186,22 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         self.state(ends, frame, angles, memory)
     }
 
+    /// Force on i in N and torque on j in N m of the pair at a position; nothing if it does not overlap.
+    pub fn effect<S: Real>(
+        &self,
+        particles: &Particles<S>,
+        weak: &WeakLinks<S>,
+        position: usize,
+    ) -> Option<(Vec2<S>, S)> {
+        let ends = Columns::of(particles).ends(weak.pairs[position]);
+        self.touch(&ends).then(|| {
+            let memory = weak.memory_at(position);
+            let mut memory = memory.unwrap_or_else(|| self.begin(&ends));
+            let state = self.any(&ends, &mut memory);
+            (state.force(), state.torques[1])
+        })
+    }
+
     /// Energy stored in a contact in J.
     #[inline(always)]
     fn stored<S: Real>(&self, radii: [S; 2], state: &WeakState<S>, memory: S) -> S {
@@ -203,49 +230,71 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
 pub(crate) struct WeakLoop<'a, S: Real, M, A, N, T, const LEDGER: bool> {
     pub pass: WeakPass<M, A, N, T>,
     pub particles: &'a Particles<S>,
-    pub weak: &'a mut WeakLinks<S>,
+    pub pairs: &'a [Pair],
+    pub memories: MemoryColumns<'a, S>,
     pub strong: Option<&'a StrongLinks<S>>,
-    pub forces: &'a mut Forces<S>,
-    pub tally: &'a mut Tally<S>,
-    pub block: &'a mut Block<S>,
+    pub sums: Sums<'a, S>,
+    pub arrivals: &'a [Vec<Arrival<S>>],
 }
 
-impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>
-    pulp::NullaryFnOnce for WeakLoop<'_, S, M, A, N, T, LEDGER>
+impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool> Work<Desk<S>>
+    for WeakLoop<'_, S, M, A, N, T, LEDGER>
 {
-    type Output = ();
+    fn split_at(self, particle: usize) -> (Self, Self) {
+        let at = pairs_before(self.pairs, self.sums.first + particle);
+        let (pairs, other_pairs) = self.pairs.split_at(at);
+        let (memories, other_memories) = self.memories.split_at(at);
+        let (sums, other_sums) = self.sums.split_at(particle);
+        let left = Self {
+            pairs,
+            memories,
+            sums,
+            ..self
+        };
+        let right = Self {
+            pairs: other_pairs,
+            memories: other_memories,
+            sums: other_sums,
+            ..left
+        };
+        (left, right)
+    }
 
     #[inline(always)]
-    fn call(mut self) {
+    fn act(mut self, desk: &mut Desk<S>) {
         let columns = Columns::of(self.particles);
-        let number = self.weak.pairs.len();
+        let number = self.pairs.len();
+        if T::ABSENT {
+            self.sums.add_arrivals::<false>(self.arrivals);
+        } else {
+            self.sums.add_arrivals::<true>(self.arrivals);
+        }
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
-            self.gather(columns, first..last);
-            if self.compute(first..last) & IRREGULAR != 0 {
-                self.compute_irregular(first..last);
+            self.gather(&mut desk.block, columns, first..last);
+            if self.compute(&mut desk.block, first..last) & IRREGULAR != 0 {
+                self.compute_irregular(&mut desk.block, first..last);
             }
-            self.remember(first..last);
-            self.scatter(first..last);
+            self.remember(&desk.block, first..last);
+            self.scatter(desk, first..last);
             if LEDGER {
-                self.book_bonding(first..last);
+                self.book_bonding(desk, first..last);
             }
         }
+    }
+
+    fn start(ready: Ready<Self, Desk<S>>, instructions: Instructions) {
+        A::run::<S, _>(instructions, ready);
     }
 }
 
 impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>
     WeakLoop<'_, S, M, A, N, T, LEDGER>
 {
-    /// Run the loop.
-    pub fn run(self, instructions: Instructions) {
-        A::run::<S, Self>(instructions, self);
-    }
-
     #[inline(always)]
-    fn gather(&mut self, columns: Columns<S>, block: Range<usize>) {
-        let inputs = &mut *self.block.inputs;
-        for (lane, &pair) in self.weak.pairs[block].iter().enumerate().take(LINKS) {
+    fn gather(&mut self, block: &mut Block<S>, columns: Columns<S>, links: Range<usize>) {
+        let inputs = &mut *block.inputs;
+        for (lane, &pair) in self.pairs[links].iter().enumerate().take(LINKS) {
             inputs.gather_positions(columns, lane, pair);
             if WeakPass::<M, A, N, T>::FOLLOWS_ANGLES {
                 inputs.gather_angles(columns, lane, pair);
@@ -259,14 +308,14 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     /// Look at all pairs of the block as if they touched; tells which do, and whether some contact is
     /// not what it seems.
     #[inline(always)]
-    fn compute(&mut self, block: Range<usize>) -> u64 {
-        let number = block.len().min(LINKS);
-        let memories = self.weak.memories.part(if T::REMEMBERS {
-            block.start..block.start + number
+    fn compute(&mut self, block: &mut Block<S>, links: Range<usize>) -> u64 {
+        let number = links.len().min(LINKS);
+        let memories = self.memories.part(if T::REMEMBERS {
+            links.start..links.start + number
         } else {
             0..0
         });
-        let (inputs, outputs) = (&*self.block.inputs, &mut *self.block.outputs);
+        let (inputs, outputs) = (&*block.inputs, &mut *block.outputs);
         let mut flags = 0;
         for lane in 0..number {
             let ends = inputs.ends(lane);
@@ -301,15 +350,15 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     /// A contact that ends: without a normal force no law stores anything, all that was left is heat.
     #[cold]
     #[inline(never)]
-    fn compute_irregular(&mut self, block: Range<usize>) {
-        for (lane, position) in block.enumerate() {
-            let flags = self.block.outputs.flags[lane];
+    fn compute_irregular(&mut self, block: &mut Block<S>, links: Range<usize>) {
+        for (lane, position) in links.enumerate() {
+            let flags = block.outputs.flags[lane];
             if flags & IRREGULAR == 0 {
                 continue;
             }
-            let ends = self.block.inputs.ends(lane);
-            let outputs = &mut *self.block.outputs;
-            let mut memory = self.weak.memories.get(position);
+            let ends = block.inputs.ends(lane);
+            let outputs = &mut *block.outputs;
+            let mut memory = self.memories.get(position);
             let touches = flags & TOUCHES != 0;
             if touches && !memory.touches {
                 memory = self.pass.begin(&ends);
@@ -321,7 +370,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                 memory.touches = false;
                 outputs.heat[lane] = state.friction.heat;
             }
-            self.weak.memories.set(position, memory);
+            self.memories.set(position, memory);
             outputs.state[lane] = memory.state;
             for end in 0..2 {
                 outputs.rest[end][lane] = memory.ends[end];
@@ -330,30 +379,26 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     }
 
     #[inline(always)]
-    fn remember(&mut self, block: Range<usize>) {
-        let number = block.len().min(LINKS);
-        let outputs = &*self.block.outputs;
+    fn remember(&mut self, block: &Block<S>, links: Range<usize>) {
+        let number = links.len().min(LINKS);
+        let outputs = &*block.outputs;
         if !T::REMEMBERS {
             return;
         }
-        self.weak.memories.states[block.clone()].copy_from_slice(&outputs.state[..number]);
+        self.memories.states[links.clone()].copy_from_slice(&outputs.state[..number]);
         if A::ACCUMULATES {
-            for (lane, ends) in self.weak.memories.ends[block]
-                .iter_mut()
-                .enumerate()
-                .take(LINKS)
-            {
+            for (lane, ends) in self.memories.ends[links].iter_mut().enumerate().take(LINKS) {
                 *ends = outputs.rest.map(|end| end[lane]);
             }
         }
     }
 
     #[inline(always)]
-    fn scatter(&mut self, block: Range<usize>) {
-        let outputs = &*self.block.outputs;
-        let pairs = &self.weak.pairs[block];
-        let mut sums = self.forces.sums();
-        let (mut heat_rate, mut heat) = (self.tally.friction_rate, self.tally.friction);
+    fn scatter(&mut self, desk: &mut Desk<S>, links: Range<usize>) {
+        let outputs = &*desk.block.outputs;
+        let pairs = &self.pairs[links];
+        let mut sums = self.sums.equally_long();
+        let (mut heat_rate, mut heat) = (desk.tally.friction_rate, desk.tally.friction);
         for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
             if LEDGER {
                 heat_rate += outputs.heat_rate[lane];
@@ -366,21 +411,21 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                 }
             }
         }
-        (self.tally.friction_rate, self.tally.friction) = (heat_rate, heat);
+        (desk.tally.friction_rate, desk.tally.friction) = (heat_rate, heat);
     }
 
     /// Book the energy of contacts that take the place of broken bonds.
     #[inline(always)]
-    fn book_bonding(&mut self, block: Range<usize>) {
+    fn book_bonding(&self, desk: &mut Desk<S>, links: Range<usize>) {
         let Some(strong) = self.strong.filter(|strong| !strong.broken.is_empty()) else {
             return;
         };
-        for (lane, position) in block.enumerate() {
-            let touches = self.block.outputs.flags[lane] & TOUCHES != 0;
-            if touches && strong.breaks_now(self.weak.pairs[position]) {
-                let ends = self.block.inputs.ends(lane);
+        for (lane, position) in links.enumerate() {
+            let touches = desk.block.outputs.flags[lane] & TOUCHES != 0;
+            if touches && strong.breaks_now(self.pairs[position]) {
+                let ends = desk.block.inputs.ends(lane);
                 let mut memory = if T::REMEMBERS {
-                    self.weak.memories.get(position)
+                    self.memories.get(position)
                 } else {
                     self.pass.begin(&ends)
                 };
@@ -389,7 +434,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                     ..self.pass
                 };
                 let state = pass.any(&ends, &mut memory);
-                self.tally.bonding += pass.stored(ends.radii, &state, memory.state);
+                desk.tally.bonding += pass.stored(ends.radii, &state, memory.state);
             }
         }
     }
@@ -406,9 +451,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         radii: [S; 2],
         touches: bool,
     ) {
-        let force = state.frame.normal * state.normal_force
-            + state.frame.tangent() * state.tangential_force;
-        outputs.set(lane, force, state.torques);
+        outputs.set(lane, state.force(), state.torques);
         if LEDGER {
             let (heat_rate, heat) = (self.heat_rate(radii, state), state.friction.heat);
             outputs.heat_rate[lane] = if touches { heat_rate } else { S::zero() };

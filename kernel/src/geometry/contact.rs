@@ -27,7 +27,7 @@ pub enum ContactDistance {
 
 /// A rule for the lever arms of both ends of a link, in m.
 #[rendered]
-pub trait Arm: Copy {
+pub trait Arm: Copy + Send + Sync {
     /// Whether tangential displacements are summed up step by step instead of being functions of the state.
     const ACCUMULATES: bool = false;
     /// Run a loop over contacts with these arms: with wide instructions where that is worth the code.

@@ -5,7 +5,7 @@ use crate::scalar::Real;
 use gouge_equations::rendered;
 
 /// A rule for the displacement from one point to another.
-pub trait Metric: Copy {
+pub trait Metric: Copy + Send + Sync {
     /// The shortest displacement for a difference of two representatives.
     fn nearest<S: Real>(self, difference: Vec2<S>) -> Vec2<S>;
     /// Displacement from `from` to `to`; its length is the distance.

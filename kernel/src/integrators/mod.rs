@@ -15,7 +15,10 @@ pub(crate) use euler::{Euler, SymplecticEuler};
 pub(crate) use taylor::Taylor;
 pub(crate) use velocity_verlet::{HalfKick, HalfKickAndDrift, VerletCorrect, VerletPredict};
 
-use crate::geometry::Vec2;
+use crate::geometry::{Metric, Vec2};
+use crate::instructions::Instructions;
+use crate::links::Watch;
+use crate::parts::{Ready, Work, halves};
 use crate::scalar::Real;
 use core::ops::{Add, AddAssign, Mul, Sub};
 
@@ -58,18 +61,19 @@ impl Integrator {
     pub fn haste(self) -> f64 {
         if self.evaluates_first() { 1.0 } else { 0.25 }
     }
-    /// Whether accelerations of the previous evaluation are kept.
+    /// Whether something of the previous evaluation is kept from step to step.
     pub fn needs_previous(self) -> bool {
-        matches!(self, Self::VelocityVerlet | Self::Beeman)
+        self == Self::Beeman
     }
 }
 
-/// Accelerations of the previous evaluation.
+/// What is kept of the previous evaluation: forces for velocity Verlet, during a step and zero otherwise;
+/// accelerations for Beeman.
 #[derive(Clone, Debug)]
 pub struct Previous<S> {
-    /// Accelerations in m/s^2.
+    /// Forces in N or accelerations in m/s^2.
     pub linear: Vec<Vec2<S>>,
-    /// Angular accelerations in rad/s^2.
+    /// Torques in N m or angular accelerations in rad/s^2.
     pub angular: Vec<S>,
     /// Accelerations one evaluation earlier, for the Beeman method only.
     pub older_linear: Vec<Vec2<S>>,
@@ -82,10 +86,9 @@ pub struct Previous<S> {
 impl<S: Real> Previous<S> {
     /// None yet, for so many particles.
     pub fn new(integrator: Integrator, number: usize) -> Self {
-        let kept = if integrator.needs_previous() {
-            number
-        } else {
-            0
+        let kept = match integrator {
+            Integrator::VelocityVerlet | Integrator::Beeman => number,
+            _ => 0,
         };
         let older = if integrator == Integrator::Beeman {
             number
@@ -104,7 +107,14 @@ impl<S: Real> Previous<S> {
 
 /// What moves: a vector for translations, a number for rotations.
 pub(crate) trait Coordinate<S>:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<S, Output = Self> + AddAssign
+    Copy
+    + Default
+    + Send
+    + Sync
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<S, Output = Self>
+    + AddAssign
 {
 }
 impl<S: Real> Coordinate<S> for Vec2<S> {}
@@ -120,7 +130,7 @@ pub(crate) struct Motion<'a, V, S> {
     pub force: &'a [V],
     /// Inverse masses in 1/kg or moments of inertia in 1/(kg m^2), zero for fixed particles.
     pub inverse_inertia: &'a [S],
-    /// Accelerations of the previous evaluation, for methods that keep them.
+    /// What the method keeps of the previous evaluation: forces or accelerations.
     pub previous: &'a mut [V],
     /// Accelerations one evaluation earlier, for methods that keep them.
     pub older: &'a mut [V],
@@ -132,21 +142,128 @@ pub(crate) struct Motion<'a, V, S> {
 pub(crate) trait Stage {
     /// Whether coordinates change.
     const MOVES: bool = true;
+    /// Whether the forces are kept when it is over, as those of the previous evaluation; the next one
+    /// adds to what was kept there before, all zero.
+    const KEEPS_FORCES: bool = false;
     /// Advance by a time in s.
     fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64);
 }
 
-/// A stage on its columns, to be run with wide instructions.
-pub(crate) struct Advance<'a, T, V, S> {
-    pub stage: core::marker::PhantomData<T>,
-    pub motion: Motion<'a, V, S>,
-    pub step: f64,
+impl<V, S> Motion<'_, V, S> {
+    /// The same for a shorter while.
+    #[inline(always)]
+    fn again(&mut self) -> Motion<'_, V, S> {
+        Motion {
+            coordinate: self.coordinate,
+            velocity: self.velocity,
+            force: self.force,
+            inverse_inertia: self.inverse_inertia,
+            previous: self.previous,
+            older: self.older,
+        }
+    }
+    #[inline(always)]
+    fn split_at(self, at: usize) -> (Self, Self) {
+        let (coordinate, other_coordinate) = halves(self.coordinate, at);
+        let (velocity, other_velocity) = halves(self.velocity, at);
+        let (force, other_force) = self.force.split_at(at);
+        let (inverse_inertia, other_inertia) = self.inverse_inertia.split_at(at);
+        let (previous, other_previous) = halves(self.previous, at);
+        let (older, other_older) = halves(self.older, at);
+        (
+            Self {
+                coordinate,
+                velocity,
+                force,
+                inverse_inertia,
+                previous,
+                older,
+            },
+            Self {
+                coordinate: other_coordinate,
+                velocity: other_velocity,
+                force: other_force,
+                inverse_inertia: other_inertia,
+                previous: other_previous,
+                older: other_older,
+            },
+        )
+    }
 }
 
-impl<T: Stage, V: Coordinate<S>, S: Real> pulp::NullaryFnOnce for Advance<'_, T, V, S> {
-    type Output = ();
+/// A stage and what it advances: translations, rotations where something turns, and then, where
+/// coordinates change, the representatives in the box.
+pub(crate) struct Advance<'a, T, S, M> {
+    pub stage: core::marker::PhantomData<fn() -> T>,
+    pub step: f64,
+    pub linear: Motion<'a, Vec2<S>, S>,
+    pub angular: Option<Motion<'a, S, S>>,
+    pub watch: Watch<'a, S, M>,
+}
+
+/// Particles that are advanced together, few enough to stay in the cache from one column to the next.
+const TOGETHER: usize = 256;
+
+/// Each part tells whether the neighbour list has become stale.
+impl<T: Stage, S: Real, M: Metric> Work<bool> for Advance<'_, T, S, M> {
     #[inline(always)]
-    fn call(self) {
-        T::advance(self.motion, self.step);
+    fn split_at(self, at: usize) -> (Self, Self) {
+        let Self {
+            stage,
+            step,
+            linear,
+            angular,
+            watch,
+        } = self;
+        let (linear, other_linear) = linear.split_at(at);
+        let (angular, other_angular) = angular.map(|motion| motion.split_at(at)).unzip();
+        let (watch, other_watch) = watch.split_at(at);
+        let left = Self {
+            stage,
+            step,
+            linear,
+            angular,
+            watch,
+        };
+        let right = Self {
+            stage,
+            step,
+            linear: other_linear,
+            angular: other_angular,
+            watch: other_watch,
+        };
+        (left, right)
+    }
+
+    #[inline(always)]
+    fn act(self, is_stale: &mut bool) {
+        *is_stale = false;
+        let mut rest = self;
+        while !rest.linear.coordinate.is_empty() {
+            let together = TOGETHER.min(rest.linear.coordinate.len());
+            let (now, others) = rest.split_at(together);
+            rest = others;
+            let Self {
+                step,
+                mut linear,
+                angular,
+                watch,
+                ..
+            } = now;
+            T::advance(linear.again(), step);
+            if let Some(angular) = angular {
+                T::advance(angular, step);
+            }
+            if T::MOVES {
+                for position in linear.coordinate.iter_mut() {
+                    *position = watch.metric.wrap(*position);
+                }
+                *is_stale |= watch.is_stale(linear.coordinate);
+            }
+        }
+    }
+
+    fn start(ready: Ready<Self, bool>, instructions: Instructions) {
+        S::run(instructions, ready);
     }
 }

@@ -18,16 +18,16 @@ use gouge_equations::rendered;
 pub(crate) struct VerletPredict;
 
 impl Stage for VerletPredict {
+    const KEEPS_FORCES: bool = true;
     #[inline(always)]
     fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64) {
         let (half, step) = (S::from_f64(0.5 * step), S::from_f64(step));
         let loads = motion.force.iter().zip(motion.inverse_inertia);
         let states = motion.coordinate.iter_mut().zip(motion.velocity);
-        for (((x, v), (&force, &inverse)), previous) in states.zip(loads).zip(motion.previous) {
+        for ((x, v), (&force, &inverse)) in states.zip(loads) {
             let a = force * inverse;
             *x += (*v + a * half) * step;
             *v += a * step;
-            *previous = a;
         }
     }
 }
@@ -42,8 +42,9 @@ impl Stage for VerletCorrect {
         let half = S::from_f64(0.5 * step);
         let loads = motion.force.iter().zip(motion.inverse_inertia);
         let states = motion.velocity.iter_mut().zip(motion.previous);
-        for ((v, &mut previous), (&force, &inverse)) in states.zip(loads) {
-            *v += (force * inverse - previous) * half;
+        for ((v, previous), (&force, &inverse)) in states.zip(loads) {
+            *v += (force * inverse - *previous * inverse) * half;
+            *previous = V::default();
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::scalar::Real;
 use gouge_equations::rendered;
 
 /// Normal force of a weak link.
-pub trait NormalLaw: Copy {
+pub trait NormalLaw: Copy + Send + Sync {
     /// Force in N along the normal, never positive: weak links only repel.
     ///
     /// `xi` is the normal displacement in m, `d_xi` its rate in m/s, `radii` those of the pair in m.

@@ -26,7 +26,7 @@ pub struct Friction<S> {
 /// Tangential force of a weak link.
 ///
 /// A law that remembers owns one number a link, `memory`, which is zero when the contact begins.
-pub trait TangentialLaw: Copy {
+pub trait TangentialLaw: Copy + Send + Sync {
     /// Whether the force is always zero.
     const ABSENT: bool = false;
     /// Whether the link must remember its beginning.
@@ -228,7 +228,7 @@ impl TangentialLaw for CundallStrackTruncated {
 }
 
 /// Bending and shearing of a strong link, one end at a time.
-pub trait BeamLaw: Copy {
+pub trait BeamLaw: Copy + Send + Sync {
     /// Whether the force is always zero.
     const ABSENT: bool;
     /// Force in N conjugate to the tangential displacement of one end, in m, with its rate in m/s.

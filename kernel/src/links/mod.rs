@@ -7,7 +7,10 @@ mod weak;
 
 pub use cells::{Cells, Index, precedes};
 pub use neighbors::Neighbors;
+pub(crate) use neighbors::Watch;
+pub(crate) use strong::StrongColumns;
 pub use strong::{BondStart, Rest, StrongLink, StrongLinks};
+pub(crate) use weak::MemoryColumns;
 pub use weak::{ContactMemory, ContactStart, WeakLinks};
 
 /// A pair of particles, the smaller index first.
@@ -33,4 +36,9 @@ impl Pair {
     pub fn indices(self) -> (usize, usize) {
         (self.i as usize, self.j as usize)
     }
+}
+
+/// Number of pairs, in order, whose first particle comes before the given one.
+pub(crate) fn pairs_before(pairs: &[Pair], particle: usize) -> usize {
+    pairs.partition_point(|pair| (pair.i as usize) < particle)
 }

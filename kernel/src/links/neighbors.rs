@@ -72,17 +72,9 @@ impl<S: Real> Neighbors<S> {
     }
 
     /// Whether some particle has moved so far that the list may miss a contact, or is not finite.
-    #[inline]
     pub fn are_stale<M: Metric>(&self, metric: M, particles: &Particles<S>) -> bool {
-        if self.built_at.len() != particles.len() {
-            return true;
-        }
-        let safe = S::from_f64(0.25 * self.margin * self.margin);
-        let moves = self.built_at.iter().zip(&particles.position);
-        // No early end, so that many particles are looked at together.
-        !moves.fold(true, |all_near, (&then, &now)| {
-            all_near & (metric.displacement(then, now).norm_squared() < safe)
-        })
+        self.built_at.len() != particles.len()
+            || Watch::of(Some(self), metric).is_stale(&particles.position)
     }
 
     /// Find all pairs anew, in lexicographical order, into `pairs`.
@@ -157,6 +149,50 @@ impl<S: Real> Neighbors<S> {
                 pairs.push(Pair::new(i, j));
             }
         }
+    }
+}
+
+/// Where consecutive particles were when the list was built, and how far they may move.
+#[derive(Clone, Copy)]
+pub(crate) struct Watch<'a, S, M> {
+    pub metric: M,
+    built_at: &'a [Vec2<S>],
+    /// Square of the distance that is not far, in m^2.
+    safe: S,
+}
+
+impl<'a, S: Real, M: Metric> Watch<'a, S, M> {
+    /// What tells whether a list may miss a contact; without a list nothing does.
+    pub fn of(neighbors: Option<&'a Neighbors<S>>, metric: M) -> Self {
+        let margin = neighbors.map_or(0.0, |neighbors| neighbors.margin);
+        Self {
+            metric,
+            built_at: neighbors.map_or(&[], |neighbors| &neighbors.built_at),
+            safe: S::from_f64(0.25 * margin * margin),
+        }
+    }
+    /// The same for the particles before and from a position on.
+    #[inline(always)]
+    pub fn split_at(self, at: usize) -> (Self, Self) {
+        let (before, after) = self.built_at.split_at(at.min(self.built_at.len()));
+        let left = Self {
+            built_at: before,
+            ..self
+        };
+        let right = Self {
+            built_at: after,
+            ..self
+        };
+        (left, right)
+    }
+    /// Whether some particle has moved far, or is not finite.
+    #[inline(always)]
+    pub fn is_stale(&self, positions: &[Vec2<S>]) -> bool {
+        let moves = self.built_at.iter().zip(positions);
+        // No early end, so that many particles are looked at together.
+        !moves.fold(true, |all_near, (&then, &now)| {
+            all_near & (self.metric.displacement(then, now).norm_squared() < self.safe)
+        })
     }
 }
 

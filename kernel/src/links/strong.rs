@@ -55,6 +55,54 @@ pub struct StrongLinks<S> {
     pub(crate) broken: Vec<u32>,
 }
 
+/// Consecutive bonds, of which the rest may be changed.
+pub(crate) struct StrongColumns<'a, S> {
+    /// Position of the first among all.
+    pub first: usize,
+    pub pairs: &'a [Pair],
+    pub references: &'a mut [Vec2<S>],
+    pub angles: &'a mut [[S; 2]],
+    pub distances: &'a [S],
+    pub strength_factors: &'a [S],
+}
+
+impl<S: Real> StrongColumns<'_, S> {
+    pub fn split_at(self, at: usize) -> (Self, Self) {
+        let (pairs, other_pairs) = self.pairs.split_at(at);
+        let (references, other_references) = self.references.split_at_mut(at);
+        let (angles, other_angles) = self.angles.split_at_mut(at);
+        let (distances, other_distances) = self.distances.split_at(at);
+        let (strength_factors, other_factors) = self.strength_factors.split_at(at);
+        (
+            Self {
+                first: self.first,
+                pairs,
+                references,
+                angles,
+                distances,
+                strength_factors,
+            },
+            Self {
+                first: self.first + at,
+                pairs: other_pairs,
+                references: other_references,
+                angles: other_angles,
+                distances: other_distances,
+                strength_factors: other_factors,
+            },
+        )
+    }
+    /// The unstrained state at a position.
+    #[inline(always)]
+    pub fn rest(&self, position: usize) -> Rest<S> {
+        Rest {
+            reference: self.references[position],
+            angles: self.angles[position],
+            distance: self.distances[position],
+        }
+    }
+}
+
 impl<S: Real> StrongLinks<S> {
     /// Make the bonds of a scene.
     ///
@@ -96,6 +144,18 @@ impl<S: Real> StrongLinks<S> {
             distances: links.iter().map(|link| link.rest.distance).collect(),
             strength_factors: links.iter().map(|link| link.strength_factor).collect(),
             broken: Vec::with_capacity(links.len()),
+        }
+    }
+
+    /// All of them, for a pass.
+    pub(crate) fn columns(&mut self) -> StrongColumns<'_, S> {
+        StrongColumns {
+            first: 0,
+            pairs: &self.pairs,
+            references: &mut self.references,
+            angles: &mut self.angles,
+            distances: &self.distances,
+            strength_factors: &self.strength_factors,
         }
     }
 

@@ -5,6 +5,7 @@ use super::{Neighbors, Pair, StrongLinks};
 use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::particles::Particles;
+use crate::parts::halves;
 use crate::scalar::Real;
 use core::ops::Range;
 
@@ -53,16 +54,46 @@ pub(crate) struct Memories<S> {
     pub states: Vec<S>,
 }
 
-/// Part of the memories of contacts.
-pub(crate) struct MemoriesPart<'a, S> {
-    touches: &'a [bool],
-    references: &'a [Vec2<S>],
-    ends: &'a [[S; 2]],
-    states: &'a [S],
+/// Memories of consecutive pairs.
+pub(crate) struct MemoryColumns<'a, S> {
+    pub touches: &'a mut [bool],
+    pub references: &'a mut [Vec2<S>],
+    pub ends: &'a mut [[S; 2]],
+    pub states: &'a mut [S],
 }
 
-impl<S: Real> MemoriesPart<'_, S> {
-    /// The memory at a position of the part.
+impl<S: Real> MemoryColumns<'_, S> {
+    pub fn split_at(self, at: usize) -> (Self, Self) {
+        let (touches, other_touches) = halves(self.touches, at);
+        let (references, other_references) = halves(self.references, at);
+        let (ends, other_ends) = halves(self.ends, at);
+        let (states, other_states) = halves(self.states, at);
+        (
+            Self {
+                touches,
+                references,
+                ends,
+                states,
+            },
+            Self {
+                touches: other_touches,
+                references: other_references,
+                ends: other_ends,
+                states: other_states,
+            },
+        )
+    }
+    /// Those at some positions.
+    #[inline(always)]
+    pub fn part(&mut self, positions: Range<usize>) -> MemoryColumns<'_, S> {
+        MemoryColumns {
+            touches: &mut self.touches[positions.clone()],
+            references: &mut self.references[positions.clone()],
+            ends: &mut self.ends[positions.clone()],
+            states: &mut self.states[positions],
+        }
+    }
+    /// The memory at a position.
     #[inline(always)]
     pub fn get(&self, position: usize) -> ContactMemory<S> {
         ContactMemory {
@@ -71,6 +102,14 @@ impl<S: Real> MemoriesPart<'_, S> {
             ends: self.ends[position],
             state: self.states[position],
         }
+    }
+    /// Replace the memory at a position.
+    #[inline(always)]
+    pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
+        self.touches[position] = memory.touches;
+        self.references[position] = memory.reference;
+        self.ends[position] = memory.ends;
+        self.states[position] = memory.state;
     }
 }
 
@@ -84,7 +123,6 @@ impl<S: Real> Memories<S> {
         }
     }
     /// The memory at a position.
-    #[inline(always)]
     pub fn get(&self, position: usize) -> ContactMemory<S> {
         ContactMemory {
             touches: self.touches[position],
@@ -93,23 +131,17 @@ impl<S: Real> Memories<S> {
             state: self.states[position],
         }
     }
-    /// The memories at some positions.
-    #[inline(always)]
-    pub fn part(&self, positions: Range<usize>) -> MemoriesPart<'_, S> {
-        MemoriesPart {
-            touches: &self.touches[positions.clone()],
-            references: &self.references[positions.clone()],
-            ends: &self.ends[positions.clone()],
-            states: &self.states[positions],
+    /// All of them, to be changed; none where nothing is remembered.
+    pub fn columns(&mut self) -> MemoryColumns<'_, S> {
+        MemoryColumns {
+            touches: &mut self.touches,
+            references: &mut self.references,
+            ends: &mut self.ends,
+            states: &mut self.states,
         }
     }
-    /// Replace the memory at a position.
-    #[inline(always)]
-    pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
-        self.touches[position] = memory.touches;
-        self.references[position] = memory.reference;
-        self.ends[position] = memory.ends;
-        self.states[position] = memory.state;
+    fn set(&mut self, position: usize, memory: ContactMemory<S>) {
+        self.columns().set(position, memory);
     }
     fn insert(&mut self, position: usize, memory: ContactMemory<S>) {
         self.touches.insert(position, memory.touches);

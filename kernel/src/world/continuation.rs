@@ -31,7 +31,9 @@ impl World {
             drive_force: self.drive.force,
             ..Start::default()
         };
-        let mut world = Self::new(model, self.particles, &start)?;
+        let mut world = Self::new(model, self.particles, &start)?
+            .with_instructions(self.instructions)
+            .with_threads(self.parts.number());
         world.adopt_links(links, contacts);
         world.strengthen_edges();
         if model.ledger {

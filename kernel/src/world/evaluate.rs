@@ -4,19 +4,43 @@ use super::World;
 use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
 use crate::balance::Energy;
 use crate::error::StepError;
-use crate::forces::{self, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
-use crate::geometry::{Metric, PeriodicX};
+use crate::forces::{self, Departures, Desk, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
+use crate::geometry::Metric;
+use crate::instructions::Instructions;
 use crate::laws::{Controller, Driven};
 use crate::links::Pair;
 use crate::model::{Ambient, External};
+use crate::parts::{Ready, Work};
 use crate::scalar::Real;
+
+/// Do work as a single part, and book.
+fn whole<S: Real, D: Work<Desk<S>>>(
+    work: D,
+    desks: &mut [Desk<S>],
+    tally: &mut Tally<S>,
+    instructions: Instructions,
+) {
+    if let Some(desk) = desks.first_mut() {
+        desk.tally = *tally;
+        D::start(Ready::new(work, desk), instructions);
+        *tally = desk.tally;
+    }
+}
 
 impl<S: Real> World<S> {
     /// Forces at the present positions and velocities; bonds break, contacts begin and end. Whether a step
     /// has passed since the previous evaluation decides what the drive and sums over steps gain.
-    pub(super) fn evaluate(&mut self, advances: bool) -> Result<(), StepError> {
+    ///
+    /// `forces_are_clear` tells that they are all zero.
+    pub(super) fn evaluate(
+        &mut self,
+        advances: bool,
+        forces_are_clear: bool,
+    ) -> Result<(), StepError> {
         self.refresh_neighbors()?;
-        self.forces.clear();
+        if !forces_are_clear {
+            self.forces.clear();
+        }
         self.tally = Tally::default();
         self.add_strong_links();
         self.add_weak_links(advances);
@@ -38,16 +62,7 @@ impl<S: Real> World<S> {
     /// # Errors
     /// As [`check`](Self::check), if particles have moved far.
     pub fn refresh_neighbors(&mut self) -> Result<(), StepError> {
-        let Self {
-            model,
-            particles,
-            weak: Some(weak),
-            ..
-        } = self
-        else {
-            return self.check();
-        };
-        if with_metric!(model, metric => weak.neighbors().are_stale(metric, particles)) {
+        if self.are_neighbors_stale() || self.weak.is_none() {
             self.check()?;
             let Self {
                 model,
@@ -63,6 +78,20 @@ impl<S: Real> World<S> {
         Ok(())
     }
 
+    fn are_neighbors_stale(&mut self) -> bool {
+        let Self {
+            model,
+            particles,
+            weak,
+            ..
+        } = self;
+        self.is_stale.take().unwrap_or_else(|| {
+            with_metric!(model, metric => {
+                weak.as_ref().is_none_or(|weak| weak.neighbors().are_stale(metric, particles))
+            })
+        })
+    }
+
     fn add_strong_links(&mut self) {
         let Self {
             model,
@@ -70,19 +99,34 @@ impl<S: Real> World<S> {
             forces,
             strong,
             tally,
-            block,
+            desks,
+            arrivals,
+            parts,
             instructions,
             ..
         } = self;
         let (Some(strong), Some(bond)) = (strong, model.bond) else {
             return;
         };
-        with_strong_pass!(model, bond, pass => match (bond.yielding.is_some(), model.ledger) {
-            (false, false) => S::run(*instructions, StrongLoop::<_, _, _, false, false> { pass, particles, strong, forces, tally, block }),
-            (false, true) => S::run(*instructions, StrongLoop::<_, _, _, false, true> { pass, particles, strong, forces, tally, block }),
-            (true, false) => S::run(*instructions, StrongLoop::<_, _, _, true, false> { pass, particles, strong, forces, tally, block }),
-            (true, true) => S::run(*instructions, StrongLoop::<_, _, _, true, true> { pass, particles, strong, forces, tally, block }),
+        let (sums, part) = (forces.sums(), 0..particles.len());
+        with_strong_pass!(model, bond, pass => {
+            if !model.ledger && parts.number() > 1 {
+                let strong = &*strong;
+                let effect = |position: usize| pass.effect(particles, strong, position);
+                let work = Departures { pairs: &strong.pairs, part, effect };
+                parts.run(work, arrivals, *instructions);
+            }
+            let (links, arrivals) = (strong.columns(), &**arrivals);
+            match (bond.yielding.is_some(), model.ledger) {
+                (false, false) => parts.run(StrongLoop::<_, _, _, false, false> { pass, particles, links, sums, arrivals }, desks, *instructions),
+                (true, false) => parts.run(StrongLoop::<_, _, _, true, false> { pass, particles, links, sums, arrivals }, desks, *instructions),
+                (false, true) => whole(StrongLoop::<_, _, _, false, true> { pass, particles, links, sums, arrivals: &[] }, desks, tally, *instructions),
+                (true, true) => whole(StrongLoop::<_, _, _, true, true> { pass, particles, links, sums, arrivals: &[] }, desks, tally, *instructions),
+            }
         });
+        for desk in desks {
+            strong.broken.append(&mut desk.broken);
+        }
     }
 
     fn add_weak_links(&mut self, advances: bool) {
@@ -93,7 +137,9 @@ impl<S: Real> World<S> {
             strong,
             weak,
             tally,
-            block,
+            desks,
+            arrivals,
+            parts,
             instructions,
             ..
         } = self;
@@ -107,12 +153,20 @@ impl<S: Real> World<S> {
             weak.admit_broken(strong);
         }
         let elapsed = if advances { model.time_step } else { 0.0 };
+        let (sums, part) = (forces.sums(), 0..particles.len());
         with_weak_pass!(model, contact, pass => {
             let pass = WeakPass { elapsed, ..pass };
+            if !model.ledger && parts.number() > 1 {
+                let weak = &*weak;
+                let effect = |position: usize| pass.effect(particles, weak, position);
+                let work = Departures { pairs: &weak.pairs, part, effect };
+                parts.run(work, arrivals, *instructions);
+            }
+            let (pairs, memories) = (&*weak.pairs, weak.memories.columns());
             if model.ledger {
-                WeakLoop::<_, _, _, _, _, true> { pass, particles, weak, strong, forces, tally, block }.run(*instructions);
+                whole(WeakLoop::<_, _, _, _, _, true> { pass, particles, pairs, memories, strong, sums, arrivals: &[] }, desks, tally, *instructions);
             } else {
-                WeakLoop::<_, _, _, _, _, false> { pass, particles, weak, strong, forces, tally, block }.run(*instructions);
+                parts.run(WeakLoop::<_, _, _, _, _, false> { pass, particles, pairs, memories, strong, sums, arrivals }, desks, *instructions);
             }
         });
     }
@@ -191,17 +245,6 @@ impl<S: Real> World<S> {
         } = self;
         if let Some(weak) = weak {
             with_metric!(model, metric => weak.rebuild(metric, particles, strong.as_ref()));
-        }
-    }
-
-    /// Represent every position in the box.
-    pub(super) fn wrap(&mut self) {
-        if let Some(length) = self.model.period() {
-            let metric = PeriodicX { length };
-            self.particles
-                .position
-                .iter_mut()
-                .for_each(|x| *x = metric.wrap(*x));
         }
     }
 

@@ -10,16 +10,17 @@ pub use watch::stable_step_estimate;
 
 use crate::balance::{Energy, Ledger};
 use crate::error::{ModelError, StepError};
-use crate::forces::{Block, Forces, Tally};
+use crate::forces::{Arrival, Desk, Forces, Tally};
 use crate::geometry::Vec2;
 use crate::instructions::Instructions;
 use crate::integrators::{
     Advance, BeemanBegin, BeemanCorrect, BeemanPredict, Euler, HalfKick, HalfKickAndDrift,
     Integrator, Motion, Previous, Stage, SymplecticEuler, Taylor, VerletCorrect, VerletPredict,
 };
-use crate::links::{BondStart, ContactStart, Neighbors, StrongLinks, WeakLinks};
+use crate::links::{BondStart, ContactStart, Neighbors, StrongLinks, Watch, WeakLinks};
 use crate::model::{Domain, Model};
 use crate::particles::{Particles, Role};
+use crate::parts::Parts;
 use crate::scalar::Real;
 use dispatch::with_metric;
 
@@ -63,7 +64,12 @@ pub struct World<S: Real = f64> {
     turns: bool,
     ledger: Option<Ledger<S>>,
     tally: Tally<S>,
-    block: Block<S>,
+    desks: Vec<Desk<S>>,
+    arrivals: Vec<Vec<Arrival<S>>>,
+    verdicts: Vec<bool>,
+    /// Whether the neighbour list is stale, where that is known.
+    is_stale: Option<bool>,
+    parts: Parts,
     instructions: Instructions,
     steps: u64,
     is_evaluated: bool,
@@ -114,7 +120,11 @@ impl<S: Real> World<S> {
             turns: turns(&model, &particles),
             ledger: None,
             tally: Tally::default(),
-            block: Block::default(),
+            desks: vec![Desk::default()],
+            arrivals: Vec::new(),
+            verdicts: vec![false],
+            is_stale: None,
+            parts: Parts::equal(particles.len(), 1),
             instructions: Instructions::default(),
             steps: 0,
             is_evaluated: false,
@@ -123,6 +133,7 @@ impl<S: Real> World<S> {
         };
         world.drive.applied = world.drive.force;
         world.make_links(start)?;
+        world.make_room();
         if model.ledger {
             world.ledger = Some(Ledger::starting_from(&world.state_energy()));
         }
@@ -159,6 +170,28 @@ impl<S: Real> World<S> {
     pub fn with_instructions(mut self, instructions: Instructions) -> Self {
         self.instructions = instructions;
         self
+    }
+
+    /// The same world, computed in so many threads; bits do not depend on them.
+    ///
+    /// Worlds with a ledger compute links in one thread, so that its sums keep their order.
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.parts = Parts::equal(self.particles.len(), threads);
+        let number = self.parts.number();
+        self.desks.resize(number, Desk::default());
+        self.verdicts.resize(number, false);
+        self.arrivals
+            .resize(if number > 1 { number } else { 0 }, Vec::new());
+        self.make_room();
+        self
+    }
+
+    /// Room for as many broken links as there are, so that a step allocates nothing.
+    fn make_room(&mut self) {
+        let number = self.strong.as_ref().map_or(0, StrongLinks::len);
+        for desk in &mut self.desks {
+            desk.broken.reserve(number / self.parts.number());
+        }
     }
 
     /// The model.
@@ -249,7 +282,7 @@ impl<S: Real> World<S> {
             return Ok(());
         }
         self.learn_velocity();
-        self.evaluate(self.model.integrator.evaluates_first())?;
+        self.evaluate(self.model.integrator.evaluates_first(), false)?;
         self.is_evaluated = true;
         Ok(())
     }
@@ -275,44 +308,48 @@ impl<S: Real> World<S> {
 
     /// Advance all particles by a stage of the method; rotations only where something turns.
     fn advance<T: Stage>(&mut self, step: f64) {
-        let p = &mut self.particles;
-        let stage = core::marker::PhantomData::<T>;
-        let motion = Motion {
+        let Self {
+            model,
+            particles: p,
+            forces,
+            previous,
+            weak,
+            verdicts,
+            ..
+        } = self;
+        let linear = Motion {
             coordinate: &mut p.position,
             velocity: &mut p.velocity,
-            force: &self.forces.force,
+            force: &forces.force,
             inverse_inertia: &self.inverse_mass,
-            previous: &mut self.previous.linear,
-            older: &mut self.previous.older_linear,
+            previous: &mut previous.linear,
+            older: &mut previous.older_linear,
         };
-        S::run(
-            self.instructions,
-            Advance {
-                stage,
-                motion,
+        let angular = self.turns.then_some(Motion {
+            coordinate: &mut p.angle,
+            velocity: &mut p.angular_velocity,
+            force: &forces.torque,
+            inverse_inertia: &self.inverse_inertia,
+            previous: &mut previous.angular,
+            older: &mut previous.older_angular,
+        });
+        let neighbors = weak.as_ref().map(WeakLinks::neighbors);
+        with_metric!(model, metric => {
+            let work = Advance {
+                stage: core::marker::PhantomData::<fn() -> T>,
                 step,
-            },
-        );
-        if self.turns {
-            let motion = Motion {
-                coordinate: &mut p.angle,
-                velocity: &mut p.angular_velocity,
-                force: &self.forces.torque,
-                inverse_inertia: &self.inverse_inertia,
-                previous: &mut self.previous.angular,
-                older: &mut self.previous.older_angular,
+                linear,
+                angular,
+                watch: Watch::of(neighbors, metric),
             };
-            S::run(
-                self.instructions,
-                Advance {
-                    stage,
-                    motion,
-                    step,
-                },
-            );
-        }
+            self.parts.run(work, verdicts, self.instructions);
+        });
         if T::MOVES {
-            self.wrap();
+            self.is_stale = Some(verdicts.contains(&true));
+        }
+        if T::KEEPS_FORCES {
+            core::mem::swap(&mut forces.force, &mut previous.linear);
+            core::mem::swap(&mut forces.torque, &mut previous.angular);
         }
     }
 
@@ -320,7 +357,7 @@ impl<S: Real> World<S> {
     fn go_and_return<T: Stage, U: Stage>(&mut self, step: f64) -> Result<(), StepError> {
         self.learn_velocity();
         self.advance::<T>(step);
-        let outcome = self.evaluate(true);
+        let outcome = self.evaluate(true, T::KEEPS_FORCES);
         self.advance::<U>(step);
         outcome
     }

@@ -252,6 +252,7 @@ impl World {
         if let Some(weak) = &mut self.weak {
             weak.restore(&contacts);
         }
+        self.make_room();
         self.find_neighbors();
     }
 }

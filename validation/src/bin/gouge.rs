@@ -69,7 +69,7 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 fn execute(command: Command) -> Result<(), Error> {
-    machine::instructions()?;
+    machine::machine()?;
     let text = match command {
         Command::Run {
             scene,

@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// First bytes of every checkpoint; the digit is the version of the format.
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 
 /// A moment of a run.
 #[derive(Clone, Debug, PartialEq)]

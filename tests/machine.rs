@@ -1,4 +1,4 @@
-//! Results do not depend on the instructions that the machine offers.
+//! Results depend neither on the instructions that the machine offers nor on the number of threads.
 
 use crate::program::{gouge, stderr};
 use crate::worlds::{advance, sheared_with, world};
@@ -25,34 +25,36 @@ const VARIANTS: [&[(&str, &str)]; 9] = [
     &[("distance = \"radius\"", "distance = \"focal\"")],
 ];
 
-/// The state after some steps from a recorded one, computed with the given instructions.
-fn continued(world: &World, instructions: Instructions, steps: u64) -> Vec<u64> {
+/// The state after some steps from a recorded one, computed with the given instructions and threads.
+fn continued(world: &World, instructions: Instructions, threads: usize, steps: u64) -> Vec<u64> {
     let copy = World::from_words(*world.model(), &world.to_words()).expect("just recorded");
-    let mut copy = copy.with_instructions(instructions);
+    let mut copy = copy.with_instructions(instructions).with_threads(threads);
     advance(&mut copy, steps);
     copy.to_words()
 }
 
 fn compare(world: &World, steps: u64, what: &str) {
-    let portable = continued(world, Instructions::portable(), steps);
-    for instructions in Instructions::available() {
+    let portable = continued(world, Instructions::portable(), 1, steps);
+    let sets = Instructions::available().into_iter().map(|set| (set, 1));
+    let threads = [2, 3, 5].map(|threads| (Instructions::widest(), threads));
+    for (instructions, threads) in sets.chain(threads) {
         assert!(
-            continued(world, instructions, steps) == portable,
-            "{what}: {} gives other bits than the portable instructions",
+            continued(world, instructions, threads, steps) == portable,
+            "{what}: {} in {threads} threads give other bits than the portable instructions in one",
             instructions.name()
         );
     }
 }
 
 #[test]
-fn a_fault_has_the_same_bits_with_all() {
+fn a_fault_has_the_same_bits_on_every_machine() {
     for variant in VARIANTS {
         let world = sheared_with(variant);
         let bonds = |world: &World| world.strong_links().map_or(0, |bonds| bonds.len());
         let (before, rebuilds) = (bonds(&world), world.rebuilds());
-        compare(&world, 4000, &format!("{variant:?}"));
+        compare(&world, 12_000, &format!("{variant:?}"));
         let mut after = world.clone();
-        advance(&mut after, 4000);
+        advance(&mut after, 12_000);
         assert!(
             bonds(&after) < before && after.rebuilds() > rebuilds && after.contacts() > 0,
             "the scene shows too little: {variant:?}"
@@ -61,53 +63,59 @@ fn a_fault_has_the_same_bits_with_all() {
 }
 
 #[test]
-fn single_collisions_have_the_same_bits_with_all() {
+fn single_collisions_have_the_same_bits_on_every_machine() {
     for name in ["head-on", "oblique", "rolling", "cantilever"] {
         let text = builtin::text(name).expect("built in");
         compare(&world(text), 3000, name);
     }
 }
 
-/// Contents of all files that a run writes, but for those that tell the time it took.
-fn outputs(instructions: Option<&str>) -> BTreeMap<String, Vec<u8>> {
+/// Contents of all tables that a run writes, with a variable of the environment.
+fn outputs((variable, value): (&str, &str)) -> BTreeMap<String, Vec<u8>> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut command = gouge();
     command
         .args(["run", "oblique", "--quiet", "--out"])
-        .arg(folder.path());
-    if let Some(name) = instructions {
-        command.env("GOUGE_INSTRUCTIONS", name);
-    }
+        .arg(folder.path())
+        .env(variable, value);
     let output = command.output().expect("the program starts");
     assert!(output.status.success(), "{}", stderr(&output));
     let files = std::fs::read_dir(folder.path()).expect("a folder of outputs");
-    let names = files.map(|file| file.expect("readable").path());
-    names
+    let paths = files.map(|file| file.expect("readable").path());
+    paths
         .filter(|path| path.extension().is_some_and(|extension| extension == "csv"))
         .map(|path| {
-            let name = path
-                .file_name()
-                .expect("has a name")
-                .to_string_lossy()
-                .into_owned();
-            (name, std::fs::read(path).expect("readable"))
+            let name = path.file_name().expect("has a name").to_string_lossy();
+            (name.into_owned(), std::fs::read(&path).expect("readable"))
         })
         .collect()
 }
 
 #[test]
-fn an_environment_variable_forces_them() {
-    let widest = outputs(None);
-    assert!(!widest.is_empty());
+fn the_environment_chooses() {
+    let usual = outputs(("UNRELATED", ""));
+    assert!(!usual.is_empty());
     for instructions in Instructions::available() {
-        assert!(outputs(Some(instructions.name())) == widest);
+        assert!(outputs(("GOUGE_INSTRUCTIONS", instructions.name())) == usual);
     }
-    let output = gouge()
-        .args(["scenes"])
-        .env("GOUGE_INSTRUCTIONS", "fast")
-        .output()
-        .expect("the program starts");
-    assert_eq!(output.status.code(), Some(2));
-    let message = stderr(&output);
-    assert!(message.contains("GOUGE_INSTRUCTIONS = fast") && message.contains("portable"));
+    assert!(outputs(("GOUGE_THREADS", "2")) == usual);
+}
+
+#[test]
+fn the_environment_is_checked() {
+    let cases = [
+        ("GOUGE_INSTRUCTIONS", "fast", "portable"),
+        ("GOUGE_THREADS", "0", "from 1 to 1024"),
+        ("GOUGE_THREADS", "two", "from 1 to 1024"),
+    ];
+    for (variable, value, accepted) in cases {
+        let output = gouge()
+            .arg("scenes")
+            .env(variable, value)
+            .output()
+            .expect("the program starts");
+        assert_eq!(output.status.code(), Some(2));
+        let message = stderr(&output);
+        assert!(message.contains(&format!("{variable} = {value}")) && message.contains(accepted));
+    }
 }
