@@ -1,73 +1,65 @@
-//! Whole steps of small worlds, by what their scenes contain. Set-up is outside the timed part.
+//! Whole steps, by what their scenes contain: one entry a law, a method and a part.
+//!
+//! Passes are chosen once a step and have no door of their own; what one costs is the difference between
+//! two entries. Set-up is outside the timed part.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use gouge_kernel::World;
-use gouge_validation::scene::{Scene, builtin};
+use gouge_validation::scene::Scene;
 use std::hint::black_box;
 use std::path::Path;
 
-/// A bonded block of equal grains on a hexagonal lattice, or the same grains loose.
-fn block(contact: &str, bond: &str, ledger: bool) -> Option<World> {
-    let head = format!(
-        "[time]\nstep = 1e-9\nend = 1.0\nintegrator = \"symplectic-euler\"\n\
-         [material]\ndensity = 2700.0\n[output]\nenergy = {ledger}\n{contact}{bond}\n\
-         [setup]\nseed = 1\n[setup.sizes]\nmean = 1e-3\n\
-         [setup.lattice]\narrangement = \"hexagonal\"\npitch = 2e-3\ncolumns = 50\nrows = 50\n"
-    );
-    let text = if bond.is_empty() {
-        head
-    } else {
-        head + "[setup.bonding]\n"
-    };
-    let scene = Scene::parse("bench", text.as_bytes(), Path::new(".")).ok()?;
-    gouge_validation::run::enter(&scene, &gouge_validation::run::phases(&scene), 0, None).ok()
-}
-
-const NORMAL: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n";
+const KELVIN_VOIGT: &str =
+    "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n";
+const BSHP: &str = "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
+    dissipative_constant = 1e-8\n";
 const HAFF_WERNER: &str =
     "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.7\ndamping = 100.0\n";
 const CUNDALL_STRACK: &str =
+    "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e8\n";
+const TRUNCATED: &str =
     "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.7\nstiffness = 1e8\n";
-const BOND: &str = "[bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
-    [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n\
-    [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 280e9\ntangential_strength = 168e9\n";
+const BARS: &str = "[bond.normal]\nstiffness = 1e7\ndamping = 10.0\n";
+const BEAMS: &str =
+    "[bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n";
+const YIELDING: &str = "[bond.yielding]\nlaw = \"zhang-eckert\"\n\
+    normal_strength = 280e9\ntangential_strength = 168e9\n";
+const CREEPING: &str = "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n";
+const GRAVITY: &str = "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n";
+const LEDGER: &str = "[output]\nenergy = true\n";
 
-fn steps(criterion: &mut Criterion) {
-    let cases = [
-        ("contacts/frictionless", NORMAL.to_owned(), "", false),
-        (
-            "contacts/haff-werner",
-            format!("{NORMAL}{HAFF_WERNER}"),
-            "",
-            false,
-        ),
-        (
-            "contacts/cundall-strack-truncated",
-            format!("{NORMAL}{CUNDALL_STRACK}"),
-            "",
-            false,
-        ),
-        ("bonds", String::new(), BOND, false),
-        (
-            "bonds and contacts",
-            format!("{NORMAL}{CUNDALL_STRACK}"),
-            BOND,
-            false,
-        ),
-        (
-            "bonds and contacts/ledger",
-            format!("{NORMAL}{CUNDALL_STRACK}"),
-            BOND,
-            true,
-        ),
-    ];
-    let mut group = criterion.benchmark_group("step of 2500 particles");
-    for (name, contact, bond, ledger) in cases {
-        let Some(world) = block(&contact, bond, ledger) else {
+/// 2500 grains on a lattice on which they overlap by a thousandth; bonded if the text has bonds.
+fn lattice(integrator: &str, parts: &[&str]) -> Option<World> {
+    let parts = parts.concat();
+    let output = if parts.contains("[output]") {
+        ""
+    } else {
+        "[output]\nenergy = false\n"
+    };
+    let bonding = if parts.contains("[bond") {
+        "[setup.bonding]\n"
+    } else {
+        ""
+    };
+    let text = format!(
+        "[time]\nstep = 1e-9\nend = 1.0\nintegrator = \"{integrator}\"\n\
+         [material]\ndensity = 2700.0\n{output}{parts}\
+         [setup]\nseed = 1\n[setup.sizes]\nmean = 1e-3\n\
+         [setup.lattice]\narrangement = \"hexagonal\"\npitch = 1.998e-3\ncolumns = 50\nrows = 50\n{bonding}"
+    );
+    let scene = Scene::parse("bench", text.as_bytes(), Path::new("."));
+    let scene = scene.map_err(|error| eprintln!("{error}")).ok()?;
+    gouge_validation::run::enter(&scene, &gouge_validation::run::phases(&scene), 0, None).ok()
+}
+
+fn time(criterion: &mut Criterion, group: &str, cases: &[(&str, &str, &[&str])]) {
+    let mut group = criterion.benchmark_group(group);
+    for (name, integrator, parts) in cases {
+        let Some(world) = lattice(integrator, parts) else {
             continue;
         };
         group.throughput(Throughput::Elements(world.particles().len() as u64));
-        group.bench_function(name, |bencher| {
+        group.bench_function(*name, |bencher| {
             bencher.iter_batched_ref(
                 || world.clone(),
                 |world| black_box(world.step()),
@@ -78,12 +70,65 @@ fn steps(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn scenes(criterion: &mut Criterion) {
-    let text = builtin::text("granite-fault-small").unwrap_or_default();
-    criterion.bench_function("read a scene", |bencher| {
-        bencher.iter(|| Scene::parse("bench", black_box(text.as_bytes()), Path::new(".")));
-    });
+fn contacts(criterion: &mut Criterion) {
+    const VERLET: &str = "velocity-verlet";
+    time(
+        criterion,
+        "step with contacts",
+        &[
+            ("kelvin-voigt", VERLET, &[KELVIN_VOIGT]),
+            ("bshp", VERLET, &[BSHP]),
+            ("haff-werner", VERLET, &[KELVIN_VOIGT, HAFF_WERNER]),
+            ("cundall-strack", VERLET, &[KELVIN_VOIGT, CUNDALL_STRACK]),
+            (
+                "cundall-strack-truncated",
+                VERLET,
+                &[KELVIN_VOIGT, TRUNCATED],
+            ),
+            (
+                "bshp and cundall-strack-truncated",
+                VERLET,
+                &[BSHP, TRUNCATED],
+            ),
+            ("ledger", VERLET, &[LEDGER, KELVIN_VOIGT, TRUNCATED]),
+        ],
+    );
 }
 
-criterion_group!(benches, steps, scenes);
+fn bonds(criterion: &mut Criterion) {
+    const VERLET: &str = "velocity-verlet";
+    time(
+        criterion,
+        "step with bonds",
+        &[
+            ("bars", VERLET, &[BARS]),
+            ("beams", VERLET, &[BARS, BEAMS]),
+            ("beams that yield", VERLET, &[BARS, BEAMS, YIELDING]),
+            (
+                "and contacts",
+                VERLET,
+                &[KELVIN_VOIGT, TRUNCATED, BARS, BEAMS, YIELDING],
+            ),
+            ("ledger", VERLET, &[LEDGER, BARS, BEAMS, YIELDING]),
+        ],
+    );
+}
+
+fn free(criterion: &mut Criterion) {
+    time(
+        criterion,
+        "step of free grains",
+        &[
+            ("euler", "euler", &[]),
+            ("symplectic-euler", "symplectic-euler", &[]),
+            ("taylor", "taylor", &[]),
+            ("velocity-verlet", "velocity-verlet", &[]),
+            ("beeman", "beeman", &[]),
+            ("creeping", "velocity-verlet", &[CREEPING]),
+            ("gravity", "velocity-verlet", &[GRAVITY]),
+        ],
+    );
+}
+
+criterion_group!(benches, contacts, bonds, free);
 criterion_main!(benches);

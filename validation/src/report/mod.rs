@@ -1,12 +1,13 @@
 //! What `gouge verify` leaves: one page for people, one file for programs.
 
 mod machine;
-pub use machine::words as machine_words;
 mod page;
 mod pictures;
 mod plot;
 mod record;
+mod speed;
 
+pub use machine::words as machine_words;
 pub use pictures::{Picture, pictures};
 pub use record::Record;
 

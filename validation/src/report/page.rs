@@ -1,6 +1,6 @@
 //! The page for people.
 
-use super::{Entry, Picture, Record, pictures, plot};
+use super::{Entry, Picture, Record, pictures, plot, speed};
 use crate::checks::{Exhibit, Table, Topic};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -27,7 +27,10 @@ pub fn page(topics: &[Topic], entries: &[Entry], drawn: &[Picture], machine: &st
                 (summary(&shown))
                 (how_to_read())
                 @for (topic, entries) in &shown { (chapter(topic, entries)) }
-                @if !drawn.is_empty() { (pictures::chapter(drawn)) }
+                @if !drawn.is_empty() {
+                    (speed::chapter())
+                    (pictures::chapter(drawn))
+                }
             }
         }
     }

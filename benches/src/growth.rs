@@ -1,0 +1,45 @@
+//! How the time of a particle-step grows from cache to memory.
+
+use crate::peers::{Case, Timer};
+use crate::sample::Sample;
+use crate::worlds::{Friction, pressed, rubbing};
+use gouge_validation::error::Error;
+
+/// Particle-steps of a measurement.
+const WORK: u64 = 4_000_000;
+
+/// Time pressed grains of growing number, in so many rounds over all sizes.
+///
+/// # Errors
+/// Scenes that cannot be set up.
+pub fn measure(rounds: usize, largest: usize) -> Result<Vec<Case>, Error> {
+    let (small, whole) = (pressed(0.0375)?, pressed(0.1)?);
+    let mut timers = Vec::new();
+    for (packing, times) in [
+        (&small, 1),
+        (&whole, 1),
+        (&whole, 4),
+        (&whole, 12),
+        (&whole, 37),
+        (&whole, 120),
+        (&whole, 374),
+    ] {
+        let number = packing.particles().len() * times;
+        if number <= largest {
+            let world = rubbing(packing, Friction::CundallStrack, times)?;
+            timers.push((number, Timer::new(world, 10)?, Sample::default()));
+        }
+    }
+    for _ in 0..rounds {
+        for (number, timer, sample) in &mut timers {
+            let steps = (WORK / *number as u64).max(4);
+            sample.0.push(timer.time(steps)?);
+        }
+    }
+    let cases = timers.into_iter().map(|(number, timer, sample)| {
+        let case = timer.case(&format!("{number} particles"), sample, None);
+        println!("{}", case.words());
+        case
+    });
+    Ok(cases.collect())
+}

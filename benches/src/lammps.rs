@@ -1,0 +1,135 @@
+//! The same states timed with LAMMPS: a data file, a run of an input in `peers/`, the time of its loop.
+
+use gouge_kernel::World;
+use gouge_kernel::particles::Role;
+use gouge_validation::error::Error;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A build of LAMMPS.
+#[derive(Clone)]
+pub struct Lammps {
+    /// The executable.
+    pub program: PathBuf,
+}
+
+/// Density of a particle whose mass is that of a sphere, in kg/m^3.
+fn density(mass: f64, radius: f64) -> f64 {
+    mass / (4.0 / 3.0 * std::f64::consts::PI * radius.powi(3))
+}
+
+/// The state as a data file, for atoms with or without bonds.
+pub fn data(world: &World) -> String {
+    let p = world.particles();
+    let bonds = world.strong_links().map_or(&[][..], |bonds| bonds.pairs());
+    let width = world.model().period().unwrap_or_default();
+    let heights = p.position.iter().map(|x| x.y);
+    let (low, high) = heights.fold((0.0_f64, 0.0_f64), |(a, b), y| (a.min(y), b.max(y)));
+    let mut text = format!("state of a scene\n\n{} atoms\n3 atom types\n", p.len());
+    if !bonds.is_empty() {
+        let _ = write!(
+            text,
+            "{} bonds\n1 bond types\n12 extra bond per atom\n20 extra special per atom\n",
+            bonds.len()
+        );
+    }
+    let _ = write!(
+        text,
+        "0 {width:e} xlo xhi\n{:e} {:e} ylo yhi\n-5e-3 5e-3 zlo zhi\n\nAtoms\n\n",
+        low - 0.1,
+        high + 0.1
+    );
+    for i in 0..p.len() {
+        let kind = match p.role[i] {
+            Role::Free => 1,
+            Role::Fixed => 2,
+            Role::Driven => 3,
+        };
+        let molecule = if bonds.is_empty() { "" } else { "1 " };
+        let (radius, position) = (p.radius[i], p.position[i]);
+        let _ = writeln!(
+            text,
+            "{} {molecule}{kind} {:e} {:e} {:e} {:e} 0",
+            i + 1,
+            2.0 * radius,
+            density(p.mass[i], radius),
+            position.x,
+            position.y
+        );
+    }
+    let _ = write!(text, "\nVelocities\n\n");
+    for i in 0..p.len() {
+        let (v, spin) = (p.velocity[i], p.angular_velocity[i]);
+        let _ = writeln!(text, "{} {:e} {:e} 0 0 0 {:e}", i + 1, v.x, v.y, spin);
+    }
+    if !bonds.is_empty() {
+        let _ = write!(text, "\nBonds\n\n");
+        for (k, pair) in bonds.iter().enumerate() {
+            let _ = writeln!(text, "{} 1 {} {}", k + 1, pair.i + 1, pair.j + 1);
+        }
+    }
+    text
+}
+
+impl Lammps {
+    fn command(&self) -> Command {
+        let mut command = Command::new(&self.program);
+        command.env("OMP_NUM_THREADS", "1");
+        if let Some(folder) = self.program.parent() {
+            command.env("LD_LIBRARY_PATH", folder.join("../lib"));
+        }
+        command
+    }
+
+    /// What the program calls itself: its name and the date of its version.
+    ///
+    /// # Errors
+    /// A program that does not run.
+    pub fn name(&self) -> Result<String, Error> {
+        let output = self.command().arg("-help").output();
+        let output = output.map_err(|error| Error::file("run", &self.program, error))?;
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let date = text
+            .lines()
+            .find_map(|line| line.split_once("Simulator - "));
+        Ok(date.map_or("LAMMPS".to_owned(), |(_, date)| format!("LAMMPS {date}")))
+    }
+
+    /// Time of a particle-step in ns: that of the loop of the last run of an input.
+    ///
+    /// # Errors
+    /// A program that does not run, or says nothing of its loop.
+    pub fn time(
+        &self,
+        input: &Path,
+        data: &Path,
+        particles: usize,
+        steps: u64,
+    ) -> Result<f64, Error> {
+        let mut command = self.command();
+        command.args(["-log", "none", "-in"]).arg(input);
+        command
+            .args(["-var", "steps", &steps.to_string(), "-var", "data"])
+            .arg(data);
+        let output = command
+            .output()
+            .map_err(|error| Error::file("run", &self.program, error))?;
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let loops = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("Loop time of "));
+        let seconds = loops
+            .last()
+            .and_then(|rest| rest.split(' ').next()?.parse::<f64>().ok());
+        let seconds = seconds.filter(|_| output.status.success()).ok_or_else(|| {
+            let last: Vec<&str> = text.lines().rev().take(5).collect();
+            Error::Argument(format!(
+                "{} failed on {}: {last:?}",
+                self.program.display(),
+                input.display()
+            ))
+        })?;
+        Ok(seconds * 1e9 / (steps as f64 * particles as f64))
+    }
+}

@@ -1,0 +1,212 @@
+//! Whole scenes beside LAMMPS, in turns, so that both see the same moods of the machine.
+
+use crate::lammps::{Lammps, data};
+use crate::parts::bytes;
+use crate::sample::Sample;
+use crate::worlds::{Friction, fault, pressed, rubbing};
+use gouge_kernel::World;
+use gouge_validation::error::Error;
+use serde::Serialize;
+use std::path::Path;
+use std::time::Instant;
+
+/// Steps before a measurement.
+const WARM_UP: u64 = 200;
+/// Steps of a measurement.
+const STEPS: u64 = 1000;
+
+/// A scene that was timed.
+#[derive(Serialize)]
+pub struct Case {
+    /// Its name.
+    pub name: String,
+    /// Number of particles.
+    pub particles: usize,
+    /// Contacts a particle.
+    pub contacts: f64,
+    /// Pairs in the neighbour list a particle.
+    pub near_pairs: f64,
+    /// Bonds a particle.
+    pub bonds: f64,
+    /// Bytes a particle that the world keeps.
+    pub bytes: f64,
+    /// Rebuilds of the neighbour list in the measured steps, and their number.
+    pub rebuilds: [u64; 2],
+    /// Times of a particle-step in ns.
+    pub ours: Sample,
+    /// The same of the other program, with its name.
+    pub peer: Option<(String, Sample)>,
+}
+
+/// Times of a particle-step of a world in ns, advanced on and on.
+pub struct Timer {
+    world: World,
+    rebuilds: u64,
+    steps: u64,
+}
+
+impl Timer {
+    /// A world after some steps to warm up.
+    pub fn new(mut world: World, warm_up: u64) -> Result<Self, Error> {
+        advance(&mut world, warm_up)?;
+        let rebuilds = world.rebuilds();
+        Ok(Self {
+            world,
+            rebuilds,
+            steps: 0,
+        })
+    }
+    /// Time of a particle-step in ns, over so many more steps.
+    pub fn time(&mut self, steps: u64) -> Result<f64, Error> {
+        let began = Instant::now();
+        advance(&mut self.world, steps)?;
+        self.steps += steps;
+        let particles = self.world.particles().len() as f64;
+        Ok(began.elapsed().as_secs_f64() * 1e9 / (steps as f64 * particles))
+    }
+    /// The world at present.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+    /// What was timed.
+    pub fn case(self, name: &str, ours: Sample, peer: Option<(String, Sample)>) -> Case {
+        let world = &self.world;
+        let number = world.particles().len();
+        let of_each = |count: usize| count as f64 / number as f64;
+        Case {
+            name: name.to_owned(),
+            particles: number,
+            contacts: of_each(world.contacts()),
+            near_pairs: of_each(world.weak_links().map_or(0, |weak| weak.pairs.len())),
+            bonds: of_each(world.strong_links().map_or(0, |strong| strong.len())),
+            bytes: bytes(world),
+            rebuilds: [world.rebuilds() - self.rebuilds, self.steps],
+            ours,
+            peer,
+        }
+    }
+}
+
+fn advance(world: &mut World, steps: u64) -> Result<(), Error> {
+    for _ in 0..steps {
+        world.step().map_err(|source| Error::Step {
+            phase: "measurement".to_owned(),
+            source,
+        })?;
+    }
+    Ok(())
+}
+
+impl Case {
+    /// A line of a table.
+    pub fn words(&self) -> String {
+        let ratio = self.peer.as_ref().map_or(String::new(), |(name, peer)| {
+            format!(
+                "  {name} {}  ratio {}",
+                peer.words(),
+                self.ours.over(peer).words()
+            )
+        });
+        format!(
+            "{:28} ns a particle-step {}, least {:.2}, {:.0} bytes{ratio}",
+            self.name,
+            self.ours.words(),
+            self.ours.least(),
+            self.bytes
+        )
+    }
+}
+
+/// The programs to compare with, where they are there.
+pub struct Programs {
+    /// With beams of bonded particles.
+    pub beams: Option<Lammps>,
+    /// For contacts: the fastest build.
+    pub contacts: Option<Lammps>,
+}
+
+/// Time all scenes beside the programs, in so many rounds.
+///
+/// # Errors
+/// Scenes that cannot be set up, programs that fail.
+pub fn measure(programs: &Programs, rounds: usize, only: &str) -> Result<Vec<Case>, Error> {
+    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers");
+    let loose = |friction| rubbing(&pressed(0.1)?, friction, 1);
+    type Make<'a> = &'a dyn Fn() -> Result<World, Error>;
+    let scenes: [(&str, Make, &str, &Option<Lammps>); 6] = [
+        (
+            "bonded, Cundall-Strack",
+            &|| fault(Friction::CundallStrack, false),
+            "bonded.lammps",
+            &programs.beams,
+        ),
+        (
+            "bonded, Haff-Werner",
+            &|| fault(Friction::HaffWerner, false),
+            "bonded.lammps",
+            &programs.beams,
+        ),
+        (
+            "bonded, ledger",
+            &|| fault(Friction::CundallStrack, true),
+            "",
+            &None,
+        ),
+        (
+            "pressed, Cundall-Strack",
+            &|| loose(Friction::CundallStrack),
+            "frictional.lammps",
+            &programs.contacts,
+        ),
+        (
+            "pressed, Haff-Werner",
+            &|| loose(Friction::HaffWerner),
+            "frictional.lammps",
+            &programs.contacts,
+        ),
+        (
+            "pressed, frictionless",
+            &|| loose(Friction::None),
+            "frictionless.lammps",
+            &programs.contacts,
+        ),
+    ];
+    let mut cases = Vec::new();
+    for (name, make, input, program) in scenes {
+        if name.contains(only) {
+            let program = program
+                .as_ref()
+                .map(|program| (program, inputs.join(input)));
+            cases.push(compare(name, make()?, program, rounds)?);
+        }
+    }
+    Ok(cases)
+}
+
+fn compare(
+    name: &str,
+    world: World,
+    program: Option<(&Lammps, std::path::PathBuf)>,
+    rounds: usize,
+) -> Result<Case, Error> {
+    let folder = tempfile::tempdir()
+        .map_err(|error| Error::file("create", Path::new("a temporary folder"), error))?;
+    let file = folder.path().join("data");
+    std::fs::write(&file, data(&world)).map_err(|error| Error::file("write", &file, error))?;
+    let number = world.particles().len();
+    let mut timer = Timer::new(world, WARM_UP)?;
+    let (mut ours, mut theirs) = (Sample::default(), Sample::default());
+    for _ in 0..rounds {
+        ours.0.push(timer.time(STEPS)?);
+        if let Some((lammps, input)) = &program {
+            theirs.0.push(lammps.time(input, &file, number, STEPS)?);
+        }
+    }
+    let peer = match program {
+        Some((lammps, _)) => Some((lammps.name()?, theirs)),
+        None => None,
+    };
+    let case = timer.case(name, ours, peer);
+    println!("{}", case.words());
+    Ok(case)
+}

@@ -1,0 +1,41 @@
+//! Repeated measurements.
+
+use serde::Serialize;
+
+/// Repeated measurements of one quantity, in the order in which they were made.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Sample(pub Vec<f64>);
+
+impl Sample {
+    /// The quantile of a probability.
+    fn quantile(&self, probability: f64) -> f64 {
+        let mut sorted = self.0.clone();
+        sorted.sort_by(f64::total_cmp);
+        let place = probability * (sorted.len().max(1) - 1) as f64;
+        sorted
+            .get(place.round() as usize)
+            .copied()
+            .unwrap_or(f64::NAN)
+    }
+    /// The least.
+    pub fn least(&self) -> f64 {
+        self.quantile(0.0)
+    }
+    /// The median.
+    pub fn median(&self) -> f64 {
+        self.quantile(0.5)
+    }
+    /// Ratios to measurements made beside these.
+    pub fn over(&self, other: &Self) -> Self {
+        Self(self.0.iter().zip(&other.0).map(|(a, b)| a / b).collect())
+    }
+    /// Median and quartiles in words.
+    pub fn words(&self) -> String {
+        format!(
+            "{:.3} ({:.3} to {:.3})",
+            self.median(),
+            self.quantile(0.25),
+            self.quantile(0.75)
+        )
+    }
+}

@@ -1,0 +1,37 @@
+//! One thread beside two, in turns.
+
+use crate::peers::{Case, Timer};
+use crate::sample::Sample;
+use crate::worlds::{Friction, pressed, rubbing};
+use gouge_validation::error::Error;
+use gouge_validation::machine::default_threads;
+
+/// Particle-steps of a measurement.
+const WORK: u64 = 20_000_000;
+
+/// Time pressed grains with one thread and with as many as are chosen by default for their number.
+///
+/// # Errors
+/// Scenes that cannot be set up.
+pub fn measure(rounds: usize) -> Result<Vec<Case>, Error> {
+    let packing = pressed(0.1)?;
+    let mut cases = Vec::new();
+    for times in [1, 37] {
+        let world = rubbing(&packing, Friction::CundallStrack, times)?;
+        let number = world.particles().len();
+        let threads = default_threads(number);
+        let mut one = Timer::new(world.clone().with_threads(1), 10)?;
+        let mut several = Timer::new(world.with_threads(threads), 10)?;
+        let (mut alone, mut together) = (Sample::default(), Sample::default());
+        for _ in 0..rounds {
+            let steps = WORK / number as u64;
+            alone.0.push(one.time(steps)?);
+            together.0.push(several.time(steps)?);
+        }
+        let name = format!("{number} particles, {threads} threads");
+        let case = several.case(&name, together, Some(("one thread".to_owned(), alone)));
+        println!("{}", case.words());
+        cases.push(case);
+    }
+    Ok(cases)
+}

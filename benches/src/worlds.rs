@@ -1,0 +1,101 @@
+//! The scenes that are timed, at full size.
+
+use gouge_kernel::laws::{CundallStrackTruncated, HaffWerner};
+use gouge_kernel::model::{ContactTangential, Model};
+use gouge_kernel::particles::Particles;
+use gouge_kernel::{Start, World};
+use gouge_validation::error::Error;
+use gouge_validation::run::prepared;
+use gouge_validation::scene::{Scene, builtin};
+use std::path::Path;
+use std::time::Instant;
+
+const PRESSED: &str = include_str!("../scenes/pressed.toml");
+
+/// Friction of contacts.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Friction {
+    /// None.
+    None,
+    /// Haff-Werner.
+    HaffWerner,
+    /// Truncated Cundall-Strack.
+    CundallStrack,
+}
+
+impl Friction {
+    fn law(self) -> Option<ContactTangential> {
+        match self {
+            Self::None => None,
+            Self::HaffWerner => Some(ContactTangential::HaffWerner(HaffWerner {
+                friction: 0.7,
+                damping: 100.0,
+            })),
+            Self::CundallStrack => {
+                let law = CundallStrackTruncated {
+                    friction: 0.7,
+                    stiffness: 1e8,
+                };
+                Some(ContactTangential::CundallStrackTruncated(law))
+            }
+        }
+    }
+}
+
+fn prepare(text: &str) -> Result<World, Error> {
+    let scene = Scene::parse("scene", text.as_bytes(), Path::new("."))?;
+    let began = Instant::now();
+    let world = prepared(&scene)?;
+    let (number, seconds) = (world.particles().len(), began.elapsed().as_secs_f64());
+    eprintln!("set up {number} particles in {seconds:.1} s");
+    Ok(world)
+}
+
+/// The granite fault when its shear begins.
+pub fn fault(friction: Friction, ledger: bool) -> Result<World, Error> {
+    let text = builtin::text("granite-fault").unwrap_or_default();
+    let text = match friction {
+        Friction::HaffWerner => text
+            .replace("\"cundall-strack-truncated\"", "\"haff-werner\"")
+            .replace("stiffness = 1e8", "damping = 100.0"),
+        _ => text.to_owned(),
+    };
+    let output = format!("[output]\nenergy = {ledger}");
+    prepare(&text.replace("[output]", &output))
+}
+
+/// Pressed grains without friction in a box of the given width in m.
+pub fn pressed(width: f64) -> Result<World, Error> {
+    prepare(&PRESSED.replace("width = 0.1", &format!("width = {width}")))
+}
+
+/// The same grains with friction, repeated so many times along the period; contacts begin anew.
+pub fn rubbing(pressed: &World, friction: Friction, times: usize) -> Result<World, Error> {
+    let mut model: Model = *pressed.model();
+    let width = model.period().unwrap_or_default();
+    model.domain.width = Some(width * times as f64);
+    if let Some(driving) = &mut model.driving {
+        driving.area *= times as f64;
+    }
+    if let Some(contact) = &mut model.contact {
+        contact.tangential = friction.law();
+    }
+    let start = Start {
+        drive_force: pressed.drive().force * times as f64,
+        ..Start::default()
+    };
+    Ok(World::new(
+        model,
+        repeated(pressed.particles(), width, times),
+        &start,
+    )?)
+}
+
+fn repeated(particles: &Particles, width: f64, times: usize) -> Particles {
+    let all: Vec<usize> = (0..times).flat_map(|_| 0..particles.len()).collect();
+    let mut repeated = particles.select(&all);
+    for (k, position) in repeated.position.iter_mut().enumerate() {
+        position.x += width * (k / particles.len()) as f64;
+    }
+    repeated
+}
