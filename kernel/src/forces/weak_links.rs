@@ -337,8 +337,8 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             }
             self.pass
                 .put::<S, LEDGER>(outputs, lane, &state, ends.radii, touches);
-            let is_irregular = (touches != old.touches) & T::REMEMBERS | touches & !is_regular;
-            let flag = TOUCHES * u64::from(touches) | IRREGULAR * u64::from(is_irregular);
+            let is_irregular = ((touches != old.touches) & T::REMEMBERS) | (touches & !is_regular);
+            let flag = (TOUCHES * u64::from(touches)) | (IRREGULAR * u64::from(is_irregular));
             outputs.flags[lane] = flag;
             flags |= flag;
         }

@@ -8,7 +8,10 @@ use crate::scalar::Real;
 use gouge_equations::rendered;
 
 /// Width of the margin around contacts, in mean radii, where the box does not ask for less.
-const MARGIN: f64 = 0.4;
+const MARGIN: f64 = 0.2;
+/// How much wider than two of the largest radii a cell is at least, in mean radii: more than the margin
+/// asks for, because a particle may move a cell a step.
+const ROOM: f64 = 0.4;
 
 /// The neighbour list: every pair whose surfaces are closer than a margin, but for pairs of fixed
 /// particles, whose forces move nothing.
@@ -29,7 +32,8 @@ pub struct Neighbors<S> {
     rebuilds: u64,
     members: Vec<u32>,
     starts: Vec<u32>,
-    cell_of: Vec<Index>,
+    /// Ranks of the cells of all particles.
+    cell_of: Vec<u32>,
 }
 
 impl<S: Real> Neighbors<S> {
@@ -40,7 +44,8 @@ impl<S: Real> Neighbors<S> {
         let number = particles.len().max(1);
         let mean = particles.radius.iter().map(|r| r.to_f64()).sum::<f64>() / number as f64;
         let room = period.map_or(f64::INFINITY, |width| 0.5 * width - largest);
-        let margin = (MARGIN * mean).min(room).max(0.0);
+        let within_box = |width: f64| (width * mean).min(room).max(0.0);
+        let margin = within_box(MARGIN);
         let (low, high) = bounds(particles);
         let side = |given: Option<f64>, low: f64, high: f64| match given {
             Some(length) => (0.0, length),
@@ -48,7 +53,7 @@ impl<S: Real> Neighbors<S> {
         };
         let (x, width) = side(extent[0], low.x, high.x);
         let (y, height) = side(extent[1], low.y, high.y);
-        let cutoff = (largest + margin).max(f64::MIN_POSITIVE);
+        let cutoff = (largest + within_box(ROOM)).max(f64::MIN_POSITIVE);
         let (origin, extent) = (Vec2::new(x, y), Vec2::new(width, height));
         Self {
             cells: Cells::new(origin, extent, period.is_some(), cutoff, number + 16),
@@ -89,7 +94,10 @@ impl<S: Real> Neighbors<S> {
         self.sort_into_cells(particles);
         pairs.clear();
         for i in 0..particles.len() {
-            for cell in self.cells.neighbors_from(self.cell_of[i]) {
+            for cell in self
+                .cells
+                .neighbors_from(self.cells.at(self.cell_of[i] as usize))
+            {
                 self.pairs_with_cell(metric, particles, i, cell, pairs);
             }
         }
@@ -103,20 +111,20 @@ impl<S: Real> Neighbors<S> {
             particles
                 .position
                 .iter()
-                .map(|x| cells.down(Vec2::new(x.x.to_f64(), x.y.to_f64()))),
+                .map(|x| cells.rank(cells.down(Vec2::new(x.x.to_f64(), x.y.to_f64()))) as u32),
         );
         self.starts.clear();
         self.starts.resize(cells.number() + 1, 0);
         self.cell_of
             .iter()
-            .for_each(|&cell| self.starts[cells.rank(cell) + 1] += 1);
+            .for_each(|&cell| self.starts[cell as usize + 1] += 1);
         for cell in 1..self.starts.len() {
             self.starts[cell] += self.starts[cell - 1];
         }
         self.members.clear();
         self.members.resize(particles.len(), 0);
         for (i, &cell) in self.cell_of.iter().enumerate().rev() {
-            let rank = cells.rank(cell);
+            let rank = cell as usize;
             // Filled from behind: afterwards each start is again the first member of its cell.
             self.starts[rank + 1] -= 1;
             self.members[self.starts[rank + 1] as usize] = i as u32;
@@ -136,11 +144,12 @@ impl<S: Real> Neighbors<S> {
         pairs: &mut Vec<Pair>,
     ) {
         let rank = self.cells.rank(cell);
+        let of_i = self.cells.at(self.cell_of[i] as usize);
         let members = &self.members[self.starts[rank] as usize..self.starts[rank + 1] as usize];
         for &j in members {
             let j = j as usize;
             let both_fixed = particles.is_fixed(i) && particles.is_fixed(j);
-            if both_fixed || !precedes(&self.cells, (self.cell_of[i], i), (cell, j)) {
+            if both_fixed || !precedes(&self.cells, (of_i, i), (cell, j)) {
                 continue;
             }
             let d = metric.displacement(particles.position[i], particles.position[j]);

@@ -157,9 +157,9 @@ impl<S: Real> Memories<S> {
     }
 }
 
-/// Room for pairs a particle, so that rebuilding allocates nothing: half of the kissing number, and
-/// some within the margin.
-const PAIRS_A_PARTICLE: usize = 4;
+/// Room for pairs a particle, so that rebuilding allocates nothing: lines between the centres of grains that
+/// nearly touch hardly cross, and a plane graph has at most three edges a node (Euler).
+const PAIRS_A_PARTICLE: usize = 3;
 
 /// The pairs that may touch, in order, and their memory where a law asks for it.
 #[derive(Clone, Debug)]
