@@ -116,11 +116,12 @@ impl Lammps {
             .output()
             .map_err(|error| Error::file("run", &self.program, error))?;
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        let loops = text
+        let mut loops = text
             .lines()
+            .rev()
             .filter_map(|line| line.strip_prefix("Loop time of "));
         let seconds = loops
-            .last()
+            .next()
             .and_then(|rest| rest.split(' ').next()?.parse::<f64>().ok());
         let seconds = seconds.filter(|_| output.status.success()).ok_or_else(|| {
             let last: Vec<&str> = text.lines().rev().take(5).collect();

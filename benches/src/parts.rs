@@ -13,6 +13,8 @@ use serde::Serialize;
 use std::time::Instant;
 
 const STEPS: u64 = 500;
+/// Time step in s: so short that grains without a wall stay where they are.
+const STEP: f64 = 1e-12;
 /// The loop by hand may differ from the kernel by rounding, but for a closed form of the normal: in m.
 const SAME: f64 = 1e-13;
 
@@ -62,6 +64,7 @@ pub fn bytes(world: &World) -> f64 {
 fn changed(world: &World, change: impl Fn(&mut Model)) -> Result<World, Error> {
     let mut model = Model {
         driving: None,
+        time_step: STEP,
         ..*world.model()
     };
     model.domain.periodic = false;
@@ -84,6 +87,13 @@ pub fn measure(rounds: usize) -> Result<Vec<Part>, Error> {
     let haff_werner = changed(&rubbed(Friction::HaffWerner)?, |_| {})?;
     let cundall_strack = changed(&rubbed(Friction::CundallStrack)?, |_| {})?;
     let block = fault(Friction::CundallStrack, false)?;
+    let block = block.clone().continue_with(
+        Model {
+            time_step: STEP,
+            ..*block.model()
+        },
+        None,
+    )?;
     let unyielding = block.clone().continue_with(
         Model {
             bond: block.model().bond.map(|bond| gouge_kernel::model::Bond {
@@ -94,7 +104,11 @@ pub fn measure(rounds: usize) -> Result<Vec<Part>, Error> {
         },
         None,
     )?;
-    let loose = changed(&block, |model| model.bond = None)?;
+    let loose = changed(&block, |model| {
+        model.bond = None;
+        model.domain.periodic = true;
+        model.driving = block.model().driving;
+    })?;
     let cases: [(&'static str, World, World); 9] = [
         ("friction memory", cundall_strack, haff_werner.clone()),
         ("rotation", haff_werner, bare.clone()),
