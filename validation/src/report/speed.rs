@@ -173,3 +173,25 @@ fn parts() -> Markup {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{RUNS, Run, chapter, latest};
+
+    #[test]
+    fn every_run_can_be_read_and_every_kind_is_shown() {
+        for file in RUNS.files() {
+            let run = serde_json::from_slice::<Run>(file.contents());
+            assert!(run.is_ok(), "{}: {:?}", file.path().display(), run.err());
+        }
+        let page = chapter().into_string();
+        for kind in ["peers", "growth", "threads", "parts"] {
+            let (date, run) = latest(kind).unwrap_or_else(|| panic!("no run of {kind}"));
+            assert!(page.contains(&date));
+            for case in &run.cases {
+                assert!(page.contains(&case.name), "{} is not shown", case.name);
+            }
+        }
+        assert!(!page.contains("NaN"));
+    }
+}
