@@ -186,10 +186,13 @@ mod tests {
         }
         let page = chapter().into_string();
         for kind in ["peers", "growth", "threads", "parts"] {
-            let (date, run) = latest(kind).unwrap_or_else(|| panic!("no run of {kind}"));
-            assert!(page.contains(&date));
-            for case in &run.cases {
-                assert!(page.contains(&case.name), "{} is not shown", case.name);
+            let newest = latest(kind);
+            assert!(newest.is_some(), "no run of {kind}");
+            if let Some((date, run)) = newest {
+                assert!(page.contains(&date));
+                for case in &run.cases {
+                    assert!(page.contains(&case.name), "{} is not shown", case.name);
+                }
             }
         }
         assert!(!page.contains("NaN"));
