@@ -165,31 +165,22 @@ fn taken<S: Copy>(columns: &[[S; LINKS]; 2], lane: usize) -> [S; 2] {
 }
 
 impl<S: Real> Inputs<S> {
-    /// Gather the ends of at most a block of links.
+    /// Gather the ends of at most a block of links; angles and spins only for laws that read them.
     #[inline(always)]
-    pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair]) {
+    pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair], angles: bool, spins: bool) {
         for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
-            self.gather_positions(columns, lane, pair);
-            self.gather_angles(columns, lane, pair);
-            self.gather_spins(columns, lane, pair);
+            let (difference, radii) = columns.gap(pair);
+            let velocity = columns.relative_velocity(pair);
+            put(&mut self.difference, lane, [difference.x, difference.y]);
+            put(&mut self.radii, lane, radii);
+            put(&mut self.velocity, lane, [velocity.x, velocity.y]);
+            if angles {
+                put(&mut self.angles, lane, columns.angles(pair));
+            }
+            if spins {
+                put(&mut self.spins, lane, columns.spins(pair));
+            }
         }
-    }
-    /// Gather what all links read.
-    #[inline(always)]
-    pub fn gather_positions(&mut self, columns: Columns<S>, lane: usize, pair: Pair) {
-        let (difference, radii) = columns.gap(pair);
-        let velocity = columns.relative_velocity(pair);
-        put(&mut self.difference, lane, [difference.x, difference.y]);
-        put(&mut self.radii, lane, radii);
-        put(&mut self.velocity, lane, [velocity.x, velocity.y]);
-    }
-    #[inline(always)]
-    pub fn gather_angles(&mut self, columns: Columns<S>, lane: usize, pair: Pair) {
-        put(&mut self.angles, lane, columns.angles(pair));
-    }
-    #[inline(always)]
-    pub fn gather_spins(&mut self, columns: Columns<S>, lane: usize, pair: Pair) {
-        put(&mut self.spins, lane, columns.spins(pair));
     }
     #[inline(always)]
     pub fn ends(&self, lane: usize) -> Ends<S> {
@@ -205,13 +196,15 @@ impl<S: Real> Inputs<S> {
 }
 
 impl<S: Real> Outputs<S> {
-    /// Put down the force on i in N and the torques on both ends in N m.
+    /// Put down the force on i in N.
     #[inline(always)]
-    pub fn set(&mut self, lane: usize, force: Vec2<S>, torques: [S; 2]) {
-        self.force[0][lane] = force.x;
-        self.force[1][lane] = force.y;
-        self.torques[0][lane] = torques[0];
-        self.torques[1][lane] = torques[1];
+    pub fn set_force(&mut self, lane: usize, force: Vec2<S>) {
+        put(&mut self.force, lane, [force.x, force.y]);
+    }
+    /// Put down the torques on both ends in N m.
+    #[inline(always)]
+    pub fn set_torques(&mut self, lane: usize, torques: [S; 2]) {
+        put(&mut self.torques, lane, torques);
     }
     #[inline(always)]
     pub fn force(&self, lane: usize) -> Vec2<S> {

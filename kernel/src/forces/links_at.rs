@@ -96,9 +96,7 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
         if !pass.touch(&ends) {
             return None;
         }
-        let mut memory = weak
-            .memory_at(position)
-            .unwrap_or_else(|| pass.begin(&ends));
+        let mut memory = pass.memory_at(weak, position, &ends);
         let state = pass.any(&ends, &mut memory);
         Some(LinkState {
             tangential_displacement: doubles(state.zeta),

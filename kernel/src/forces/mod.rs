@@ -10,6 +10,7 @@ mod driving;
 mod external;
 pub(crate) mod links_at;
 mod strong_links;
+mod turning;
 mod weak_links;
 
 pub use links_at::{LinkKind, LinkState};

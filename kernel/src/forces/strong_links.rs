@@ -1,8 +1,9 @@
 //! The pass over strong links.
 
 use super::block::{Block, Columns, Ends, LINKS, Outputs};
+use super::turning::{turned, turned_far};
 use super::{Arrival, Desk, Sums};
-use crate::geometry::{Metric, PairFrame, PairMotion, Vec2, is_wrapped, small_turn, turn, wrapped};
+use crate::geometry::{Metric, PairFrame, PairMotion, Vec2};
 use crate::instructions::Instructions;
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, ZhangEckert};
 use crate::links::{Pair, Rest, StrongColumns, StrongLinks, pairs_before};
@@ -38,7 +39,7 @@ impl<S: Real> StrongState<S> {
     /// Force on i in N.
     #[inline(always)]
     pub fn force(&self) -> Vec2<S> {
-        self.frame.normal * self.normal_force + self.frame.tangent() * self.tangential_force
+        self.frame.vector(self.normal_force, self.tangential_force)
     }
 }
 
@@ -90,33 +91,19 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
         if B::ABSENT {
             return (self.state(ends, frame, rest.distance, [S::zero(); 2]), true);
         }
-        let (turned, is_small) = small_turn(rest.reference, frame.normal);
-        let angles = [0, 1].map(|end| ends.angles[end] - rest.angles[end] - turned);
-        let keeps = !self.wraps | (is_wrapped(angles[0]) & is_wrapped(angles[1]));
-        (
-            self.state(ends, frame, rest.distance, angles),
-            is_small & keeps,
-        )
+        let unbent = (rest.reference, rest.angles);
+        let (angles, is_regular) = turned(ends.angles, unbent, frame.normal, self.wraps);
+        (self.state(ends, frame, rest.distance, angles), is_regular)
     }
 
     /// The state of any link.
-    ///
-    /// A link whose frame has turned far from its reference takes the present direction as the new
-    /// one; the rest angles turn with it, so that angles stay functions of the state and never jump.
     fn any<S: Real>(&self, ends: &Ends<S>, rest: &mut Rest<S>) -> StrongState<S> {
         let frame = PairFrame::new(self.metric.nearest(ends.difference));
         if B::ABSENT {
             return self.state(ends, frame, rest.distance, [S::zero(); 2]);
         }
-        let (turned, is_small) = turn(rest.reference, frame.normal);
-        let angles = [0, 1].map(|end| {
-            let angle = ends.angles[end] - rest.angles[end] - turned;
-            if self.wraps { wrapped(angle) } else { angle }
-        });
-        if !is_small {
-            rest.reference = frame.normal;
-            rest.angles = rest.angles.map(|angle| angle + turned);
-        }
+        let unbent = (&mut rest.reference, &mut rest.angles);
+        let angles = turned_far(ends.angles, unbent, frame.normal, self.wraps);
         self.state(ends, frame, rest.distance, angles)
     }
 
@@ -201,9 +188,8 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Wor
         }
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
-            desk.block
-                .inputs
-                .gather(columns, &self.links.pairs[first..last]);
+            let pairs = &self.links.pairs[first..last];
+            (desk.block.inputs).gather(columns, pairs, !B::ABSENT, !B::ABSENT);
             if self.compute(&mut desk.block, first..last) & IRREGULAR != 0 {
                 self.compute_irregular(&mut desk.block, first..last);
             }
@@ -317,7 +303,10 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
         radii: [S; 2],
         strength_factor: S,
     ) -> u64 {
-        outputs.set(lane, state.force(), state.torques);
+        outputs.set_force(lane, state.force());
+        if !B::ABSENT {
+            outputs.set_torques(lane, state.torques);
+        }
         if LEDGER {
             outputs.heat_rate[lane] = self.heat_rate(state);
         }

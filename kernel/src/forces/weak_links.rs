@@ -1,10 +1,9 @@
 //! The pass over weak links.
 
 use super::block::{Block, Columns, Ends, LINKS, Outputs};
+use super::turning::{turned, turned_far};
 use super::{Arrival, Desk, Sums};
-use crate::geometry::{
-    Arm, Metric, PairFrame, PairMotion, Vec2, is_wrapped, small_turn, turn, wrapped,
-};
+use crate::geometry::{Arm, Metric, PairFrame, PairMotion, Vec2};
 use crate::instructions::Instructions;
 use crate::laws::{Friction, NormalLaw, Slide, TangentialLaw};
 use crate::links::{ContactMemory, MemoryColumns, Pair, StrongLinks, WeakLinks, pairs_before};
@@ -43,7 +42,7 @@ impl<S: Real> WeakState<S> {
     /// Force on i in N.
     #[inline(always)]
     pub fn force(&self) -> Vec2<S> {
-        self.frame.normal * self.normal_force + self.frame.tangent() * self.tangential_force
+        self.frame.vector(self.normal_force, self.tangential_force)
     }
 }
 
@@ -146,6 +145,16 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         ContactMemory::begin(&frame, rest)
     }
 
+    /// What the contact at a position remembers; it begins now if nothing is remembered.
+    pub fn memory_at<S: Real>(
+        &self,
+        weak: &WeakLinks<S>,
+        position: usize,
+        ends: &Ends<S>,
+    ) -> ContactMemory<S> {
+        weak.memory_at(position).unwrap_or_else(|| self.begin(ends))
+    }
+
     /// The state of most contacts, thesis eqs. (29)-(32), and whether it is that of this one.
     #[inline(always)]
     fn regular<S: Real>(
@@ -157,32 +166,25 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         if !Self::FOLLOWS_ANGLES {
             return (self.state(ends, frame, [S::zero(); 2], memory), true);
         }
-        let (turned, is_small) = small_turn(memory.reference, frame.normal);
-        let angles = [0, 1].map(|end| ends.angles[end] - memory.ends[end] - turned);
-        let keeps =
-            (self.reading != Reading::Thesis) | angles.map(is_wrapped).iter().all(|&keeps| keeps);
-        (self.state(ends, frame, angles, memory), is_small & keeps)
+        let unturned = (memory.reference, memory.ends);
+        let (angles, is_regular) = turned(ends.angles, unturned, frame.normal, self.wraps());
+        (self.state(ends, frame, angles, memory), is_regular)
     }
 
-    /// The state of any contact; a frame that has turned far becomes the reference of its turn.
+    /// Whether angles are wrapped to [-pi, pi), as the thesis author did.
+    #[inline(always)]
+    fn wraps(&self) -> bool {
+        self.reading == Reading::Thesis
+    }
+
+    /// The state of any contact.
     pub fn any<S: Real>(&self, ends: &Ends<S>, memory: &mut ContactMemory<S>) -> WeakState<S> {
         let frame = PairFrame::new(self.metric.nearest(ends.difference));
         if !Self::FOLLOWS_ANGLES {
             return self.state(ends, frame, [S::zero(); 2], memory);
         }
-        let (turned, is_small) = turn(memory.reference, frame.normal);
-        let angles = [0, 1].map(|end| {
-            let angle = ends.angles[end] - memory.ends[end] - turned;
-            if self.reading == Reading::Thesis {
-                wrapped(angle)
-            } else {
-                angle
-            }
-        });
-        if !is_small {
-            memory.reference = frame.normal;
-            memory.ends = memory.ends.map(|angle| angle + turned);
-        }
+        let unturned = (&mut memory.reference, &mut memory.ends);
+        let angles = turned_far(ends.angles, unturned, frame.normal, self.wraps());
         self.state(ends, frame, angles, memory)
     }
 
@@ -195,8 +197,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
     ) -> Option<(Vec2<S>, S)> {
         let ends = Columns::of(particles).ends(weak.pairs[position]);
         self.touch(&ends).then(|| {
-            let memory = weak.memory_at(position);
-            let mut memory = memory.unwrap_or_else(|| self.begin(&ends));
+            let mut memory = self.memory_at(weak, position, &ends);
             let state = self.any(&ends, &mut memory);
             (state.force(), state.torques[1])
         })
@@ -271,7 +272,9 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         }
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
-            self.gather(&mut desk.block, columns, first..last);
+            let pairs = &self.pairs[first..last];
+            let angles = WeakPass::<M, A, N, T>::FOLLOWS_ANGLES;
+            (desk.block.inputs).gather(columns, pairs, angles, !T::ABSENT);
             if self.compute(&mut desk.block, first..last) & IRREGULAR != 0 {
                 self.compute_irregular(&mut desk.block, first..last);
             }
@@ -291,20 +294,6 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
 impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>
     WeakLoop<'_, S, M, A, N, T, LEDGER>
 {
-    #[inline(always)]
-    fn gather(&mut self, block: &mut Block<S>, columns: Columns<S>, links: Range<usize>) {
-        let inputs = &mut *block.inputs;
-        for (lane, &pair) in self.pairs[links].iter().enumerate().take(LINKS) {
-            inputs.gather_positions(columns, lane, pair);
-            if WeakPass::<M, A, N, T>::FOLLOWS_ANGLES {
-                inputs.gather_angles(columns, lane, pair);
-            }
-            if !T::ABSENT {
-                inputs.gather_spins(columns, lane, pair);
-            }
-        }
-    }
-
     /// Look at all pairs of the block as if they touched; tells which do, and whether some contact is
     /// not what it seems.
     #[inline(always)]
@@ -451,7 +440,10 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         radii: [S; 2],
         touches: bool,
     ) {
-        outputs.set(lane, state.force(), state.torques);
+        outputs.set_force(lane, state.force());
+        if !T::ABSENT {
+            outputs.set_torques(lane, state.torques);
+        }
         if LEDGER {
             let (heat_rate, heat) = (self.heat_rate(radii, state), state.friction.heat);
             outputs.heat_rate[lane] = if touches { heat_rate } else { S::zero() };
@@ -473,9 +465,7 @@ pub(crate) fn stored_in_weak_links<S: Real, M: Metric, A: Arm, N: NormalLaw, T: 
         if !pass.touch(&ends) {
             continue;
         }
-        let mut memory = weak
-            .memory_at(position)
-            .unwrap_or_else(|| pass.begin(&ends));
+        let mut memory = pass.memory_at(weak, position, &ends);
         let state = pass.any(&ends, &mut memory);
         sum += pass.stored(ends.radii, &state, memory.state);
     }

@@ -55,6 +55,12 @@ impl<S: Real> PairFrame<S> {
         self.normal.perpendicular()
     }
 
+    /// The vector with the given components along normal and tangent.
+    #[inline(always)]
+    pub(crate) fn vector(&self, normal: S, tangential: S) -> Vec2<S> {
+        self.normal * normal + self.tangent() * tangential
+    }
+
     /// Normal displacement, positive where the spheres overlap.
     ///
     /// $$ \xi = (r_i + r_j) - \lvert \vec x_j - \vec x_i \rvert $$

@@ -1,0 +1,44 @@
+//! How far the ends of a link have turned in its frame since it began, thesis eqs. (30)-(32).
+
+use crate::geometry::{Vec2, is_wrapped, small_turn, turn, wrapped};
+use crate::scalar::Real;
+
+/// Angles in rad by which the ends of most links have turned, and whether they are those of this one: not if
+/// the frame has turned far from its reference, or an angle is to be wrapped to [-pi, pi).
+///
+/// `angles` are those of the particles, `rest` those at which nothing is turned while the frame points along
+/// `reference`; now it points along `normal`.
+#[inline(always)]
+pub(super) fn turned<S: Real>(
+    angles: [S; 2],
+    (reference, rest): (Vec2<S>, [S; 2]),
+    normal: Vec2<S>,
+    wraps: bool,
+) -> ([S; 2], bool) {
+    let (of_frame, is_small) = small_turn(reference, normal);
+    let turned = [0, 1].map(|end| angles[end] - rest[end] - of_frame);
+    let keeps = !wraps | (is_wrapped(turned[0]) & is_wrapped(turned[1]));
+    (turned, is_small & keeps)
+}
+
+/// Angles in rad by which the ends of any link have turned.
+///
+/// A link whose frame has turned far takes the present direction as the new reference; the rest angles turn
+/// with it, so that angles stay functions of the state and never jump.
+pub(super) fn turned_far<S: Real>(
+    angles: [S; 2],
+    (reference, rest): (&mut Vec2<S>, &mut [S; 2]),
+    normal: Vec2<S>,
+    wraps: bool,
+) -> [S; 2] {
+    let (of_frame, is_small) = turn(*reference, normal);
+    let turned = [0, 1].map(|end| {
+        let angle = angles[end] - rest[end] - of_frame;
+        if wraps { wrapped(angle) } else { angle }
+    });
+    if !is_small {
+        *reference = normal;
+        *rest = rest.map(|angle| angle + of_frame);
+    }
+    turned
+}
