@@ -32,8 +32,6 @@ pub struct Neighbors<S> {
     rebuilds: u64,
     members: Vec<u32>,
     starts: Vec<u32>,
-    /// Ranks of the cells of all particles.
-    cell_of: Vec<u32>,
 }
 
 impl<S: Real> Neighbors<S> {
@@ -62,7 +60,6 @@ impl<S: Real> Neighbors<S> {
             rebuilds: 0,
             members: Vec::new(),
             starts: Vec::new(),
-            cell_of: Vec::new(),
         }
     }
 
@@ -94,44 +91,43 @@ impl<S: Real> Neighbors<S> {
         self.sort_into_cells(particles);
         pairs.clear();
         for i in 0..particles.len() {
-            for cell in self
-                .cells
-                .neighbors_from(self.cells.at(self.cell_of[i] as usize))
-            {
-                self.pairs_with_cell(metric, particles, i, cell, pairs);
+            let own = self.cell_of(particles, i);
+            for cell in self.cells.neighbors_from(own) {
+                self.pairs_with_cell(metric, particles, (own, i), cell, pairs);
             }
         }
         pairs.sort_unstable();
     }
 
+    fn cell_of(&self, particles: &Particles<S>, i: usize) -> Index {
+        let position = particles.position[i];
+        self.cells
+            .down(Vec2::new(position.x.to_f64(), position.y.to_f64()))
+    }
+
     fn sort_into_cells(&mut self, particles: &Particles<S>) {
-        let cells = self.cells;
-        self.cell_of.clear();
-        self.cell_of.extend(
-            particles
-                .position
-                .iter()
-                .map(|x| cells.rank(cells.down(Vec2::new(x.x.to_f64(), x.y.to_f64()))) as u32),
-        );
+        let number = particles.len();
+        let rank = |own: &Self, i| own.cells.rank(own.cell_of(particles, i));
         self.starts.clear();
-        self.starts.resize(cells.number() + 1, 0);
-        self.cell_of
-            .iter()
-            .for_each(|&cell| self.starts[cell as usize + 1] += 1);
+        self.starts.resize(self.cells.number() + 1, 0);
+        for i in 0..number {
+            let cell = rank(self, i);
+            self.starts[cell + 1] += 1;
+        }
         for cell in 1..self.starts.len() {
             self.starts[cell] += self.starts[cell - 1];
         }
         self.members.clear();
-        self.members.resize(particles.len(), 0);
-        for (i, &cell) in self.cell_of.iter().enumerate().rev() {
-            let rank = cell as usize;
+        self.members.resize(number, 0);
+        for i in (0..number).rev() {
+            let cell = rank(self, i);
             // Filled from behind: afterwards each start is again the first member of its cell.
-            self.starts[rank + 1] -= 1;
-            self.members[self.starts[rank + 1] as usize] = i as u32;
+            self.starts[cell + 1] -= 1;
+            self.members[self.starts[cell + 1] as usize] = i as u32;
         }
         self.starts.rotate_left(1);
         if let Some(last) = self.starts.last_mut() {
-            *last = particles.len() as u32;
+            *last = number as u32;
         }
     }
 
@@ -139,17 +135,16 @@ impl<S: Real> Neighbors<S> {
         &self,
         metric: M,
         particles: &Particles<S>,
-        i: usize,
+        (own, i): (Index, usize),
         cell: Index,
         pairs: &mut Vec<Pair>,
     ) {
         let rank = self.cells.rank(cell);
-        let of_i = self.cells.at(self.cell_of[i] as usize);
         let members = &self.members[self.starts[rank] as usize..self.starts[rank + 1] as usize];
         for &j in members {
             let j = j as usize;
             let both_fixed = particles.is_fixed(i) && particles.is_fixed(j);
-            if both_fixed || !precedes(&self.cells, (of_i, i), (cell, j)) {
+            if both_fixed || !precedes(&self.cells, (own, i), (cell, j)) {
                 continue;
             }
             let d = metric.displacement(particles.position[i], particles.position[j]);

@@ -114,13 +114,11 @@ impl<S: Real> MemoryColumns<'_, S> {
 }
 
 impl<S: Real> Memories<S> {
-    fn with_capacity(number: usize) -> Self {
-        Self {
-            touches: Vec::with_capacity(number),
-            references: Vec::with_capacity(number),
-            ends: Vec::with_capacity(number),
-            states: Vec::with_capacity(number),
-        }
+    fn make_room(&mut self, room: usize) {
+        fit(&mut self.touches, room);
+        fit(&mut self.references, room);
+        fit(&mut self.ends, room);
+        fit(&mut self.states, room);
     }
     /// The memory at a position.
     pub fn get(&self, position: usize) -> ContactMemory<S> {
@@ -157,9 +155,16 @@ impl<S: Real> Memories<S> {
     }
 }
 
-/// Room for pairs a particle, so that rebuilding allocates nothing: lines between the centres of grains that
-/// nearly touch hardly cross, and a plane graph has at most three edges a node (Euler).
-const PAIRS_A_PARTICLE: usize = 3;
+/// Room for so many pairs, bonded ones included, and a few more, so that lists grow rarely.
+fn roomy(near: usize) -> usize {
+    near + near / 32 + 64
+}
+
+/// Give a column exactly so much room.
+fn fit<T>(column: &mut Vec<T>, room: usize) {
+    column.shrink_to(room);
+    column.reserve_exact(room.saturating_sub(column.len()));
+}
 
 /// The pairs that may touch, in order, and their memory where a law asks for it.
 #[derive(Clone, Debug)]
@@ -170,19 +175,20 @@ pub struct WeakLinks<S> {
     remembers: bool,
     neighbors: Neighbors<S>,
     touching: Vec<Pair>,
+    /// For how many pairs there is room.
+    room: usize,
 }
 
 impl<S: Real> WeakLinks<S> {
     /// An empty list, to be filled by the first [`rebuild`](Self::rebuild).
-    pub fn new(neighbors: Neighbors<S>, particles: usize, remembers: bool) -> Self {
-        let pairs = PAIRS_A_PARTICLE * particles;
-        let memories = if remembers { pairs } else { 0 };
+    pub fn new(neighbors: Neighbors<S>, remembers: bool) -> Self {
         Self {
-            pairs: Vec::with_capacity(pairs),
-            memories: Memories::with_capacity(memories),
+            pairs: Vec::new(),
+            memories: Memories::default(),
             remembers,
             neighbors,
-            touching: Vec::with_capacity(memories),
+            touching: Vec::new(),
+            room: 0,
         }
     }
 
@@ -206,6 +212,8 @@ impl<S: Real> WeakLinks<S> {
     }
 
     /// Find the pairs anew; memories of touching pairs are kept.
+    ///
+    /// Allocates only where more pairs are near than ever before.
     pub fn rebuild<M: Metric>(
         &mut self,
         metric: M,
@@ -214,10 +222,24 @@ impl<S: Real> WeakLinks<S> {
     ) {
         self.gather_touching();
         self.neighbors.rebuild(metric, particles, &mut self.pairs);
+        self.make_room();
         if let Some(strong) = strong {
             remove_bonded(&mut self.pairs, strong);
         }
         self.spread_touching();
+    }
+
+    /// Room for what all near pairs remember, also for the bonded ones, whose bonds may break.
+    fn make_room(&mut self) {
+        if self.pairs.len() <= self.room {
+            return;
+        }
+        self.room = roomy(self.pairs.len());
+        fit(&mut self.pairs, self.room);
+        if self.remembers {
+            self.memories.make_room(self.room);
+            fit(&mut self.touching, self.room);
+        }
     }
 
     /// Move the memories of touching pairs to the front, and list these pairs.

@@ -156,7 +156,7 @@ impl<S: Real> World<S> {
         if let Some(contact) = model.contact {
             let Domain { width, height, .. } = model.domain;
             let neighbors = Neighbors::new(particles, [width, height], model.period());
-            let mut weak = WeakLinks::new(neighbors, particles.len(), contact.remembers());
+            let mut weak = WeakLinks::new(neighbors, contact.remembers());
             with_metric!(model, metric => {
                 weak.rebuild(metric, particles, self.strong.as_ref());
                 weak.remember(metric, particles, &start.contacts)

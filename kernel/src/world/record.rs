@@ -40,7 +40,11 @@ impl Reader<'_> {
         if length > self.words.len() {
             return None;
         }
-        (0..length).map(|_| read(self)).collect()
+        let mut list = Vec::with_capacity(length);
+        for _ in 0..length {
+            list.push(read(self)?);
+        }
+        Some(list)
     }
 }
 
