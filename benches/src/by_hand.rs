@@ -4,11 +4,21 @@
 //! kernel, and the same watch over the neighbour list. Positions are not wrapped, nothing is booked.
 
 use gouge_kernel::World;
-use gouge_kernel::model::{ContactNormal, ContactTangential};
+use gouge_kernel::geometry::Vec2;
+use gouge_kernel::laws::{AdjustedKelvinVoigt, EulerBernoulli};
+use gouge_kernel::model::{Contact, ContactNormal, ContactTangential};
 
 type Vector = [f64; 2];
 
-/// Grains that only repel, or also rub as Haff and Werner have it.
+/// A beam that never breaks.
+struct Beam {
+    ends: [usize; 2],
+    length: f64,
+    reference: Vector,
+    unbent: [f64; 2],
+}
+
+/// Grains that repel, and may rub as Haff and Werner have it or be joined by beams.
 pub struct Grains {
     position: Vec<Vector>,
     velocity: Vec<Vector>,
@@ -25,29 +35,67 @@ pub struct Grains {
     listed_at: Vec<Vector>,
     normal: [f64; 2],
     friction: Option<[f64; 2]>,
+    beams: Vec<Beam>,
+    stretching: [f64; 2],
+    bending: [f64; 2],
     step: f64,
 }
 
+fn vector(v: Vec2) -> Vector {
+    [v.x, v.y]
+}
+
+/// Stiffness and damping of repulsion, friction and damping of rubbing; nothing for other laws.
+fn laws(contact: Contact) -> Option<([f64; 2], Option<[f64; 2]>)> {
+    let ContactNormal::KelvinVoigt(normal) = contact.normal else {
+        return None;
+    };
+    let friction = match contact.tangential {
+        None => None,
+        Some(ContactTangential::HaffWerner(law)) => Some([law.friction, law.damping]),
+        Some(_) => return None,
+    };
+    Some(([normal.stiffness, normal.damping], friction))
+}
+
+/// The beams of a world, and stiffness and damping of stretching and bending; nothing for other laws.
+fn beams(world: &World) -> Option<(Vec<Beam>, [f64; 2], [f64; 2])> {
+    let (Some(bond), Some(links)) = (world.model().bond, world.strong_links()) else {
+        return Some((Vec::new(), [0.0; 2], [0.0; 2]));
+    };
+    let (None, Some(bending)) = (bond.yielding, bond.tangential) else {
+        return None;
+    };
+    let beam = |link: gouge_kernel::links::StrongLink<f64>| Beam {
+        ends: link.pair.indices().into(),
+        length: link.rest.distance,
+        reference: vector(link.rest.reference),
+        unbent: link.rest.angles,
+    };
+    let AdjustedKelvinVoigt { stiffness, damping } = bond.normal;
+    let stretching = [stiffness, damping];
+    let EulerBernoulli { stiffness, damping } = bending;
+    Some((
+        links.iter().map(beam).collect(),
+        stretching,
+        [stiffness, damping],
+    ))
+}
+
 impl Grains {
-    /// The grains and laws of a world in an open box without bonds; nothing for other laws.
+    /// The grains and laws of a world in an open box; nothing for other boxes and laws.
     pub fn of(world: &World) -> Option<Self> {
         let (p, model) = (world.particles(), world.model());
-        let contact = model.contact?;
-        let ContactNormal::KelvinVoigt(normal) = contact.normal else {
+        if model.period().is_some() {
             return None;
-        };
-        let friction = match contact.tangential {
-            None => None,
-            Some(ContactTangential::HaffWerner(law)) => Some([law.friction, law.damping]),
-            Some(_) => return None,
-        };
+        }
+        let (normal, friction) = laws(model.contact?)?;
+        let (beams, stretching, bending) = beams(world)?;
         let inverse = |column: &[f64]| -> Vec<f64> {
             let of = |(i, x): (usize, &f64)| if p.is_fixed(i) { 0.0 } else { 1.0 / x };
             column.iter().enumerate().map(of).collect()
         };
-        let vectors = |column: &[gouge_kernel::geometry::Vec2]| -> Vec<Vector> {
-            column.iter().map(|v| [v.x, v.y]).collect()
-        };
+        let vectors = |column: &[Vec2]| column.iter().copied().map(vector).collect::<Vec<_>>();
         let position = vectors(&p.position);
         let pairs = &world.weak_links()?.pairs;
         let number = p.len();
@@ -68,8 +116,11 @@ impl Grains {
                 .iter()
                 .map(|pair| [pair.i as usize, pair.j as usize])
                 .collect(),
-            normal: [normal.stiffness, normal.damping],
+            normal,
             friction,
+            beams,
+            stretching,
+            bending,
             step: model.time_step,
         })
     }
@@ -78,16 +129,17 @@ impl Grains {
     pub fn advance(&mut self, steps: u64) -> bool {
         let mut is_good = true;
         for _ in 0..steps {
-            is_good &= if self.friction.is_some() {
-                self.take::<true>()
-            } else {
-                self.take::<false>()
+            is_good &= match (self.friction.is_some(), self.beams.is_empty()) {
+                (false, true) => self.take::<false, false>(),
+                (true, true) => self.take::<true, false>(),
+                (false, false) => self.take::<false, true>(),
+                (true, false) => self.take::<true, true>(),
             };
         }
         is_good
     }
 
-    fn take<const RUBS: bool>(&mut self) -> bool {
+    fn take<const RUBS: bool, const BENDS: bool>(&mut self) -> bool {
         let dt = self.step;
         let mut farthest = 0.0_f64;
         for i in 0..self.position.len() {
@@ -100,7 +152,7 @@ impl Grains {
             let moved = [0, 1].map(|k| self.position[i][k] - self.listed_at[i][k]);
             farthest = farthest.max(moved[0] * moved[0] + moved[1] * moved[1]);
             self.force[i] = [0.0; 2];
-            if RUBS {
+            if RUBS || BENDS {
                 let a = self.torque[i] * self.inverse_inertia[i];
                 self.angle[i] += (self.spin[i] + 0.5 * dt * a) * dt;
                 self.spin[i] += a * dt;
@@ -108,18 +160,50 @@ impl Grains {
                 self.torque[i] = 0.0;
             }
         }
+        if BENDS {
+            self.add_beams();
+        }
         self.add_contacts::<RUBS>();
         for i in 0..self.position.len() {
             for k in 0..2 {
                 let a = self.force[i][k] * self.inverse_mass[i];
                 self.velocity[i][k] += (a - self.before[i][k]) * (0.5 * dt);
             }
-            if RUBS {
+            if RUBS || BENDS {
                 let a = self.torque[i] * self.inverse_inertia[i];
                 self.spin[i] += (a - self.before_torque[i]) * (0.5 * dt);
             }
         }
         farthest < 1e-8
+    }
+
+    fn add_beams(&mut self) {
+        let ([stiffness, damping], [bending, bending_damping]) = (self.stretching, self.bending);
+        for beam in &self.beams {
+            let [i, j] = beam.ends;
+            let d = [0, 1].map(|k| self.position[j][k] - self.position[i][k]);
+            let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();
+            let n = [d[0] / distance, d[1] / distance];
+            let u = [0, 1].map(|k| self.velocity[j][k] - self.velocity[i][k]);
+            let approach = -(u[0] * n[0] + u[1] * n[1]);
+            let turning = (u[1] * n[0] - u[0] * n[1]) / distance;
+            let turned = (beam.reference[0] * n[1] - beam.reference[1] * n[0]).asin();
+            let normal = -(stiffness * (beam.length - distance) + damping * approach);
+            let torques = [0, 1].map(|end| {
+                let (at, radius) = (beam.ends[end], self.radius[beam.ends[end]]);
+                let bent = radius * (self.angle[at] - beam.unbent[end] - turned);
+                let rate = radius * (self.spin[at] - turning);
+                -radius * (bending * bent + bending_damping * rate)
+            });
+            let shear = (torques[0] + torques[1]) / distance;
+            let force = [n[0] * normal - n[1] * shear, n[1] * normal + n[0] * shear];
+            for (k, force) in force.into_iter().enumerate() {
+                self.force[i][k] += force;
+                self.force[j][k] -= force;
+            }
+            self.torque[i] += torques[0];
+            self.torque[j] += torques[1];
+        }
     }
 
     fn add_contacts<const RUBS: bool>(&mut self) {

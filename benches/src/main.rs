@@ -1,8 +1,10 @@
 //! Times whole scenes at full size, beside other programs where they are there.
 
 mod by_hand;
+mod counts;
 mod growth;
 mod lammps;
+mod limits;
 mod machine;
 mod parts;
 mod peers;
@@ -11,6 +13,7 @@ mod threads;
 mod worlds;
 
 use clap::{Parser, Subcommand};
+use counts::{Counting, Errand};
 use gouge_validation::error::Error;
 use lammps::Lammps;
 use machine::Machine;
@@ -36,6 +39,14 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    #[command(flatten)]
+    Measure(Measurement),
+    #[command(flatten)]
+    Errand(Errand),
+}
+
+#[derive(Subcommand)]
+enum Measurement {
     /// The scenes with bonds, friction and none, beside LAMMPS
     Peers {
         /// LAMMPS with the package BPM
@@ -50,6 +61,12 @@ enum Command {
     },
     /// Every optional part of a scene: with it, without it, and by hand
     Parts,
+    /// Instructions and bytes of a step, counted by callgrind, beside what the machine can do
+    Counts {
+        /// Valgrind
+        #[arg(long, default_value = "valgrind")]
+        valgrind: PathBuf,
+    },
     /// Pressed grains in one thread and in as many as are chosen by default
     Threads,
     /// Pressed grains from a thousand to a million
@@ -69,14 +86,20 @@ struct Run {
     after: Machine,
     cases: Vec<Case>,
     parts: Vec<Part>,
+    counting: Option<Counting>,
 }
 
 fn execute(arguments: Arguments) -> Result<(), Error> {
+    let measurement = match arguments.command {
+        Command::Measure(measurement) => measurement,
+        Command::Errand(errand) => return errand.run(),
+    };
+    let rounds = arguments.rounds;
     let instructions = gouge_validation::machine::machine()?.instructions.name();
     let before = Machine::measured(instructions);
-    let (mut cases, mut parts) = (Vec::new(), Vec::new());
-    match arguments.command {
-        Command::Peers {
+    let (mut cases, mut parts, mut counting) = (Vec::new(), Vec::new(), None);
+    match measurement {
+        Measurement::Peers {
             lammps,
             native,
             only,
@@ -86,11 +109,12 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
                 contacts: build(native.or_else(|| lammps.clone())),
                 beams: build(lammps),
             };
-            cases = peers::measure(&programs, arguments.rounds, &only)?;
+            cases = peers::measure(&programs, rounds, &only)?;
         }
-        Command::Threads => cases = threads::measure(arguments.rounds)?,
-        Command::Parts => parts = parts::measure(arguments.rounds)?,
-        Command::Growth { largest } => cases = growth::measure(arguments.rounds, largest)?,
+        Measurement::Counts { valgrind } => counting = Some(counts::measure(&valgrind, rounds)?),
+        Measurement::Threads => cases = threads::measure(rounds)?,
+        Measurement::Parts => parts = parts::measure(rounds)?,
+        Measurement::Growth { largest } => cases = growth::measure(rounds, largest)?,
     }
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     let run = Run {
@@ -99,6 +123,7 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
         after: Machine::measured(instructions),
         cases,
         parts,
+        counting,
     };
     if let Some(path) = arguments.out {
         let text = serde_json::to_string_pretty(&run).unwrap_or_default() + "\n";

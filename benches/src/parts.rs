@@ -4,14 +4,19 @@
 use crate::by_hand::Grains;
 use crate::peers::Timer;
 use crate::sample::Sample;
-use crate::worlds::{Friction, fault, pressed, rubbing};
+use crate::worlds::{Friction, fault, pressed, pressed_with_frames, rubbing};
 use gouge_kernel::laws::{CreepingDrag, Gravity};
-use gouge_kernel::model::{Ambient, External, Model};
+use gouge_kernel::model::{Ambient, Bond, Contact, External, Model};
 use gouge_kernel::{Start, World};
 use gouge_validation::error::Error;
+use gouge_validation::run::write_frame;
+use gouge_validation::scene::Scene;
 use serde::Serialize;
+use std::path::Path;
 use std::time::Instant;
+use tempfile::TempDir;
 
+/// Steps of a measurement, at the end of which a trajectory gains a frame.
 const STEPS: u64 = 500;
 /// Time step in s: so short that grains without a wall stay where they are.
 const STEP: f64 = 1e-12;
@@ -62,6 +67,15 @@ pub fn bytes(world: &World) -> f64 {
 
 /// The same grains at rest in an open box without driving, with a changed model.
 fn changed(world: &World, change: impl Fn(&mut Model)) -> Result<World, Error> {
+    let model = still(world, change);
+    let start = Start {
+        drive_force: world.drive().force,
+        ..Start::default()
+    };
+    Ok(World::new(model, world.particles().clone(), &start)?)
+}
+
+fn still(world: &World, change: impl Fn(&mut Model)) -> Model {
     let mut model = Model {
         driving: None,
         time_step: STEP,
@@ -69,11 +83,91 @@ fn changed(world: &World, change: impl Fn(&mut Model)) -> Result<World, Error> {
     };
     model.domain.periodic = false;
     change(&mut model);
-    let start = Start {
-        drive_force: world.drive().force,
-        ..Start::default()
+    model
+}
+
+/// A block of the fault whose contacts are frictionless, with the bonds that are asked for.
+fn block(fault: &World, bond: impl Fn(Bond) -> Option<Bond>) -> Result<World, Error> {
+    let model = still(fault, |model| {
+        model.bond = model.bond.and_then(&bond);
+        model.contact = model.contact.map(|contact| Contact {
+            tangential: None,
+            ..contact
+        });
+    });
+    Ok(fault.clone().continue_with(model, None)?)
+}
+
+/// A part, and a scene with it and without it.
+type Compared = (&'static str, World, World);
+
+fn of_grains(grains: &World, bare: &World) -> Result<Vec<Compared>, Error> {
+    let rubbed = |friction| changed(&rubbing(grains, friction, 1)?, |_| {});
+    let haff_werner = rubbed(Friction::HaffWerner)?;
+    let beside_bare = |name, change: &dyn Fn(&mut Model)| -> Result<Compared, Error> {
+        Ok((name, changed(grains, change)?, bare.clone()))
     };
-    Ok(World::new(model, world.particles().clone(), &start)?)
+    Ok(vec![
+        (
+            "friction memory",
+            rubbed(Friction::CundallStrack)?,
+            haff_werner.clone(),
+        ),
+        ("rotation", haff_werner, bare.clone()),
+        beside_bare("drag", &|model| {
+            model.ambient = Some(Ambient::Creeping(CreepingDrag { viscosity: 1.0 }));
+        })?,
+        beside_bare("external field", &|model| {
+            model.external = Some(External::Gravity(Gravity { acceleration: 9.81 }));
+        })?,
+        beside_bare("driving", &|model| model.driving = grains.model().driving)?,
+        beside_bare("periodic image", &|model| model.domain.periodic = true)?,
+        beside_bare("energy ledger", &|model| model.ledger = true)?,
+    ])
+}
+
+fn of_bonds() -> Result<Vec<Compared>, Error> {
+    let fault = fault(Friction::CundallStrack, false)?;
+    let unyielding = block(&fault, |bond| {
+        Some(Bond {
+            yielding: None,
+            ..bond
+        })
+    })?;
+    Ok(vec![
+        ("bonds", unyielding.clone(), block(&fault, |_| None)?),
+        ("yielding", block(&fault, Some)?, unyielding),
+    ])
+}
+
+/// A temporary folder that could not be made.
+pub fn failed_folder(error: std::io::Error) -> Error {
+    Error::file("create", Path::new("a temporary folder"), error)
+}
+
+/// Where frames go, and how.
+struct Frames {
+    scene: Scene,
+    folder: TempDir,
+}
+
+impl Frames {
+    fn new() -> Result<Self, Error> {
+        Ok(Self {
+            scene: pressed_with_frames()?,
+            folder: tempfile::tempdir().map_err(failed_folder)?,
+        })
+    }
+    fn write(&self, world: &World) -> Result<(), Error> {
+        write_frame(&self.scene, self.folder.path(), 0, world)
+    }
+    /// Bytes a particle that writing takes for a while.
+    fn bytes(&self, world: &World) -> Result<f64, Error> {
+        let mut written = Ok(());
+        let taken = allocation_counter::measure(|| written = self.write(world));
+        written?;
+        Ok(taken.bytes_max as f64 / world.particles().len() as f64)
+    }
 }
 
 /// Time all parts in so many rounds.
@@ -82,83 +176,28 @@ fn changed(world: &World, change: impl Fn(&mut Model)) -> Result<World, Error> {
 /// Scenes that cannot be set up, and a loop by hand that moves otherwise than the kernel.
 pub fn measure(rounds: usize) -> Result<Vec<Part>, Error> {
     let grains = pressed(0.1)?;
-    let rubbed = |friction| rubbing(&grains, friction, 1);
     let bare = changed(&grains, |_| {})?;
-    let haff_werner = changed(&rubbed(Friction::HaffWerner)?, |_| {})?;
-    let cundall_strack = changed(&rubbed(Friction::CundallStrack)?, |_| {})?;
-    let block = fault(Friction::CundallStrack, false)?;
-    let block = block.clone().continue_with(
-        Model {
-            time_step: STEP,
-            ..*block.model()
-        },
-        None,
-    )?;
-    let unyielding = block.clone().continue_with(
-        Model {
-            bond: block.model().bond.map(|bond| gouge_kernel::model::Bond {
-                yielding: None,
-                ..bond
-            }),
-            ..*block.model()
-        },
-        None,
-    )?;
-    let loose = changed(&block, |model| {
-        model.bond = None;
-        model.domain.periodic = true;
-        model.driving = block.model().driving;
-    })?;
-    let cases: [(&'static str, World, World); 9] = [
-        ("friction memory", cundall_strack, haff_werner.clone()),
-        ("rotation", haff_werner, bare.clone()),
-        ("bonds", unyielding.clone(), loose),
-        ("yielding", block, unyielding),
-        (
-            "drag",
-            changed(&grains, |model| {
-                model.ambient = Some(Ambient::Creeping(CreepingDrag { viscosity: 1.0 }));
-            })?,
-            bare.clone(),
-        ),
-        (
-            "external field",
-            changed(&grains, |model| {
-                model.external = Some(External::Gravity(Gravity { acceleration: 9.81 }));
-            })?,
-            bare.clone(),
-        ),
-        (
-            "driving",
-            changed(&grains, |model| model.driving = grains.model().driving)?,
-            bare.clone(),
-        ),
-        (
-            "periodic image",
-            changed(&grains, |model| model.domain.periodic = true)?,
-            bare.clone(),
-        ),
-        (
-            "energy ledger",
-            changed(&grains, |model| model.ledger = true)?,
-            bare,
-        ),
-    ];
     let mut parts = Vec::new();
-    for (name, with, without) in cases {
-        let part = compare(name, with, without, rounds)?;
-        println!("{}", part.words());
-        parts.push(part);
+    for case in of_grains(&grains, &bare)?.into_iter().chain(of_bonds()?) {
+        parts.push(compare(case, None, rounds)?);
     }
+    let trajectory = ("trajectory", bare.clone(), bare);
+    parts.push(compare(trajectory, Some(&Frames::new()?), rounds)?);
     Ok(parts)
 }
 
-fn compare(name: &'static str, with: World, without: World, rounds: usize) -> Result<Part, Error> {
-    let bytes = [bytes(&with), bytes(&without)];
+fn compare(
+    (name, with, without): Compared,
+    frames: Option<&Frames>,
+    rounds: usize,
+) -> Result<Part, Error> {
+    let mut bytes = [bytes(&with), bytes(&without)];
+    if let Some(frames) = frames {
+        bytes[0] += frames.bytes(&with)?;
+    }
     let number = without.particles().len() as f64;
     let (mut with, mut without) = (Timer::new(with, 10)?, Timer::new(without, 10)?);
-    let hand = Grains::of(without.world()).filter(|_| without.world().strong_links().is_none());
-    let mut hand = hand.filter(|_| without.world().model().period().is_none());
+    let mut hand = Grains::of(without.world());
     let mut part = Part {
         name,
         with: Sample::default(),
@@ -166,16 +205,20 @@ fn compare(name: &'static str, with: World, without: World, rounds: usize) -> Re
         by_hand: hand.as_ref().map(|_| Sample::default()),
         bytes,
     };
+    let of_each = |began: Instant| began.elapsed().as_secs_f64() * 1e9 / (STEPS as f64 * number);
     for _ in 0..rounds {
-        part.with.0.push(with.time(STEPS)?);
+        let began = Instant::now();
+        with.time(STEPS)?;
+        if let Some(frames) = frames {
+            frames.write(with.world())?;
+        }
+        part.with.0.push(of_each(began));
         part.without.0.push(without.time(STEPS)?);
-        if let (Some(loop_), Some(sample)) = (&mut hand, &mut part.by_hand) {
+        if let (Some(hand), Some(sample)) = (&mut hand, &mut part.by_hand) {
             let began = Instant::now();
-            let is_good = loop_.advance(STEPS);
-            sample
-                .0
-                .push(began.elapsed().as_secs_f64() * 1e9 / (STEPS as f64 * number));
-            let apart = loop_.distance(without.world());
+            let is_good = hand.advance(STEPS);
+            sample.0.push(of_each(began));
+            let apart = hand.distance(without.world());
             if !is_good || apart > SAME {
                 return Err(Error::Argument(format!(
                     "{name}: the loop by hand is {apart:e} m away"
@@ -183,5 +226,6 @@ fn compare(name: &'static str, with: World, without: World, rounds: usize) -> Re
             }
         }
     }
+    println!("{}", part.words());
     Ok(part)
 }

@@ -1,7 +1,7 @@
 //! Whole scenes beside LAMMPS, in turns, so that both see the same moods of the machine.
 
 use crate::lammps::{Lammps, data};
-use crate::parts::bytes;
+use crate::parts::{bytes, failed_folder};
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, pressed, rubbing};
 use gouge_kernel::World;
@@ -87,7 +87,11 @@ impl Timer {
     }
 }
 
-fn advance(world: &mut World, steps: u64) -> Result<(), Error> {
+/// Advance a world by so many steps.
+///
+/// # Errors
+/// A state that becomes senseless.
+pub fn advance(world: &mut World, steps: u64) -> Result<(), Error> {
     for _ in 0..steps {
         world.step().map_err(|source| Error::Step {
             phase: "measurement".to_owned(),
@@ -189,8 +193,7 @@ fn compare(
     program: Option<(&Lammps, std::path::PathBuf)>,
     rounds: usize,
 ) -> Result<Case, Error> {
-    let folder = tempfile::tempdir()
-        .map_err(|error| Error::file("create", Path::new("a temporary folder"), error))?;
+    let folder = tempfile::tempdir().map_err(failed_folder)?;
     let file = folder.path().join("data");
     std::fs::write(&file, data(&world)).map_err(|error| Error::file("write", &file, error))?;
     let number = world.particles().len();

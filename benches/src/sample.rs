@@ -1,5 +1,6 @@
 //! Repeated measurements.
 
+use gouge_validation::report::quantile;
 use serde::Serialize;
 
 /// Repeated measurements of one quantity, in the order in which they were made.
@@ -9,13 +10,7 @@ pub struct Sample(pub Vec<f64>);
 impl Sample {
     /// The quantile of a probability.
     fn quantile(&self, probability: f64) -> f64 {
-        let mut sorted = self.0.clone();
-        sorted.sort_by(f64::total_cmp);
-        let place = probability * (sorted.len().max(1) - 1) as f64;
-        sorted
-            .get(place.round() as usize)
-            .copied()
-            .unwrap_or(f64::NAN)
+        quantile(&self.0, probability)
     }
     /// The least.
     pub fn least(&self) -> f64 {

@@ -42,8 +42,12 @@ impl Friction {
     }
 }
 
+fn parse(text: &str) -> Result<Scene, Error> {
+    Ok(Scene::parse("scene", text.as_bytes(), Path::new("."))?)
+}
+
 fn prepare(text: &str) -> Result<World, Error> {
-    let scene = Scene::parse("scene", text.as_bytes(), Path::new("."))?;
+    let scene = parse(text)?;
     let began = Instant::now();
     let world = prepared(&scene)?;
     let (number, seconds) = (world.particles().len(), began.elapsed().as_secs_f64());
@@ -53,6 +57,10 @@ fn prepare(text: &str) -> Result<World, Error> {
 
 /// The granite fault when its shear begins.
 pub fn fault(friction: Friction, ledger: bool) -> Result<World, Error> {
+    prepare(&fault_text(friction, ledger))
+}
+
+fn fault_text(friction: Friction, ledger: bool) -> String {
     let text = builtin::text("granite-fault").unwrap_or_default();
     let text = match friction {
         Friction::HaffWerner => text
@@ -60,13 +68,37 @@ pub fn fault(friction: Friction, ledger: bool) -> Result<World, Error> {
             .replace("stiffness = 1e8", "damping = 100.0"),
         _ => text.to_owned(),
     };
-    let output = format!("[output]\nenergy = {ledger}");
-    prepare(&text.replace("[output]", &output))
+    text.replace("[output]", &format!("[output]\nenergy = {ledger}"))
+}
+
+/// The fault with Cundall-Strack friction and without a ledger, as it was recorded.
+pub fn fault_again(words: &[u64]) -> Result<World, Error> {
+    recorded(&fault_text(Friction::CundallStrack, false), words)
+}
+
+/// Pressed grains in the box of the scene, as they were recorded.
+pub fn pressed_again(words: &[u64]) -> Result<World, Error> {
+    recorded(PRESSED, words)
+}
+
+/// The world of a scene in a recorded state.
+fn recorded(text: &str, words: &[u64]) -> Result<World, Error> {
+    let scene = parse(text)?;
+    // The area of driving depends on the radii, which only the state knows.
+    let bare = World::from_words(scene.model(&[0.0]), words);
+    let world =
+        bare.and_then(|bare| World::from_words(scene.model(&bare.particles().radius), words));
+    world.ok_or_else(|| Error::Argument("the file holds no state of the scene".to_owned()))
 }
 
 /// Pressed grains without friction in a box of the given width in m.
 pub fn pressed(width: f64) -> Result<World, Error> {
     prepare(&PRESSED.replace("width = 0.1", &format!("width = {width}")))
+}
+
+/// The scene of the pressed grains, with frames of a trajectory.
+pub fn pressed_with_frames() -> Result<Scene, Error> {
+    parse(&PRESSED.replace("[output]", "[output]\ntrajectory = \"extxyz\""))
 }
 
 /// The same grains with friction, repeated so many times along the period; contacts begin anew.

@@ -12,6 +12,7 @@ struct Run {
     before: Machine,
     cases: Vec<Case>,
     parts: Vec<Part>,
+    counting: Option<Counting>,
 }
 
 #[derive(Deserialize)]
@@ -43,6 +44,44 @@ struct Part {
     bytes: [f64; 2],
 }
 
+/// What a step executes and moves, and what the machine can do.
+#[derive(Deserialize)]
+struct Counting {
+    instructions: String,
+    limits: Limits,
+    scenes: Vec<Counts>,
+}
+
+#[derive(Deserialize)]
+struct Limits {
+    instructions_per_ns: f64,
+    root_and_division_ns: f64,
+    bytes_per_ns: f64,
+}
+
+/// Numbers of a particle-step.
+#[derive(Deserialize)]
+struct Counts {
+    name: String,
+    links: f64,
+    instructions: f64,
+    bytes_beyond_first_cache: f64,
+    bytes_of_memory: f64,
+    ours: Vec<f64>,
+}
+
+impl Counts {
+    /// Time in ns that the machine needs at least for instructions, for square roots with divisions, one a link,
+    /// and for the memory.
+    fn least_times(&self, limits: &Limits) -> [f64; 3] {
+        [
+            self.instructions / limits.instructions_per_ns,
+            self.links * limits.root_and_division_ns,
+            self.bytes_of_memory / limits.bytes_per_ns,
+        ]
+    }
+}
+
 /// The latest run of a kind and its date: files are named by both.
 fn latest(kind: &str) -> Option<(String, Run)> {
     let ending = format!("-{kind}.json");
@@ -54,7 +93,8 @@ fn latest(kind: &str) -> Option<(String, Run)> {
     Some((date, serde_json::from_slice(file.contents()).ok()?))
 }
 
-fn quantile(sample: &[f64], probability: f64) -> f64 {
+/// The measurement nearest to the quantile of a probability.
+pub fn quantile(sample: &[f64], probability: f64) -> f64 {
     let mut sorted = sample.to_vec();
     sorted.sort_by(f64::total_cmp);
     let place = probability * sorted.len().saturating_sub(1) as f64;
@@ -88,6 +128,7 @@ pub fn chapter() -> Markup {
             (scenes("growth", "From a thousand to a million particles", "Pressed grains with truncated Cundall-Strack friction, repeated along the period; one thread."))
             (scenes("threads", "Threads", "The same grains with as many threads as are the default for their number, beside one thread."))
             (parts())
+            (counting())
         }
     }
 }
@@ -141,6 +182,51 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
     }
 }
 
+fn counting() -> Markup {
+    let Some((date, run)) = latest("counts") else {
+        return html! {};
+    };
+    let Some(Counting {
+        instructions,
+        limits,
+        scenes,
+    }) = &run.counting
+    else {
+        return html! {};
+    };
+    html! {
+        h3 { "How near the limit" }
+        p {
+            "Instructions and misses of the caches are those that callgrind counts with " (instructions)
+            " (first cache 32 KiB, last 16 MiB; lines of 64 bytes, written back ones included), divided by links: near pairs and bonds. "
+            "The machine executes " (format!("{:.2}", limits.instructions_per_ns)) " instructions a ns in a loop without dependencies or memory, "
+            "takes " (format!("{:.2}", limits.root_and_division_ns)) " ns for a square root with a division, many side by side, and moves "
+            (format!("{:.1}", limits.bytes_per_ns)) " bytes a ns from and to its memory, one core alone. "
+            "A fraction is the time that this limit alone would allow over the median of ours."
+        }
+        (machine(&date, &run))
+        table {
+            tr {
+                th { "scene" } th.n { "links a particle" } th.n { "instructions a link-step" } th.n { "bytes a link-step from beyond the first cache" }
+                th.n { "of memory" } th.n { "ours / ns a particle-step" } th.n { "of the limit of instructions" } th.n { "of roots and divisions" } th.n { "of memory" }
+            }
+            @for scene in scenes {
+                tr {
+                    td { (scene.name) }
+                    td.n { (format!("{:.2}", scene.links)) }
+                    td.n { (format!("{:.0}", scene.instructions / scene.links)) }
+                    td.n { (format!("{:.0}", scene.bytes_beyond_first_cache / scene.links)) }
+                    td.n { (format!("{:.0}", scene.bytes_of_memory / scene.links)) }
+                    td.n { (spread(&scene.ours, 1)) }
+                    @for least in scene.least_times(limits) {
+                        td.n { (format!("{:.0} %", 100.0 * least / quantile(&scene.ours, 0.5))) }
+                    }
+                }
+            }
+        }
+    }
+}
+
 fn parts() -> Markup {
     let Some((date, run)) = latest("parts") else {
         return html! {};
@@ -149,7 +235,8 @@ fn parts() -> Markup {
         h3 { "What is not there costs nothing" }
         p {
             "Each optional part with and without it; the loop by hand is plain code for exactly the scene without it ("
-            code { "benches/src/by_hand.rs" } ") and moves every grain to within 1e-13 m as the kernel does."
+            code { "benches/src/by_hand.rs" } ") and moves every grain to within 1e-13 m as the kernel does. "
+            "A trajectory is a frame of extended XYZ every 500 steps; its bytes are those that writing takes for a while."
         }
         (machine(&date, &run))
         table {
@@ -190,8 +277,10 @@ mod tests {
             assert!(newest.is_some(), "no run of {kind}");
             if let Some((date, run)) = newest {
                 assert!(page.contains(&date));
-                for case in &run.cases {
-                    assert!(page.contains(&case.name), "{} is not shown", case.name);
+                let counts = run.counting.iter().flat_map(|counting| &counting.scenes);
+                let scenes = run.cases.iter().map(|case| &case.name);
+                for name in scenes.chain(counts.map(|counts| &counts.name)) {
+                    assert!(page.contains(name), "{name} is not shown");
                 }
             }
         }

@@ -10,6 +10,7 @@ mod trajectory;
 pub use checkpoint::write_whole;
 pub use picture::document;
 pub use plan::{Kind, Phase, enter, phases, prepared};
+pub use trajectory::write_frame;
 
 use crate::error::Error;
 use crate::scene::Scene;

@@ -1,0 +1,94 @@
+//! What the machine can do: instructions, square roots with divisions, and traffic with the memory.
+
+use pulp::Arch;
+use serde::Serialize;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// The limits of one core.
+#[derive(Serialize)]
+pub struct Limits {
+    /// Instructions in a ns of a loop without dependencies or memory.
+    pub instructions_per_ns: f64,
+    /// Time in ns of a square root and a division, many side by side.
+    pub root_and_division_ns: f64,
+    /// Bytes in a ns moved from and to the memory.
+    pub bytes_per_ns: f64,
+}
+
+impl Limits {
+    /// The limits of this machine, now, where a round of [`busy`] has so many instructions.
+    pub fn measured(instructions_of_busy: f64) -> Self {
+        const ROUNDS: u64 = 20_000_000;
+        let busy_ns = least(ROUNDS as f64, || {
+            black_box(busy(black_box(ROUNDS)));
+        });
+        Self {
+            instructions_per_ns: instructions_of_busy / busy_ns,
+            root_and_division_ns: root_and_division(),
+            bytes_per_ns: traffic(),
+        }
+    }
+    /// The limits in words.
+    pub fn words(&self) -> String {
+        format!(
+            "limits: {:.2} instructions a ns, {:.2} ns a square root with a division, {:.1} bytes a ns of memory",
+            self.instructions_per_ns, self.root_and_division_ns, self.bytes_per_ns
+        )
+    }
+}
+
+/// Least time in ns of one of so many things that a function does.
+fn least(things: f64, mut act: impl FnMut()) -> f64 {
+    let mut time = || {
+        let began = Instant::now();
+        act();
+        began.elapsed().as_secs_f64() * 1e9 / things
+    };
+    (0..9).map(|_| time()).fold(f64::INFINITY, f64::min)
+}
+
+/// Rounds of independent operations on whole numbers, which stay in registers.
+pub fn busy(rounds: u64) -> u64 {
+    let mut numbers: [u64; 6] = black_box([1, 2, 3, 4, 5, 6]);
+    for round in 0..rounds {
+        for number in &mut numbers {
+            *number = (*number ^ round).wrapping_add(round);
+        }
+    }
+    numbers.iter().fold(0, |all, number| all ^ number)
+}
+
+fn root_and_division() -> f64 {
+    const LOOPS: usize = 40_000;
+    let mut numbers = black_box([2.0_f64; 64]);
+    least((LOOPS * numbers.len()) as f64, || {
+        Arch::new().dispatch(|| {
+            for _ in 0..LOOPS {
+                for number in &mut numbers {
+                    *number = 2.0 / number.sqrt();
+                }
+                black_box(&mut numbers);
+            }
+        });
+    })
+}
+
+/// Two columns are read and a third is written; that is read as well before it is overwritten.
+fn traffic() -> f64 {
+    const NUMBER: usize = 8_000_000;
+    let (a, b) = (
+        black_box(vec![1.0_f64; NUMBER]),
+        black_box(vec![2.0_f64; NUMBER]),
+    );
+    let mut sum = vec![0.0_f64; NUMBER];
+    let ns = least((4 * 8 * NUMBER) as f64, || {
+        Arch::new().dispatch(|| {
+            for (sum, (a, b)) in sum.iter_mut().zip(a.iter().zip(&b)) {
+                *sum = a + 3.0 * b;
+            }
+        });
+        black_box(&mut sum);
+    });
+    1.0 / ns
+}
