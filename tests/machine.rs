@@ -1,9 +1,13 @@
-//! Results depend neither on the instructions that the machine offers nor on the number of threads.
+//! Results depend neither on the instructions that the machine offers nor on the number of threads, nor on how
+//! far the program was optimised: fingerprints of the bits are recorded, and `cargo test --profile unoptimised
+//! machine` compares them without any optimisation.
 
 use crate::program::{gouge, stderr};
+use crate::recorded::record;
 use crate::worlds::{advance, sheared_with, world};
 use gouge_kernel::{Instructions, World};
 use gouge_validation::scene::builtin;
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
 /// Replacements that choose another law or another way in the text of the fault.
@@ -33,7 +37,8 @@ fn continued(world: &World, instructions: Instructions, threads: usize, steps: u
     copy.to_words()
 }
 
-fn compare(world: &World, steps: u64, what: &str) {
+/// A fingerprint of the bits after some steps, which all instructions and numbers of threads share.
+fn fingerprint(world: &World, steps: u64, what: &str) -> String {
     let portable = continued(world, Instructions::portable(), 1, steps);
     let sets = Instructions::available().into_iter().map(|set| (set, 1));
     let threads = [2, 3, 5].map(|threads| (Instructions::widest(), threads));
@@ -44,15 +49,25 @@ fn compare(world: &World, steps: u64, what: &str) {
             instructions.name()
         );
     }
+    let bytes: Vec<u8> = portable
+        .iter()
+        .flat_map(|word| word.to_le_bytes())
+        .collect();
+    Sha256::digest(bytes)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }
 
 #[test]
 fn a_fault_has_the_same_bits_on_every_machine() {
-    for variant in VARIANTS {
+    let mut fingerprints = String::new();
+    for (number, variant) in VARIANTS.iter().enumerate() {
         let world = sheared_with(variant);
         let bonds = |world: &World| world.strong_links().map_or(0, |bonds| bonds.len());
         let (before, rebuilds) = (bonds(&world), world.rebuilds());
-        compare(&world, 12_000, &format!("{variant:?}"));
+        let bits = fingerprint(&world, 12_000, &format!("{variant:?}"));
+        fingerprints += &format!("variant {number} {bits}\n");
         let mut after = world.clone();
         advance(&mut after, 12_000);
         assert!(
@@ -60,14 +75,18 @@ fn a_fault_has_the_same_bits_on_every_machine() {
             "the scene shows too little: {variant:?}"
         );
     }
+    record("bits_of_a_fault", &fingerprints);
 }
 
 #[test]
 fn single_collisions_have_the_same_bits_on_every_machine() {
+    let mut fingerprints = String::new();
     for name in ["head-on", "oblique", "rolling", "cantilever"] {
         let text = builtin::text(name).expect("built in");
-        compare(&world(text), 3000, name);
+        let bits = fingerprint(&world(text), 3000, name);
+        fingerprints += &format!("{name} {bits}\n");
     }
+    record("bits_of_single_collisions", &fingerprints);
 }
 
 /// Contents of all tables that a run writes, with a variable of the environment.

@@ -6,7 +6,8 @@
 use crate::program::{run, stderr, stdout, write_scene};
 use std::process::Output;
 
-fn record(name: &str, text: &str) {
+/// Compare with what was recorded under a name.
+pub fn record(name: &str, text: &str) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path("recorded");
     settings.set_prepend_module_to_snapshot(false);
