@@ -1,5 +1,6 @@
 //! What links of a part do to particles of later parts.
 
+use super::block::LINKS;
 use crate::geometry::Vec2;
 use crate::instructions::Instructions;
 use crate::links::{Pair, pairs_before};
@@ -17,6 +18,14 @@ pub(crate) struct Arrival<S> {
     pub force: Vec2<S>,
     /// Torque on j in N m.
     pub torque: S,
+}
+
+/// Whether the second particle of some pair belongs to a later part. Without an early end, so that many pairs
+/// are looked at together.
+fn leaves(pairs: &[Pair], end: usize) -> bool {
+    pairs
+        .iter()
+        .fold(false, |some, pair| some | (pair.j as usize >= end))
 }
 
 /// The search for what leaves each part, done before any part changes what links remember.
@@ -50,8 +59,24 @@ impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Vec<Arriv
         departures.clear();
         let Range { start, end } = self.part;
         let links = pairs_before(self.pairs, start)..pairs_before(self.pairs, end);
+        for first in links.clone().step_by(LINKS) {
+            let block = first..links.end.min(first + LINKS);
+            if leaves(&self.pairs[block.clone()], end) {
+                self.depart(block, departures);
+            }
+        }
+    }
+
+    fn start(ready: Ready<Self, Vec<Arrival<S>>>, _: Instructions) {
+        ready.call();
+    }
+}
+
+impl<S, F: Fn(usize) -> Option<(Vec2<S>, S)>> Departures<'_, F> {
+    /// Note what leaves through some links.
+    fn depart(&self, links: Range<usize>, departures: &mut Vec<Arrival<S>>) {
         for (pair, position) in self.pairs[links.clone()].iter().zip(links) {
-            if (pair.j as usize) < end {
+            if (pair.j as usize) < self.part.end {
                 continue;
             }
             if let Some((force, torque)) = (self.effect)(position) {
@@ -62,9 +87,5 @@ impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Vec<Arriv
                 });
             }
         }
-    }
-
-    fn start(ready: Ready<Self, Vec<Arrival<S>>>, _: Instructions) {
-        ready.call();
     }
 }
