@@ -19,14 +19,36 @@ fn density(mass: f64, radius: f64) -> f64 {
     mass / (4.0 / 3.0 * std::f64::consts::PI * radius.powi(3))
 }
 
-/// The state as a data file, for atoms with or without bonds.
-pub fn data(world: &World) -> String {
+/// Types of atoms by role: free, fixed, driven.
+pub fn roles(world: &World) -> Vec<usize> {
+    let kind = |role: &Role| match role {
+        Role::Free => 1,
+        Role::Fixed => 2,
+        Role::Driven => 3,
+    };
+    world.particles().role.iter().map(kind).collect()
+}
+
+/// Ends of the box, 0.1 m beyond the particles.
+fn ends(places: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (low, high) = places.fold((0.0_f64, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
+    (low - 0.1, high + 0.1)
+}
+
+/// The state as a data file, for atoms of the given types with or without bonds.
+pub fn data(world: &World, types: &[usize]) -> String {
     let p = world.particles();
     let bonds = world.strong_links().map_or(&[][..], |bonds| bonds.pairs());
-    let width = world.model().period().unwrap_or_default();
-    let heights = p.position.iter().map(|x| x.y);
-    let (low, high) = heights.fold((0.0_f64, 0.0_f64), |(a, b), y| (a.min(y), b.max(y)));
-    let mut text = format!("state of a scene\n\n{} atoms\n3 atom types\n", p.len());
+    let (left, right) = match world.model().period() {
+        Some(width) => (0.0, width),
+        None => ends(p.position.iter().map(|x| x.x)),
+    };
+    let (low, high) = ends(p.position.iter().map(|x| x.y));
+    let mut text = format!(
+        "state of a scene\n\n{} atoms\n{} atom types\n",
+        p.len(),
+        types.iter().max().unwrap_or(&1)
+    );
     if !bonds.is_empty() {
         let _ = write!(
             text,
@@ -36,16 +58,9 @@ pub fn data(world: &World) -> String {
     }
     let _ = write!(
         text,
-        "0 {width:e} xlo xhi\n{:e} {:e} ylo yhi\n-5e-3 5e-3 zlo zhi\n\nAtoms\n\n",
-        low - 0.1,
-        high + 0.1
+        "{left:e} {right:e} xlo xhi\n{low:e} {high:e} ylo yhi\n-5e-3 5e-3 zlo zhi\n\nAtoms\n\n"
     );
-    for i in 0..p.len() {
-        let kind = match p.role[i] {
-            Role::Free => 1,
-            Role::Fixed => 2,
-            Role::Driven => 3,
-        };
+    for (i, kind) in types.iter().enumerate() {
         let molecule = if bonds.is_empty() { "" } else { "1 " };
         let (radius, position) = (p.radius[i], p.position[i]);
         let _ = writeln!(
@@ -96,22 +111,16 @@ impl Lammps {
         Ok(date.map_or("LAMMPS".to_owned(), |(_, date)| format!("LAMMPS {date}")))
     }
 
-    /// Time of a particle-step in ns: that of the loop of the last run of an input.
+    /// Time of the loop of the last run of an input in s; the input is given variables by name.
     ///
     /// # Errors
     /// A program that does not run, or says nothing of its loop.
-    pub fn time(
-        &self,
-        input: &Path,
-        data: &Path,
-        particles: usize,
-        steps: u64,
-    ) -> Result<f64, Error> {
+    pub fn seconds(&self, input: &Path, variables: &[(&str, &str)]) -> Result<f64, Error> {
         let mut command = self.command();
         command.args(["-log", "none", "-in"]).arg(input);
-        command
-            .args(["-var", "steps", &steps.to_string(), "-var", "data"])
-            .arg(data);
+        for (name, value) in variables {
+            command.args(["-var", name, value]);
+        }
         let output = command
             .output()
             .map_err(|error| Error::file("run", &self.program, error))?;
@@ -123,14 +132,13 @@ impl Lammps {
         let seconds = loops
             .next()
             .and_then(|rest| rest.split(' ').next()?.parse::<f64>().ok());
-        let seconds = seconds.filter(|_| output.status.success()).ok_or_else(|| {
+        seconds.filter(|_| output.status.success()).ok_or_else(|| {
             let last: Vec<&str> = text.lines().rev().take(5).collect();
             Error::Argument(format!(
                 "{} failed on {}: {last:?}",
                 self.program.display(),
                 input.display()
             ))
-        })?;
-        Ok(seconds * 1e9 / (steps as f64 * particles as f64))
+        })
     }
 }

@@ -8,6 +8,7 @@ mod limits;
 mod machine;
 mod parts;
 mod peers;
+mod precision;
 mod sample;
 mod threads;
 mod worlds;
@@ -59,6 +60,12 @@ enum Measurement {
         #[arg(long, default_value = "")]
         only: String,
     },
+    /// Error against run time of two small scenes, beside LAMMPS
+    Precision {
+        /// LAMMPS with the packages BPM and GRANULAR
+        #[arg(long)]
+        lammps: PathBuf,
+    },
     /// Every optional part of a scene: with it, without it, and by hand
     Parts,
     /// Instructions and bytes of a step, counted by callgrind, beside what the machine can do
@@ -87,6 +94,7 @@ struct Run {
     cases: Vec<Case>,
     parts: Vec<Part>,
     counting: Option<Counting>,
+    precision: Vec<precision::Scene>,
 }
 
 fn execute(arguments: Arguments) -> Result<(), Error> {
@@ -98,6 +106,7 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
     let instructions = gouge_validation::machine::machine()?.instructions.name();
     let before = Machine::measured(instructions);
     let (mut cases, mut parts, mut counting) = (Vec::new(), Vec::new(), None);
+    let mut precision = Vec::new();
     match measurement {
         Measurement::Peers {
             lammps,
@@ -110,6 +119,9 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
                 beams: build(lammps),
             };
             cases = peers::measure(&programs, rounds, &only)?;
+        }
+        Measurement::Precision { lammps } => {
+            precision = precision::measure(&Lammps { program: lammps }, rounds)?;
         }
         Measurement::Counts { valgrind } => counting = Some(counts::measure(&valgrind, rounds)?),
         Measurement::Threads => cases = threads::measure(rounds)?,
@@ -124,6 +136,7 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
         cases,
         parts,
         counting,
+        precision,
     };
     if let Some(path) = arguments.out {
         let text = serde_json::to_string_pretty(&run).unwrap_or_default() + "\n";

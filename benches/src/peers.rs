@@ -1,6 +1,6 @@
 //! Whole scenes beside LAMMPS, in turns, so that both see the same moods of the machine.
 
-use crate::lammps::{Lammps, data};
+use crate::lammps::{Lammps, data, roles};
 use crate::parts::{bytes, failed_folder};
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, pressed, rubbing};
@@ -195,14 +195,19 @@ fn compare(
 ) -> Result<Case, Error> {
     let folder = tempfile::tempdir().map_err(failed_folder)?;
     let file = folder.path().join("data");
-    std::fs::write(&file, data(&world)).map_err(|error| Error::file("write", &file, error))?;
+    std::fs::write(&file, data(&world, &roles(&world)))
+        .map_err(|error| Error::file("write", &file, error))?;
     let number = world.particles().len();
     let mut timer = Timer::new(world, WARM_UP)?;
     let (mut ours, mut theirs) = (Sample::default(), Sample::default());
     for _ in 0..rounds {
         ours.0.push(timer.time(STEPS)?);
         if let Some((lammps, input)) = &program {
-            theirs.0.push(lammps.time(input, &file, number, STEPS)?);
+            let (steps, file) = (STEPS.to_string(), file.to_string_lossy());
+            let seconds = lammps.seconds(input, &[("steps", &steps), ("data", &file)])?;
+            theirs
+                .0
+                .push(seconds * 1e9 / (STEPS as f64 * number as f64));
         }
     }
     let peer = match program {

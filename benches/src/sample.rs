@@ -1,6 +1,6 @@
 //! Repeated measurements.
 
-use gouge_validation::report::quantile;
+use gouge_validation::measurements::quantile;
 use serde::Serialize;
 
 /// Repeated measurements of one quantity, in the order in which they were made.

@@ -4,6 +4,7 @@ pub mod checks;
 pub mod commands;
 pub mod error;
 pub mod machine;
+pub mod measurements;
 pub mod oracles;
 pub mod references;
 pub mod report;

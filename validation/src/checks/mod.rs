@@ -22,7 +22,7 @@ mod remembered;
 pub mod scenes;
 mod strength;
 mod time_step;
-mod work_precision;
+pub mod work_precision;
 
 pub use exhibit::{Axis, Curve, Exhibit, Plot, Style, Table};
 pub use measurement::{

@@ -10,7 +10,6 @@ mod speed;
 pub use machine::words as machine_words;
 pub use pictures::{Picture, pictures};
 pub use record::Record;
-pub use speed::quantile;
 
 use crate::checks::{Exhibit, Topic};
 use crate::error::Error;

@@ -1,10 +1,8 @@
 //! The chapter on speed: the measurements of `benches/runs/`, which running the checks does not repeat.
 
-use include_dir::{Dir, include_dir};
+use crate::measurements::{latest, quantile, ratios, spread};
 use maud::{Markup, html};
 use serde::Deserialize;
-
-static RUNS: Dir = include_dir!("$CARGO_MANIFEST_DIR/../benches/runs");
 
 /// A file of measurements.
 #[derive(Deserialize)]
@@ -82,38 +80,6 @@ impl Counts {
     }
 }
 
-/// The latest run of a kind and its date: files are named by both.
-fn latest(kind: &str) -> Option<(String, Run)> {
-    let ending = format!("-{kind}.json");
-    let files = RUNS.files().filter_map(|file| {
-        let name = file.path().file_name()?.to_str()?;
-        Some((name.strip_suffix(&ending)?.to_owned(), file))
-    });
-    let (date, file) = files.max_by(|a, b| a.0.cmp(&b.0))?;
-    Some((date, serde_json::from_slice(file.contents()).ok()?))
-}
-
-/// The measurement nearest to the quantile of a probability.
-pub fn quantile(sample: &[f64], probability: f64) -> f64 {
-    let mut sorted = sample.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let place = probability * sorted.len().saturating_sub(1) as f64;
-    sorted
-        .get(place.round() as usize)
-        .copied()
-        .unwrap_or(f64::NAN)
-}
-
-/// Median and quartiles.
-fn spread(sample: &[f64], digits: usize) -> String {
-    let [low, middle, high] = [0.25, 0.5, 0.75].map(|probability| quantile(sample, probability));
-    format!("{middle:.digits$} ({low:.digits$} to {high:.digits$})")
-}
-
-fn ratios(sample: &[f64], other: &[f64]) -> Vec<f64> {
-    sample.iter().zip(other).map(|(a, b)| a / b).collect()
-}
-
 /// The chapter; nothing where nothing was measured.
 pub fn chapter() -> Markup {
     html! {
@@ -149,7 +115,7 @@ fn machine(date: &str, run: &Run) -> Markup {
 }
 
 fn scenes(kind: &str, title: &str, about: &str) -> Markup {
-    let Some((date, run)) = latest(kind) else {
+    let Some((date, run)) = latest::<Run>(kind) else {
         return html! {};
     };
     html! {
@@ -183,7 +149,7 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
 }
 
 fn counting() -> Markup {
-    let Some((date, run)) = latest("counts") else {
+    let Some((date, run)) = latest::<Run>("counts") else {
         return html! {};
     };
     let Some(Counting {
@@ -228,7 +194,7 @@ fn counting() -> Markup {
 }
 
 fn parts() -> Markup {
-    let Some((date, run)) = latest("parts") else {
+    let Some((date, run)) = latest::<Run>("parts") else {
         return html! {};
     };
     html! {
@@ -263,7 +229,8 @@ fn parts() -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use super::{RUNS, Run, chapter, latest};
+    use super::{Run, chapter};
+    use crate::measurements::{RUNS, latest};
 
     #[test]
     fn every_run_can_be_read_and_every_kind_is_shown() {
@@ -273,7 +240,7 @@ mod tests {
         }
         let page = chapter().into_string();
         for kind in ["peers", "growth", "threads", "parts"] {
-            let newest = latest(kind);
+            let newest = latest::<Run>(kind);
             assert!(newest.is_some(), "no run of {kind}");
             if let Some((date, run)) = newest {
                 assert!(page.contains(&date));

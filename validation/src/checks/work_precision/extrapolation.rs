@@ -1,9 +1,10 @@
-//! The limit of vanishing steps, from runs of the kernel in double-double.
+//! The limit of vanishing steps, from runs of the kernel in double-double or of another program.
 
 use super::case::{Case, Origin, Truth, wide};
 use crate::checks::scenes::advance;
 use crate::checks::{Failure, largest};
 use crate::scalars::DoubleDouble;
+use gouge_kernel::geometry::Vec2;
 use gouge_kernel::integrators::Integrator;
 use std::ops::Range;
 use xprec::Df64;
@@ -34,32 +35,68 @@ fn apart(origin: &Origin, a: &Places, b: &Places) -> f64 {
     largest(a.iter().zip(b).map(|(a, b)| origin.distance(*a, *b)))
 }
 
-/// The best extrapolation of a method, which eliminates as many powers of the step as it can, and the one
-/// with a power less.
-fn extrapolated(
+/// The best extrapolation of results, each with half the step of the one before, which eliminates as many
+/// powers of the step as it can from the first on, and the one with a power less.
+fn extrapolated(mut results: Vec<Places>, first: i32) -> [Places; 2] {
+    let mut before = Places::new();
+    for power in (first..).take(results.len().saturating_sub(1)) {
+        before = results.pop().unwrap_or_default();
+        results.push(before.clone());
+        results = eliminate(&results, power);
+    }
+    [results.pop().unwrap_or_default(), before]
+}
+
+/// The extrapolations of a method of order two.
+fn of_method(
     case: &Case,
     origin: &Origin,
     method: Integrator,
     rungs: Range<u32>,
 ) -> Result<[Places; 2], Failure> {
-    let powers = 2..rungs.len() as i32 + 1;
-    let mut results = rungs
-        .map(|rung| ending(case, origin, method, rung))
-        .collect::<Result<Vec<Places>, Failure>>()?;
-    let mut before = Places::new();
-    for power in powers {
-        before = results.pop().unwrap_or_default();
-        results.push(before.clone());
-        results = eliminate(&results, power);
-    }
-    Ok([results.pop().unwrap_or_default(), before])
+    let results = rungs.map(|rung| ending(case, origin, method, rung));
+    Ok(extrapolated(results.collect::<Result<_, _>>()?, 2))
 }
 
 /// The limit of velocity Verlet. How far off it is tell the last power that was eliminated and the limit
 /// of Beeman's method, whichever lies farther.
 pub fn limit(case: &Case, origin: &Origin, rungs: Range<u32>) -> Result<Truth, Failure> {
-    let [best, before] = extrapolated(case, origin, Integrator::VelocityVerlet, rungs.clone())?;
-    let [other, _] = extrapolated(case, origin, Integrator::Beeman, rungs)?;
+    let [best, before] = of_method(case, origin, Integrator::VelocityVerlet, rungs.clone())?;
+    let [other, _] = of_method(case, origin, Integrator::Beeman, rungs)?;
     let off = apart(origin, &best, &before).max(apart(origin, &best, &other));
     Ok(origin.truth(best, off))
+}
+
+/// The limit of places in m where a program's runs end, each with half the step of the one before and with
+/// errors of all powers of the step from the first on. How far off it is tells the last power that was
+/// eliminated.
+pub fn limit_of(origin: &Origin, endings: &[Vec<Vec2>], first: i32) -> Truth {
+    let places = |ending: &Vec<Vec2>| ending.iter().map(|x| [wide(x.x), wide(x.y)]).collect();
+    let [best, before] = extrapolated(endings.iter().map(places).collect(), first);
+    let off = apart(origin, &best, &before);
+    origin.truth(best, off)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::limit_of;
+    use crate::checks::work_precision::PAIR;
+    use gouge_kernel::geometry::Vec2;
+
+    #[test]
+    fn a_polynomial_of_the_step_has_its_constant_as_limit() {
+        let origin = (PAIR.origin)();
+        assert!(origin.is_ok());
+        let Ok(origin) = origin else { return };
+        let ending = |step: f64| {
+            let x = 2.0 + step * (3.0 + step * (5.0 + 7.0 * step));
+            vec![Vec2::new(x, 1.0), Vec2::new(-x, 1.0)]
+        };
+        let endings = [1.0, 0.5, 0.25, 0.125].map(ending);
+        let truth = limit_of(&origin, &endings, 1);
+        assert!(truth.uncertainty > 0.0);
+        for (place, x) in truth.positions.iter().zip([2.0, -2.0]) {
+            assert!((place[0].hi() - x).abs() < 1e-14 && place[1].hi() == 1.0);
+        }
+    }
 }

@@ -1,9 +1,10 @@
 //! Error against run time.
 
 mod advice;
-mod case;
+pub mod case;
 mod extrapolation;
 mod fault;
+mod lammps;
 mod scenes;
 mod show;
 mod summary;
@@ -12,6 +13,9 @@ mod verdict;
 
 use super::{Check, Effort, Failure, Measurement, Origin, Outcome, Topic};
 use crate::scene::INTEGRATORS;
+pub use extrapolation::limit_of;
+pub use scenes::{PACKING, PAIR};
+
 use scenes::CASES;
 use show::{Curves, OTHERS};
 use std::ops::Range;

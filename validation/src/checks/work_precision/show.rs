@@ -1,9 +1,14 @@
 //! What is shown of a case: the diagrams, the times and the advice.
 
+use super::VERLET;
 use super::advice::{front, words};
 use super::case::Case;
+use super::lammps::Recorded;
 use super::sweep::{Precision, Rung, Sweep};
 use crate::checks::{Axis, Curve, Exhibit, Plot, Style, Table};
+
+/// Name of the points of LAMMPS.
+pub const PEER: &str = "LAMMPS, velocity Verlet with velocities of half a step";
 
 /// Sweeps of a case: all methods in double, then the best of them in single and double-double.
 pub struct Curves {
@@ -29,18 +34,34 @@ impl Curves {
             .iter()
             .filter(|one| Some(one.integrator) == best);
         let numbers: Vec<&Sweep> = double.chain(&self.others).collect();
-        vec![
-            Exhibit::Plot(
-                self.plot(methods, &self.methods.iter().collect::<Vec<_>>(), |sweep| {
-                    sweep.integrator.to_owned()
-                }),
-            ),
+        let mut plot = self.plot(methods, &self.methods.iter().collect::<Vec<_>>(), |sweep| {
+            sweep.integrator.to_owned()
+        });
+        let beside = self.beside(&mut plot);
+        let exhibits = [
             Exhibit::Plot(self.plot(types, &numbers, |sweep| {
                 format!("{} in {}", sweep.integrator, sweep.precision.name())
             })),
             Exhibit::Table(self.table()),
             Exhibit::Text(words(self.case, &self.methods)),
             Exhibit::Text(self.scalar_words()),
+        ];
+        let first = [Exhibit::Plot(plot)].into_iter();
+        first.chain(beside).chain(exhibits).collect()
+    }
+
+    /// Draw what was recorded of LAMMPS; its words and its table.
+    fn beside(&self, plot: &mut Plot) -> Vec<Exhibit> {
+        let (Some(recorded), Some(verlet)) = (Recorded::of(self.case), self.methods.get(VERLET))
+        else {
+            return Vec::new();
+        };
+        let points = recorded.points(verlet).into_iter();
+        let points = points.map(|[time, error]| [self.per_unit(time), error]);
+        plot.curves.push(Curve::marked_line(PEER, points));
+        vec![
+            Exhibit::Text(recorded.words()),
+            Exhibit::Table(recorded.table(verlet)),
         ]
     }
 

@@ -40,8 +40,8 @@ fn rounding(bench: &Bench, precision: Precision, rung: &Rung) -> f64 {
     precision.roundoff() * extent * rung.steps as f64
 }
 
-/// Least squares.
-fn slope<'a>(rungs: impl Iterator<Item = &'a Rung>) -> f64 {
+/// Slope of the logarithm of the error over that of the step, by least squares.
+pub fn slope<'a>(rungs: impl Iterator<Item = &'a Rung>) -> f64 {
     let points: Vec<[f64; 2]> = rungs
         .map(|rung| [rung.step.log2(), rung.error.log2()])
         .collect();
