@@ -168,7 +168,7 @@ impl<S: Real> Inputs<S> {
     /// Gather the ends of at most a block of links; angles and spins only for laws that read them.
     #[inline(always)]
     pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair], angles: bool, spins: bool) {
-        for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
+        for (lane, &pair) in (0..LINKS).zip(pairs) {
             let (difference, radii) = columns.gap(pair);
             let velocity = columns.relative_velocity(pair);
             put(&mut self.difference, lane, [difference.x, difference.y]);

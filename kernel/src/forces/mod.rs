@@ -92,39 +92,30 @@ impl<'a, S: Real> Sums<'a, S> {
             torque: &mut self.torque[..number],
         }
     }
+    /// Add a link's force on i, its reaction on j and, if it turns its ends, the torques: on i, which is
+    /// among the particles, and on j, where that is.
     #[inline(always)]
-    fn places(&self, pair: Pair) -> (usize, usize) {
+    fn add<const TURNS: bool>(&mut self, pair: Pair, force: Vec2<S>, torques: [S; 2]) {
         let (i, j) = pair.indices();
-        (i.wrapping_sub(self.first), j.wrapping_sub(self.first))
-    }
-    /// Add a link's force on i and its reaction on j, where they are among the particles.
-    #[inline(always)]
-    fn add_forces(&mut self, pair: Pair, force: Vec2<S>) {
-        let (i, j) = self.places(pair);
+        let (i, j) = (i.wrapping_sub(self.first), j.wrapping_sub(self.first));
         let number = self.force.len();
-        if i < number {
-            self.force[i] += force;
-        }
-        if j < number {
-            self.force[j] -= force;
-        }
-    }
-    /// Add the torques of both ends, where they are among the particles.
-    #[inline(always)]
-    fn add_torques(&mut self, pair: Pair, torques: [S; 2]) {
-        let (i, j) = self.places(pair);
-        let number = self.force.len();
-        if i < number {
+        assert!(i < number, "{MISSING}");
+        self.force[i] += force;
+        if TURNS {
             self.torque[i] += torques[0];
         }
         if j < number {
-            self.torque[j] += torques[1];
+            self.force[j] -= force;
+            if TURNS {
+                self.torque[j] += torques[1];
+            }
         }
     }
     /// Add what links of earlier parts do to these particles.
     fn add_arrivals<const TURNS: bool>(&mut self, arrivals: &[Vec<Arrival<S>>]) {
         for arrival in arrivals.iter().flatten() {
-            let (_, j) = self.places(arrival.pair);
+            let (_, j) = arrival.pair.indices();
+            let j = j.wrapping_sub(self.first);
             if j < self.force.len() {
                 self.force[j] -= arrival.force;
                 if TURNS {

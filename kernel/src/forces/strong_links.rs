@@ -266,7 +266,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
         let before = self.links.first + links.start;
         let mut sums = self.sums.equally_long();
         let mut heat_rate = desk.tally.friction_rate;
-        for (lane, &pair) in self.links.pairs[links].iter().enumerate().take(LINKS) {
+        for (lane, &pair) in (0..LINKS).zip(&self.links.pairs[links]) {
             if YIELDS && outputs.flags[lane] & BREAKS != 0 {
                 desk.broken.push((before + lane) as u32);
                 continue;
@@ -274,9 +274,11 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
             if LEDGER {
                 heat_rate += outputs.heat_rate[lane];
             }
-            sums.add_forces(pair, outputs.force(lane));
-            if !B::ABSENT {
-                sums.add_torques(pair, outputs.torques(lane));
+            let (force, torques) = (outputs.force(lane), outputs.torques(lane));
+            if B::ABSENT {
+                sums.add::<false>(pair, force, torques);
+            } else {
+                sums.add::<true>(pair, force, torques);
             }
         }
         desk.tally.friction_rate = heat_rate;

@@ -388,15 +388,17 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         let pairs = &self.pairs[links];
         let mut sums = self.sums.equally_long();
         let (mut heat_rate, mut heat) = (desk.tally.friction_rate, desk.tally.friction);
-        for (lane, &pair) in pairs.iter().enumerate().take(LINKS) {
+        for (lane, &pair) in (0..LINKS).zip(pairs) {
             if LEDGER {
                 heat_rate += outputs.heat_rate[lane];
                 heat += outputs.heat[lane];
             }
             if outputs.flags[lane] & TOUCHES != 0 {
-                sums.add_forces(pair, outputs.force(lane));
-                if !T::ABSENT {
-                    sums.add_torques(pair, outputs.torques(lane));
+                let (force, torques) = (outputs.force(lane), outputs.torques(lane));
+                if T::ABSENT {
+                    sums.add::<false>(pair, force, torques);
+                } else {
+                    sums.add::<true>(pair, force, torques);
                 }
             }
         }
