@@ -30,7 +30,7 @@ pub enum Errand {
     #[command(hide = true)]
     Busy {
         #[arg(long)]
-        rounds: u64,
+        turns: u64,
     },
 }
 
@@ -46,8 +46,8 @@ impl Errand {
                 state,
                 steps,
             } => scene.run(&state, steps),
-            Self::Busy { rounds } => {
-                std::hint::black_box(busy(rounds));
+            Self::Busy { turns } => {
+                std::hint::black_box(busy(turns));
                 Ok(())
             }
         }
@@ -259,9 +259,9 @@ impl Program<'_> {
         Ok(counts)
     }
 
-    /// Instructions of a round of [`busy`].
+    /// Instructions of a turn of [`busy`].
     fn instructions_of_busy(&self) -> Result<f64, Error> {
-        let totals = |rounds: u64| self.totals(&["busy", "--rounds", &rounds.to_string()]);
+        let totals = |turns: u64| self.totals(&["busy", "--turns", &turns.to_string()]);
         let (few, many) = (100_000, 1_100_000);
         let added = totals(many)?.instructions - totals(few)?.instructions;
         Ok(added / (many - few) as f64)

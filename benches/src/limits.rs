@@ -17,11 +17,11 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The limits of this machine, now, where a round of [`busy`] has so many instructions.
+    /// The limits of this machine, now, where a turn of [`busy`] has so many instructions.
     pub fn measured(instructions_of_busy: f64) -> Self {
-        const ROUNDS: u64 = 20_000_000;
-        let busy_ns = least(ROUNDS as f64, || {
-            black_box(busy(black_box(ROUNDS)));
+        const TURNS: u64 = 20_000_000;
+        let busy_ns = least(TURNS as f64, || {
+            black_box(busy(black_box(TURNS)));
         });
         Self {
             instructions_per_ns: instructions_of_busy / busy_ns,
@@ -48,12 +48,12 @@ fn least(things: f64, mut act: impl FnMut()) -> f64 {
     (0..9).map(|_| time()).fold(f64::INFINITY, f64::min)
 }
 
-/// Rounds of independent operations on whole numbers, which stay in registers.
-pub fn busy(rounds: u64) -> u64 {
+/// Turns of a loop of independent operations on whole numbers, which stay in registers.
+pub fn busy(turns: u64) -> u64 {
     let mut numbers: [u64; 6] = black_box([1, 2, 3, 4, 5, 6]);
-    for round in 0..rounds {
+    for turn in 0..turns {
         for number in &mut numbers {
-            *number = (*number ^ round).wrapping_add(round);
+            *number = (*number ^ turn).wrapping_add(turn);
         }
     }
     numbers.iter().fold(0, |all, number| all ^ number)

@@ -157,7 +157,7 @@ impl<S: Real> Memories<S> {
 
 /// Room for so many pairs, bonded ones included, and a few more, so that lists grow rarely.
 fn roomy(near: usize) -> usize {
-    near + near / 32 + 64
+    near + near / 128 + 64
 }
 
 /// Give a column exactly so much room.
