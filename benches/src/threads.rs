@@ -4,7 +4,7 @@ use crate::peers::{Case, Timer};
 use crate::sample::Sample;
 use crate::worlds::{Friction, pressed, rubbing};
 use gouge_validation::error::Error;
-use gouge_validation::machine::default_threads;
+use gouge_validation::machine::{default_threads, divided};
 
 /// Particle-steps of a measurement.
 const WORK: u64 = 20_000_000;
@@ -20,8 +20,8 @@ pub fn measure(rounds: usize) -> Result<Vec<Case>, Error> {
         let world = rubbing(&packing, Friction::CundallStrack, times)?;
         let number = world.particles().len();
         let threads = default_threads(number);
-        let mut one = Timer::new(world.clone().with_threads(1), 10)?;
-        let mut several = Timer::new(world.with_threads(threads), 10)?;
+        let mut one = Timer::new(divided(world.clone(), 1), 10)?;
+        let mut several = Timer::new(divided(world, threads), 10)?;
         let (mut alone, mut together) = (Sample::default(), Sample::default());
         for _ in 0..rounds {
             let steps = WORK / number as u64;

@@ -3,15 +3,18 @@
 use crate::error::Error;
 use gouge_kernel::scalar::Real;
 use gouge_kernel::{Instructions, World};
+use rayon::ThreadPoolBuilder;
 use std::sync::LazyLock;
 
 /// The environment variable that names the instructions to use instead of the widest ones.
 pub const INSTRUCTIONS: &str = "GOUGE_INSTRUCTIONS";
-/// The environment variable that says how many threads a world uses, instead of [`default_threads`].
+/// The environment variable that says how many threads compute, instead of [`default_threads`].
 pub const THREADS: &str = "GOUGE_THREADS";
 
 /// Particles below which a second thread costs more than it gives.
 const WORTH_A_THREAD: usize = 10_000;
+/// Parts for each thread: more than one, so that a thread that is held up leaves work to the others.
+const PARTS_A_THREAD: usize = 2;
 /// Most threads that one may ask for.
 const MOST_THREADS: usize = 1024;
 
@@ -55,7 +58,11 @@ fn chosen_threads() -> Result<Option<usize>, String> {
     };
     let number = text.to_str().and_then(|text| text.parse().ok());
     match number.filter(|number| (1..=MOST_THREADS).contains(number)) {
-        Some(number) => Ok(Some(number)),
+        Some(number) => {
+            // A pool that is at work already keeps its threads.
+            let _ = ThreadPoolBuilder::new().num_threads(number).build_global();
+            Ok(Some(number))
+        }
         None => Err(format!(
             "{THREADS} = {}: must be an integer from 1 to {MOST_THREADS}",
             text.to_string_lossy()
@@ -88,10 +95,15 @@ pub(crate) fn equipped<S: Real>(world: World<S>) -> World<S> {
     let threads = machine
         .threads
         .unwrap_or_else(|| default_threads(particles));
-    let world = world.with_instructions(machine.instructions);
-    if threads > 1 {
-        world.with_threads(threads)
+    divided(world.with_instructions(machine.instructions), threads)
+}
+
+/// A world that so many threads compute.
+pub fn divided<S: Real>(world: World<S>, threads: usize) -> World<S> {
+    let parts = if threads > 1 {
+        PARTS_A_THREAD * threads
     } else {
-        world
-    }
+        1
+    };
+    world.with_parts(parts)
 }

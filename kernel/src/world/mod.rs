@@ -172,11 +172,11 @@ impl<S: Real> World<S> {
         self
     }
 
-    /// The same world, computed in so many threads; bits do not depend on them.
+    /// The same world, computed in so many parts, which idle threads take; bits do not depend on them.
     ///
-    /// Worlds with a ledger compute links in one thread, so that its sums keep their order.
-    pub fn with_threads(mut self, threads: usize) -> Self {
-        self.parts = Parts::equal(self.particles.len(), threads);
+    /// Worlds with a ledger compute links in one part, so that its sums keep their order.
+    pub fn with_parts(mut self, parts: usize) -> Self {
+        self.parts = Parts::equal(self.particles.len(), parts);
         let number = self.parts.number();
         self.desks.resize(number, Desk::default());
         self.verdicts.resize(number, false);
