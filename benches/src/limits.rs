@@ -50,7 +50,7 @@ fn least(things: f64, mut act: impl FnMut()) -> f64 {
 
 /// Turns of a loop of independent operations on whole numbers, which stay in registers.
 pub fn busy(turns: u64) -> u64 {
-    let mut numbers: [u64; 6] = black_box([1, 2, 3, 4, 5, 6]);
+    let mut numbers: [u64; 16] = black_box([1; 16]);
     for turn in 0..turns {
         for number in &mut numbers {
             *number = (*number ^ turn).wrapping_add(turn);
