@@ -116,15 +116,6 @@ impl Cells {
         (index.y * self.columns + index.x) as usize
     }
 
-    /// The cell at a position in the lexicographical order.
-    pub fn at(&self, rank: usize) -> Index {
-        let rank = rank as i64;
-        Index {
-            x: rank % self.columns,
-            y: rank / self.columns,
-        }
-    }
-
     /// The cells at distance one or zero that do not come before the cell in the order.
     ///
     /// Each unordered pair of adjacent cells appears once, also where a periodic box has so few
