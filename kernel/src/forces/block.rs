@@ -1,7 +1,7 @@
 //! Links side by side: what a pass gathers from the particles, and what it scatters back to them.
 
 use super::MISSING;
-use crate::geometry::Vec2;
+use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::links::Pair;
 use crate::particles::Particles;
 use crate::scalar::Real;
@@ -101,6 +101,17 @@ pub(crate) struct Inputs<S> {
     radii: [[S; LINKS]; 2],
 }
 
+/// Frames of links, as columns.
+///
+/// They are found in a loop of their own: a root and a quotient take long, and while the law waits for them
+/// too few links are under way.
+#[derive(Clone, Debug)]
+pub(crate) struct Frames<S> {
+    normal: [[S; LINKS]; 2],
+    /// Distance, and its inverse.
+    distances: [[S; LINKS]; 2],
+}
+
 /// What links do, as columns.
 #[derive(Clone, Debug)]
 pub(crate) struct Outputs<S> {
@@ -123,6 +134,7 @@ pub(crate) struct Outputs<S> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block<S: Real> {
     pub inputs: Box<Inputs<S>>,
+    pub frames: Box<Frames<S>>,
     pub outputs: Box<Outputs<S>>,
 }
 
@@ -135,6 +147,16 @@ impl<S: Real> Default for Inputs<S> {
             angles: zeros,
             spins: zeros,
             radii: zeros,
+        }
+    }
+}
+
+impl<S: Real> Default for Frames<S> {
+    fn default() -> Self {
+        let zeros = [[S::zero(); LINKS]; 2];
+        Self {
+            normal: zeros,
+            distances: zeros,
         }
     }
 }
@@ -191,6 +213,30 @@ impl<S: Real> Inputs<S> {
             angles: taken(&self.angles, lane),
             spins: taken(&self.spins, lane),
             radii: taken(&self.radii, lane),
+        }
+    }
+}
+
+impl<S: Real> Frames<S> {
+    /// Find the frames of the first links of a block.
+    #[inline(always)]
+    pub fn find<M: Metric>(&mut self, metric: M, inputs: &Inputs<S>, number: usize) {
+        for lane in 0..number.min(LINKS) {
+            let [x, y] = taken(&inputs.difference, lane);
+            let frame = PairFrame::new(metric.nearest(Vec2::new(x, y)));
+            put(&mut self.normal, lane, [frame.normal.x, frame.normal.y]);
+            let distances = [frame.distance, frame.inverse_distance];
+            put(&mut self.distances, lane, distances);
+        }
+    }
+    #[inline(always)]
+    pub fn at(&self, lane: usize) -> PairFrame<S> {
+        let [x, y] = taken(&self.normal, lane);
+        let [distance, inverse_distance] = taken(&self.distances, lane);
+        PairFrame {
+            distance,
+            inverse_distance,
+            normal: Vec2::new(x, y),
         }
     }
 }

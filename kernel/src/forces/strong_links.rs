@@ -86,8 +86,12 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
 
     /// The state of most links, thesis eqs. (28)-(34), and whether it is that of this one.
     #[inline(always)]
-    fn regular<S: Real>(&self, ends: &Ends<S>, rest: &Rest<S>) -> (StrongState<S>, bool) {
-        let frame = PairFrame::new(self.metric.nearest(ends.difference));
+    fn regular<S: Real>(
+        &self,
+        ends: &Ends<S>,
+        frame: PairFrame<S>,
+        rest: &Rest<S>,
+    ) -> (StrongState<S>, bool) {
         if B::ABSENT {
             return (self.state(ends, frame, rest.distance, [S::zero(); 2]), true);
         }
@@ -216,6 +220,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
         let distances = &self.links.distances[links.start..][..number];
         let factors = &self.links.strength_factors[links.start..][..number];
         let (inputs, outputs) = (&*block.inputs, &mut *block.outputs);
+        block.frames.find(self.pass.metric, inputs, number);
         let mut flags = 0;
         for lane in 0..number {
             let rest = Rest {
@@ -224,7 +229,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
                 distance: distances[lane],
             };
             let ends = inputs.ends(lane);
-            let (state, is_regular) = self.pass.regular(&ends, &rest);
+            let (state, is_regular) = self.pass.regular(&ends, block.frames.at(lane), &rest);
             let flag = self.pass.settle::<S, YIELDS, LEDGER>(
                 outputs,
                 lane,

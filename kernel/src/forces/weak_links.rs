@@ -160,9 +160,9 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
     fn regular<S: Real>(
         &self,
         ends: &Ends<S>,
+        frame: PairFrame<S>,
         memory: &mut ContactMemory<S>,
     ) -> (WeakState<S>, bool) {
-        let frame = PairFrame::new(self.metric.nearest(ends.difference));
         if !Self::FOLLOWS_ANGLES {
             return (self.state(ends, frame, [S::zero(); 2], memory), true);
         }
@@ -305,6 +305,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             0..0
         });
         let (inputs, outputs) = (&*block.inputs, &mut *block.outputs);
+        block.frames.find(self.pass.metric, inputs, number);
         let mut flags = 0;
         for lane in 0..number {
             let ends = inputs.ends(lane);
@@ -315,7 +316,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                 ContactMemory::default()
             };
             let mut memory = old;
-            let (state, is_regular) = self.pass.regular(&ends, &mut memory);
+            let (state, is_regular) = self.pass.regular(&ends, block.frames.at(lane), &mut memory);
             if T::REMEMBERS {
                 outputs.state[lane] = if touches { memory.state } else { old.state };
             }
