@@ -1,7 +1,7 @@
 //! How near the limit: what a step executes and moves, counted by callgrind, beside what the machine can do.
 
+use crate::folder::temporary_folder;
 use crate::limits::{Limits, busy};
-use crate::parts::failed_folder;
 use crate::peers::{Timer, advance};
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, fault_again, pressed, pressed_again, rubbing};
@@ -9,6 +9,7 @@ use clap::{Subcommand, ValueEnum};
 use gouge_kernel::World;
 use gouge_validation::error::Error;
 use gouge_validation::machine::INSTRUCTIONS;
+use gouge_validation::run::words_of;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -105,14 +106,7 @@ impl Counted {
     /// Advance a prepared state that was recorded.
     fn run(self, file: &Path, steps: u64) -> Result<(), Error> {
         let bytes = std::fs::read(file).map_err(|error| Error::file("read", file, error))?;
-        let words: Vec<u64> = bytes
-            .chunks_exact(8)
-            .map(|word| {
-                word.iter()
-                    .rev()
-                    .fold(0, |all, &byte| all << 8 | u64::from(byte))
-            })
-            .collect();
+        let words = words_of(&bytes);
         let prepared = match self {
             Self::Bonded => fault_again(&words)?,
             _ => pressed_again(&words)?,
@@ -166,7 +160,7 @@ const KNOWN: [&str; 3] = ["avx2", "neon", "portable"];
 /// # Errors
 /// Scenes that cannot be set up; a valgrind that does not run.
 pub fn measure(valgrind: &Path, rounds: usize) -> Result<Counting, Error> {
-    let folder = tempfile::tempdir().map_err(failed_folder)?;
+    let folder = temporary_folder()?;
     let record = |name: &str, world: &World| -> Result<PathBuf, Error> {
         let file = folder.path().join(name);
         let bytes: Vec<u8> = world

@@ -2,6 +2,7 @@
 
 mod by_hand;
 mod counts;
+mod folder;
 mod growth;
 mod lammps;
 mod limits;

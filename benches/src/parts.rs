@@ -2,6 +2,7 @@
 //! hand for the scene without it.
 
 use crate::by_hand::Grains;
+use crate::folder::temporary_folder;
 use crate::peers::Timer;
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, pressed, pressed_with_frames, rubbing};
@@ -12,7 +13,6 @@ use gouge_validation::error::Error;
 use gouge_validation::run::write_frame;
 use gouge_validation::scene::Scene;
 use serde::Serialize;
-use std::path::Path;
 use std::time::Instant;
 use tempfile::TempDir;
 
@@ -140,11 +140,6 @@ fn of_bonds() -> Result<Vec<Compared>, Error> {
     ])
 }
 
-/// A temporary folder that could not be made.
-pub fn failed_folder(error: std::io::Error) -> Error {
-    Error::file("create", Path::new("a temporary folder"), error)
-}
-
 /// Where frames go, and how.
 struct Frames {
     scene: Scene,
@@ -155,7 +150,7 @@ impl Frames {
     fn new() -> Result<Self, Error> {
         Ok(Self {
             scene: pressed_with_frames()?,
-            folder: tempfile::tempdir().map_err(failed_folder)?,
+            folder: temporary_folder()?,
         })
     }
     fn write(&self, world: &World) -> Result<(), Error> {

@@ -1,7 +1,8 @@
 //! Whole scenes beside LAMMPS, in turns, so that both see the same moods of the machine.
 
+use crate::folder::temporary_folder;
 use crate::lammps::{Lammps, data, roles};
-use crate::parts::{bytes, failed_folder};
+use crate::parts::bytes;
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, pressed, rubbing};
 use gouge_kernel::World;
@@ -92,13 +93,7 @@ impl Timer {
 /// # Errors
 /// A state that becomes senseless.
 pub fn advance(world: &mut World, steps: u64) -> Result<(), Error> {
-    for _ in 0..steps {
-        world.step().map_err(|source| Error::Step {
-            phase: "measurement".to_owned(),
-            source,
-        })?;
-    }
-    Ok(())
+    gouge_validation::run::advance(world, steps, "measurement")
 }
 
 impl Case {
@@ -193,7 +188,7 @@ fn compare(
     program: Option<(&Lammps, std::path::PathBuf)>,
     rounds: usize,
 ) -> Result<Case, Error> {
-    let folder = tempfile::tempdir().map_err(failed_folder)?;
+    let folder = temporary_folder()?;
     let file = folder.path().join("data");
     std::fs::write(&file, data(&world, &roles(&world)))
         .map_err(|error| Error::file("write", &file, error))?;

@@ -1,7 +1,7 @@
 //! Error against run time of LAMMPS, in turns with our velocity Verlet.
 
+use crate::folder::temporary_folder;
 use crate::lammps::{Lammps, data};
-use crate::parts::failed_folder;
 use crate::peers::advance;
 use crate::sample::Sample;
 use gouge_kernel::World;
@@ -105,7 +105,7 @@ fn compare(setting: &Setting, lammps: &Lammps, rounds: usize) -> Result<Scene, E
         endings.push(files.ending()?);
     }
     let truth = match &setting.own_limit {
-        Some(rungs) => limit_of(&origin, endings.get(rungs.clone()).unwrap_or_default(), 1),
+        Some(rungs) => limit_of(&origin, endings.get(rungs.clone()).unwrap_or_default()),
         None => (case.truth)(case, &origin, setting.rungs - 1).map_err(failed)?,
     };
     let errors = endings
@@ -189,7 +189,7 @@ struct Files {
 impl Files {
     /// Write the initial state, every particle of a type of its own.
     fn new(setting: &Setting, origin: &Origin) -> Result<Self, Error> {
-        let folder = tempfile::tempdir().map_err(failed_folder)?;
+        let folder = temporary_folder()?;
         let files = Self {
             input: Path::new(env!("CARGO_MANIFEST_DIR"))
                 .join("peers")

@@ -5,7 +5,7 @@ use gouge_kernel::model::{ContactTangential, Model};
 use gouge_kernel::particles::Particles;
 use gouge_kernel::{Start, World};
 use gouge_validation::error::Error;
-use gouge_validation::run::prepared;
+use gouge_validation::run::{Kind, prepared, recorded};
 use gouge_validation::scene::{Scene, builtin};
 use std::path::Path;
 use std::time::Instant;
@@ -73,21 +73,17 @@ fn fault_text(friction: Friction, ledger: bool) -> String {
 
 /// The fault with Cundall-Strack friction and without a ledger, as it was recorded.
 pub fn fault_again(words: &[u64]) -> Result<World, Error> {
-    recorded(&fault_text(Friction::CundallStrack, false), words)
+    again(&fault_text(Friction::CundallStrack, false), words)
 }
 
 /// Pressed grains in the box of the scene, as they were recorded.
 pub fn pressed_again(words: &[u64]) -> Result<World, Error> {
-    recorded(PRESSED, words)
+    again(PRESSED, words)
 }
 
 /// The world of a scene in a recorded state.
-fn recorded(text: &str, words: &[u64]) -> Result<World, Error> {
-    let scene = parse(text)?;
-    // The area of driving depends on the radii, which only the state knows.
-    let bare = World::from_words(scene.model(&[0.0]), words);
-    let world =
-        bare.and_then(|bare| World::from_words(scene.model(&bare.particles().radius), words));
+fn again(text: &str, words: &[u64]) -> Result<World, Error> {
+    let world = recorded(&parse(text)?, Kind::Main, words);
     world.ok_or_else(|| Error::Argument("the file holds no state of the scene".to_owned()))
 }
 

@@ -16,7 +16,7 @@ pub(super) fn turned<S: Real>(
     wraps: bool,
 ) -> ([S; 2], bool) {
     let (of_frame, is_small) = small_turn(reference, normal);
-    let turned = [0, 1].map(|end| angles[end] - rest[end] - of_frame);
+    let turned = in_frame(angles, rest, of_frame);
     let keeps = !wraps | (is_wrapped(turned[0]) & is_wrapped(turned[1]));
     (turned, is_small & keeps)
 }
@@ -32,13 +32,16 @@ pub(super) fn turned_far<S: Real>(
     wraps: bool,
 ) -> [S; 2] {
     let (of_frame, is_small) = turn(*reference, normal);
-    let turned = [0, 1].map(|end| {
-        let angle = angles[end] - rest[end] - of_frame;
-        if wraps { wrapped(angle) } else { angle }
-    });
+    let turned = in_frame(angles, *rest, of_frame);
     if !is_small {
         *reference = normal;
         *rest = rest.map(|angle| angle + of_frame);
     }
-    turned
+    if wraps { turned.map(wrapped) } else { turned }
+}
+
+/// Angles of both ends less those at rest and the turn of the frame, all in rad.
+#[inline(always)]
+fn in_frame<S: Real>(angles: [S; 2], rest: [S; 2], of_frame: S) -> [S; 2] {
+    [0, 1].map(|end| angles[end] - rest[end] - of_frame)
 }

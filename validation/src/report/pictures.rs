@@ -1,9 +1,8 @@
 //! Pictures of the built-in scenes.
 
 use crate::error::Error;
-use crate::run::{document, prepared};
+use crate::run::{advance, document, prepared};
 use crate::scene::{Scene, builtin};
-use gouge_kernel::World;
 use maud::{Markup, PreEscaped, html};
 use rayon::prelude::*;
 
@@ -31,7 +30,7 @@ pub fn pictures() -> Result<Vec<Picture>, Error> {
         let work = scene.steps() * world.particles().len() as u64;
         let runs = scene.steps() <= MOST_STEPS && work <= MOST_WORK;
         if runs {
-            run(&mut world, scene.steps())?;
+            advance(&mut world, scene.steps(), "run")?;
         }
         Ok(Picture {
             name,
@@ -41,16 +40,6 @@ pub fn pictures() -> Result<Vec<Picture>, Error> {
         })
     };
     builtin::SCENES.par_iter().map(draw).collect()
-}
-
-fn run(world: &mut World, steps: u64) -> Result<(), Error> {
-    for _ in 0..steps {
-        world.step().map_err(|source| Error::Step {
-            phase: "run".to_owned(),
-            source,
-        })?;
-    }
-    Ok(())
 }
 
 /// The chapter of all pictures.

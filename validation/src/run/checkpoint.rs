@@ -1,5 +1,6 @@
 //! What `--resume` continues from: written whole or not at all, checked before it is used.
 
+use super::plan::{Kind, model};
 use crate::error::Error;
 use crate::machine::equipped;
 use crate::scene::{Place, Scene};
@@ -105,15 +106,7 @@ impl Checkpoint {
                 "it belongs to another scene, or to another version of the program",
             ));
         }
-        let words: Vec<u64> = content[48..]
-            .chunks_exact(8)
-            .map(|chunk| {
-                chunk
-                    .iter()
-                    .rev()
-                    .fold(0, |word, &byte| word << 8 | u64::from(byte))
-            })
-            .collect();
+        let words = words_of(&content[48..]);
         if words[0] != VERSION {
             return Err(wrong("its format has another version"));
         }
@@ -131,14 +124,27 @@ impl Checkpoint {
     /// The state.
     ///
     /// # Errors
-    /// Words that are no state of the model.
-    pub fn world(&self, path: &Path, model: gouge_kernel::model::Model) -> Result<World, Error> {
-        let world = World::from_words(model, &self.world);
-        world.map(equipped).ok_or_else(|| Error::Checkpoint {
+    /// Words that are no state of the scene in a phase of the kind.
+    pub fn world(&self, path: &Path, scene: &Scene, kind: Kind) -> Result<World, Error> {
+        recorded(scene, kind, &self.world).ok_or_else(|| Error::Checkpoint {
             path: path.to_owned(),
             reason: "its state does not fit the scene".to_owned(),
         })
     }
+}
+
+/// The words in bytes, the least significant byte of each first; bytes that fill no word are left out.
+pub fn words_of(bytes: &[u8]) -> Vec<u64> {
+    let (words, _) = bytes.as_chunks();
+    words.iter().copied().map(u64::from_le_bytes).collect()
+}
+
+/// The world of a scene in a recorded state of a phase of the kind; nothing if the words are no such state.
+pub fn recorded(scene: &Scene, kind: Kind, words: &[u64]) -> Option<World> {
+    // The area of driving depends on the radii, which only the state knows.
+    let bare = World::from_words(model(scene, kind, &[0.0]), words)?;
+    let model = model(scene, kind, &bare.particles().radius);
+    World::from_words(model, words).map(equipped)
 }
 
 /// Write a file so that it is there completely or as it was before.

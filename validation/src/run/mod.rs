@@ -7,9 +7,9 @@ mod plan;
 mod progress;
 mod trajectory;
 
-pub use checkpoint::write_whole;
+pub use checkpoint::{recorded, words_of, write_whole};
 pub use picture::document;
-pub use plan::{Kind, Phase, enter, phases, prepared};
+pub use plan::{Kind, Phase, advance, enter, phases, prepared};
 pub use trajectory::write_frame;
 
 use crate::error::Error;
@@ -104,10 +104,7 @@ impl<'a> Run<'a> {
         let saved = Checkpoint::read(&path, &checkpoint::fingerprint(scene))?;
         let phases = phases(scene);
         let phase = (saved.phase as usize).min(phases.len() - 1);
-        // The area of driving depends on the radii, which only the state knows.
-        let bare = plan::model(scene, phases[phase].kind, &[0.0]);
-        let radii = saved.world(&path, bare)?.particles().radius.clone();
-        let world = saved.world(&path, plan::model(scene, phases[phase].kind, &radii))?;
+        let world = saved.world(&path, scene, phases[phase].kind)?;
         let mut run = Self::new(scene, folder, manner, phases, phase, world);
         run.samples = saved.samples;
         run.bonds_initial = saved.bonds_initial as usize;

@@ -143,15 +143,24 @@ pub fn prepared(scene: &Scene) -> Result<World, Error> {
     let phases = phases(scene);
     let mut world = enter(scene, &phases, 0, None)?;
     for (index, phase) in phases.iter().enumerate().take(phases.len() - 1) {
-        for _ in 0..phase.steps {
-            world.step().map_err(|source| Error::Step {
-                phase: phase.name.clone(),
-                source,
-            })?;
-        }
+        advance(&mut world, phase.steps, &phase.name)?;
         world = enter(scene, &phases, index + 1, Some(world))?;
     }
     Ok(world)
+}
+
+/// Advance a world by some steps of a phase of the given name.
+///
+/// # Errors
+/// A state that becomes senseless.
+pub fn advance(world: &mut World, steps: u64, phase: &str) -> Result<(), Error> {
+    for _ in 0..steps {
+        world.step().map_err(|source| Error::Step {
+            phase: phase.to_owned(),
+            source,
+        })?;
+    }
+    Ok(())
 }
 
 /// Streams of random numbers, one a purpose, so that none depends on how much another used.

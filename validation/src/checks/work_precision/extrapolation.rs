@@ -70,9 +70,9 @@ pub fn limit(case: &Case, origin: &Origin, rungs: Range<u32>) -> Result<Truth, F
 /// The limit of places in m where a program's runs end, each with half the step of the one before and with
 /// errors of all powers of the step from the first on. How far off it is tells the last power that was
 /// eliminated.
-pub fn limit_of(origin: &Origin, endings: &[Vec<Vec2>], first: i32) -> Truth {
+pub fn limit_of(origin: &Origin, endings: &[Vec<Vec2>]) -> Truth {
     let places = |ending: &Vec<Vec2>| ending.iter().map(|x| [wide(x.x), wide(x.y)]).collect();
-    let [best, before] = extrapolated(endings.iter().map(places).collect(), first);
+    let [best, before] = extrapolated(endings.iter().map(places).collect(), 1);
     let off = apart(origin, &best, &before);
     origin.truth(best, off)
 }
@@ -93,7 +93,7 @@ mod tests {
             vec![Vec2::new(x, 1.0), Vec2::new(-x, 1.0)]
         };
         let endings = [1.0, 0.5, 0.25, 0.125].map(ending);
-        let truth = limit_of(&origin, &endings, 1);
+        let truth = limit_of(&origin, &endings);
         assert!(truth.uncertainty > 0.0);
         for (place, x) in truth.positions.iter().zip([2.0, -2.0]) {
             assert!((place[0].hi() - x).abs() < 1e-14 && place[1].hi() == 1.0);

@@ -1,0 +1,14 @@
+//! Where measurements put their files.
+
+use gouge_validation::error::Error;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// A new folder that is removed when it is dropped.
+///
+/// # Errors
+/// A folder that cannot be made.
+pub fn temporary_folder() -> Result<TempDir, Error> {
+    tempfile::tempdir()
+        .map_err(|error| Error::file("create", Path::new("a temporary folder"), error))
+}
