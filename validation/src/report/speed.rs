@@ -118,29 +118,34 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
     let Some((date, run)) = latest::<Run>(kind) else {
         return html! {};
     };
+    let is_compared = run.cases.iter().any(|case| case.peer.is_some());
     html! {
         h3 { (title) }
         p { (about) }
         (machine(&date, &run))
-        table {
-            tr {
-                th { "scene" } th.n { "particles" } th.n { "contacts a particle" } th.n { "bonds a particle" }
-                th.n { "bytes a particle" } th.n { "rebuilds in 1000 steps" } th.n { "ours / ns" } th { "beside" } th.n { "its time / ns" } th.n { "ratio" }
-            }
-            @for case in &run.cases {
+        div.data {
+            table {
                 tr {
-                    td { (case.name) }
-                    td.n { (case.particles) }
-                    td.n { (format!("{:.2}", case.contacts)) }
-                    td.n { (format!("{:.2}", case.bonds)) }
-                    td.n { (format!("{:.0}", case.bytes)) }
-                    td.n { (format!("{:.2}", 1e3 * case.rebuilds[0] / case.rebuilds[1])) }
-                    td.n { (spread(&case.ours, 1)) }
-                    @match &case.peer {
-                        Some((name, times)) => {
-                            td { (name) } td.n { (spread(times, 1)) } td.n { (spread(&ratios(&case.ours, times), 3)) }
+                    th { "scene" } th.n { "particles" } th.n { "contacts a particle" } th.n { "bonds a particle" }
+                    th.n { "bytes a particle" } th.n { "rebuilds in 1000 steps" } th.n { "ours / ns" }
+                    @if is_compared { th { "beside" } th.n { "its time / ns" } th.n { "ratio" } }
+                }
+                @for case in &run.cases {
+                    tr {
+                        td { (case.name) }
+                        td.n { (case.particles) }
+                        td.n { (format!("{:.2}", case.contacts)) }
+                        td.n { (format!("{:.2}", case.bonds)) }
+                        td.n { (format!("{:.0}", case.bytes)) }
+                        td.n { (format!("{:.2}", 1e3 * case.rebuilds[0] / case.rebuilds[1])) }
+                        td.n { (spread(&case.ours, 1)) }
+                        @match &case.peer {
+                            Some((name, times)) => {
+                                td { (name) } td.n { (spread(times, 1)) } td.n { (spread(&ratios(&case.ours, times), 3)) }
+                            }
+                            None if is_compared => { td {} td {} td {} }
+                            None => {}
                         }
-                        None => { td {} td {} td {} }
                     }
                 }
             }
@@ -171,21 +176,23 @@ fn counting() -> Markup {
             "A fraction is the time that this limit alone would allow over the median of ours."
         }
         (machine(&date, &run))
-        table {
-            tr {
-                th { "scene" } th.n { "links a particle" } th.n { "instructions a link-step" } th.n { "bytes a link-step from beyond the first cache" }
-                th.n { "of memory" } th.n { "ours / ns a particle-step" } th.n { "of the limit of instructions" } th.n { "of roots and divisions" } th.n { "of memory" }
-            }
-            @for scene in scenes {
+        div.data {
+            table {
                 tr {
-                    td { (scene.name) }
-                    td.n { (format!("{:.2}", scene.links)) }
-                    td.n { (format!("{:.0}", scene.instructions / scene.links)) }
-                    td.n { (format!("{:.0}", scene.bytes_beyond_first_cache / scene.links)) }
-                    td.n { (format!("{:.0}", scene.bytes_of_memory / scene.links)) }
-                    td.n { (spread(&scene.ours, 1)) }
-                    @for least in scene.least_times(limits) {
-                        td.n { (format!("{:.0} %", 100.0 * least / quantile(&scene.ours, 0.5))) }
+                    th { "scene" } th.n { "links a particle" } th.n { "instructions a link-step" } th.n { "bytes a link-step from beyond the first cache" }
+                    th.n { "of memory" } th.n { "ours / ns a particle-step" } th.n { "of the limit of instructions" } th.n { "of roots and divisions" } th.n { "of memory" }
+                }
+                @for scene in scenes {
+                    tr {
+                        td { (scene.name) }
+                        td.n { (format!("{:.2}", scene.links)) }
+                        td.n { (format!("{:.0}", scene.instructions / scene.links)) }
+                        td.n { (format!("{:.0}", scene.bytes_beyond_first_cache / scene.links)) }
+                        td.n { (format!("{:.0}", scene.bytes_of_memory / scene.links)) }
+                        td.n { (spread(&scene.ours, 1)) }
+                        @for least in scene.least_times(limits) {
+                            td.n { (format!("{:.0} %", 100.0 * least / quantile(&scene.ours, 0.5))) }
+                        }
                     }
                 }
             }
@@ -205,22 +212,24 @@ fn parts() -> Markup {
             "A trajectory is a frame of extended XYZ every 500 steps; its bytes are those that writing takes for a while."
         }
         (machine(&date, &run))
-        table {
-            tr {
-                th { "part" } th.n { "with / ns" } th.n { "without / ns" } th.n { "by hand / ns" } th.n { "without over by hand" }
-                th.n { "bytes a particle with" } th.n { "without" }
-            }
-            @for part in &run.parts {
+        div.data {
+            table {
                 tr {
-                    td { (part.name) }
-                    td.n { (spread(&part.with, 1)) }
-                    td.n { (spread(&part.without, 1)) }
-                    @match &part.by_hand {
-                        Some(hand) => { td.n { (spread(hand, 1)) } td.n { (spread(&ratios(&part.without, hand), 3)) } }
-                        None => { td {} td {} }
+                    th { "part" } th.n { "with / ns" } th.n { "without / ns" } th.n { "by hand / ns" } th.n { "without over by hand" }
+                    th.n { "bytes a particle with" } th.n { "without" }
+                }
+                @for part in &run.parts {
+                    tr {
+                        td { (part.name) }
+                        td.n { (spread(&part.with, 1)) }
+                        td.n { (spread(&part.without, 1)) }
+                        @match &part.by_hand {
+                            Some(hand) => { td.n { (spread(hand, 1)) } td.n { (spread(&ratios(&part.without, hand), 3)) } }
+                            None => { td {} td {} }
+                        }
+                        td.n { (format!("{:.0}", part.bytes[0])) }
+                        td.n { (format!("{:.0}", part.bytes[1])) }
                     }
-                    td.n { (format!("{:.0}", part.bytes[0])) }
-                    td.n { (format!("{:.0}", part.bytes[1])) }
                 }
             }
         }
