@@ -13,29 +13,23 @@ pub(crate) trait Work<W>: Sized + Send {
     /// The work on the particles before and from a position on, counted from the first of this work.
     fn split_at(self, particle: usize) -> (Self, Self);
     /// Do a part; inlined, so that it is compiled for the instructions it is run with.
-    fn act(self, own: &mut W);
-    /// Do a part with the given instructions, where that is worth the code.
-    fn start(ready: Ready<Self, W>, instructions: Instructions);
+    fn act(self, own: &mut W, instructions: Instructions);
+    /// Do a part with its instructions, where that is worth the code.
+    fn start(ready: Ready<Self, W>);
 }
 
 /// A part with what it needs.
 pub(crate) struct Ready<'a, D, W> {
-    work: D,
-    own: &'a mut W,
-}
-
-impl<'a, D, W> Ready<'a, D, W> {
-    /// A part with what it needs.
-    pub fn new(work: D, own: &'a mut W) -> Self {
-        Self { work, own }
-    }
+    pub work: D,
+    pub own: &'a mut W,
+    pub instructions: Instructions,
 }
 
 impl<W, D: Work<W>> NullaryFnOnce for Ready<'_, D, W> {
     type Output = ();
     #[inline(always)]
     fn call(self) {
-        self.work.act(self.own);
+        self.work.act(self.own, self.instructions);
     }
 }
 
@@ -71,7 +65,11 @@ fn divide<W: Send, D: Work<W>>(
     instructions: Instructions,
 ) {
     if let [own] = owns {
-        return D::start(Ready { work, own }, instructions);
+        return D::start(Ready {
+            work,
+            own,
+            instructions,
+        });
     }
     let half = owns.len() / 2;
     let (left, right) = work.split_at(bounds[half] - bounds[0]);

@@ -9,6 +9,19 @@ use crate::scalar::Real;
 /// How many links a block holds.
 pub(crate) const LINKS: usize = 64;
 
+/// The flag of a link that exerts nothing: a bond that breaks, a pair that does not touch.
+pub(super) const IDLE: u64 = 1;
+/// The flag of a link that is not what it seems, and is to be computed again.
+pub(super) const IRREGULAR: u64 = 2;
+
+/// What a law reads of the ends of links, besides their positions and velocities.
+#[derive(Clone, Copy)]
+pub(crate) struct Reads {
+    pub angles: bool,
+    pub spins: bool,
+    pub radii: bool,
+}
+
 /// A link's part of the state of its particles.
 #[derive(Clone, Copy)]
 pub(crate) struct Ends<S> {
@@ -187,19 +200,21 @@ fn taken<S: Copy>(columns: &[[S; LINKS]; 2], lane: usize) -> [S; 2] {
 }
 
 impl<S: Real> Inputs<S> {
-    /// Gather the ends of at most a block of links; angles and spins only for laws that read them.
+    /// Gather the ends of at most a block of links; the rest keeps old values.
     #[inline(always)]
-    pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair], angles: bool, spins: bool) {
+    pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair], reads: Reads) {
         for (lane, &pair) in (0..LINKS).zip(pairs) {
             let (difference, radii) = columns.gap(pair);
             let velocity = columns.relative_velocity(pair);
             put(&mut self.difference, lane, [difference.x, difference.y]);
-            put(&mut self.radii, lane, radii);
             put(&mut self.velocity, lane, [velocity.x, velocity.y]);
-            if angles {
+            if reads.radii {
+                put(&mut self.radii, lane, radii);
+            }
+            if reads.angles {
                 put(&mut self.angles, lane, columns.angles(pair));
             }
-            if spins {
+            if reads.spins {
                 put(&mut self.spins, lane, columns.spins(pair));
             }
         }

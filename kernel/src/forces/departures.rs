@@ -55,7 +55,7 @@ impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Vec<Arriv
         (left, right)
     }
 
-    fn act(self, departures: &mut Vec<Arrival<S>>) {
+    fn act(self, departures: &mut Vec<Arrival<S>>, _: Instructions) {
         departures.clear();
         let Range { start, end } = self.part;
         let links = pairs_before(self.pairs, start)..pairs_before(self.pairs, end);
@@ -67,7 +67,7 @@ impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Vec<Arriv
         }
     }
 
-    fn start(ready: Ready<Self, Vec<Arrival<S>>>, _: Instructions) {
+    fn start(ready: Ready<Self, Vec<Arrival<S>>>) {
         ready.call();
     }
 }

@@ -9,6 +9,7 @@ mod departures;
 mod driving;
 mod external;
 pub(crate) mod links_at;
+mod scatter;
 mod strong_links;
 mod turning;
 mod weak_links;
@@ -82,11 +83,20 @@ impl<'a, S: Real> Sums<'a, S> {
         };
         (left, right)
     }
-    /// The same for a shorter while, known to be equally long: one check serves both columns.
+    /// The same for a shorter while.
     #[inline(always)]
-    fn equally_long(&mut self) -> Sums<'_, S> {
-        let number = self.force.len();
+    fn again(&mut self) -> Sums<'_, S> {
         Sums {
+            first: self.first,
+            force: self.force,
+            torque: self.torque,
+        }
+    }
+    /// The same, known to be equally long: one check serves both columns.
+    #[inline(always)]
+    fn equally_long(self) -> Self {
+        let number = self.force.len();
+        Self {
             first: self.first,
             force: &mut self.force[..number],
             torque: &mut self.torque[..number],

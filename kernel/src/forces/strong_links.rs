@@ -1,6 +1,7 @@
 //! The pass over strong links.
 
-use super::block::{Block, Columns, Ends, LINKS, Outputs};
+use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
+use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
 use super::{Arrival, Desk, Sums};
 use crate::geometry::{Metric, PairFrame, PairMotion, Vec2};
@@ -42,11 +43,6 @@ impl<S: Real> StrongState<S> {
         self.frame.vector(self.normal_force, self.tangential_force)
     }
 }
-
-/// A frame that has turned far from its reference, or an angle to be wrapped.
-const IRREGULAR: u64 = 1;
-/// A link that breaks.
-const BREAKS: u64 = 2;
 
 impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
     /// Forces of a link whose ends are at the given angles, in rad, to their unbent directions; thesis
@@ -182,7 +178,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Wor
     }
 
     #[inline(always)]
-    fn act(mut self, desk: &mut Desk<S>) {
+    fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
         let number = self.links.pairs.len();
         let columns = Columns::of(self.particles);
         if B::ABSENT {
@@ -193,100 +189,105 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Wor
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.links.pairs[first..last];
-            (desk.block.inputs).gather(columns, pairs, !B::ABSENT, !B::ABSENT);
-            if self.compute(&mut desk.block, first..last) & IRREGULAR != 0 {
-                self.compute_irregular(&mut desk.block, first..last);
+            desk.block.inputs.gather(columns, pairs, Self::READS);
+            let mut flags = self.compute(&mut desk.block, first..last);
+            if flags & IRREGULAR != 0 {
+                flags |= self.compute_irregular(&mut desk.block, first..last);
             }
-            self.scatter(desk, first..last);
+            let all = flags & IDLE == 0;
+            if !all {
+                self.note_broken(desk, first..last);
+            }
+            let scatter = Scatter::<_, LEDGER> {
+                pairs,
+                outputs: &desk.block.outputs,
+                turns: !B::ABSENT,
+                all,
+                sums: self.sums.again(),
+                tally: &mut desk.tally,
+            };
+            S::run(instructions, scatter);
         }
         if LEDGER {
             self.book_breaking(desk);
         }
     }
 
-    fn start(ready: Ready<Self, Desk<S>>, instructions: Instructions) {
-        S::run(instructions, ready);
+    fn start(ready: Ready<Self, Desk<S>>) {
+        S::run(ready.instructions, ready);
     }
 }
 
 impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
     StrongLoop<'_, S, M, B, YIELDS, LEDGER>
 {
+    const READS: Reads = Reads {
+        angles: !B::ABSENT,
+        spins: !B::ABSENT,
+        radii: false,
+    };
+
     #[inline(always)]
-    fn compute(&mut self, block: &mut Block<S>, links: Range<usize>) -> u64 {
-        let number = links.len().min(LINKS);
-        let references = &self.links.references[links.start..][..number];
-        let angles = &self.links.angles[links.start..][..number];
-        let distances = &self.links.distances[links.start..][..number];
-        let factors = &self.links.strength_factors[links.start..][..number];
-        let (inputs, outputs) = (&*block.inputs, &mut *block.outputs);
-        block.frames.find(self.pass.metric, inputs, number);
+    fn compute(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64 {
+        let number = positions.len().min(LINKS);
+        let links = self.links.part(positions.start..positions.start + number);
+        block.frames.find(self.pass.metric, &block.inputs, number);
+        let Block {
+            inputs,
+            frames,
+            outputs,
+        } = block;
+        let (inputs, frames, outputs) = (&**inputs, &**frames, &mut **outputs);
         let mut flags = 0;
         for lane in 0..number {
-            let rest = Rest {
-                reference: references[lane],
-                angles: angles[lane],
-                distance: distances[lane],
-            };
-            let ends = inputs.ends(lane);
-            let (state, is_regular) = self.pass.regular(&ends, block.frames.at(lane), &rest);
-            let flag = self.pass.settle::<S, YIELDS, LEDGER>(
-                outputs,
-                lane,
-                &state,
-                ends.radii,
-                factors[lane],
-            ) | (IRREGULAR * u64::from(!is_regular));
+            let rest = links.rest(lane);
+            let ends = with_radii(inputs.ends(lane), &links, lane);
+            let (state, is_regular) = self.pass.regular(&ends, frames.at(lane), &rest);
+            let factor = links.strength_factors[lane];
+            let flag = self
+                .pass
+                .settle::<S, YIELDS, LEDGER>(outputs, lane, &state, ends.radii, factor)
+                | (IRREGULAR * u64::from(!is_regular));
             outputs.flags[lane] = flag;
             flags |= flag;
         }
         flags
     }
 
+    /// Compute again what is irregular; tells the flags of these links.
     #[cold]
     #[inline(never)]
-    fn compute_irregular(&mut self, block: &mut Block<S>, links: Range<usize>) {
-        for (lane, position) in links.enumerate() {
+    fn compute_irregular(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64 {
+        let mut flags = 0;
+        for (lane, position) in positions.enumerate() {
             if block.outputs.flags[lane] & IRREGULAR == 0 {
                 continue;
             }
             let mut rest = self.links.rest(position);
-            let ends = block.inputs.ends(lane);
+            let ends = with_radii(block.inputs.ends(lane), &self.links, position);
             let state = self.pass.any(&ends, &mut rest);
-            self.links.references[position] = rest.reference;
-            self.links.angles[position] = rest.angles;
-            block.outputs.flags[lane] = self.pass.settle::<S, YIELDS, LEDGER>(
-                &mut block.outputs,
-                lane,
-                &state,
-                ends.radii,
-                self.links.strength_factors[position],
-            );
+            self.links.refer(position, &rest);
+            let factor = self.links.strength_factors[position];
+            let outputs = &mut block.outputs;
+            let flag = self
+                .pass
+                .settle::<S, YIELDS, LEDGER>(outputs, lane, &state, ends.radii, factor);
+            outputs.flags[lane] = flag;
+            flags |= flag;
         }
+        flags
     }
 
-    #[inline(always)]
-    fn scatter(&mut self, desk: &mut Desk<S>, links: Range<usize>) {
-        let outputs = &*desk.block.outputs;
-        let before = self.links.first + links.start;
-        let mut sums = self.sums.equally_long();
-        let mut heat_rate = desk.tally.friction_rate;
-        for (lane, &pair) in (0..LINKS).zip(&self.links.pairs[links]) {
-            if YIELDS && outputs.flags[lane] & BREAKS != 0 {
-                desk.broken.push((before + lane) as u32);
-                continue;
-            }
-            if LEDGER {
-                heat_rate += outputs.heat_rate[lane];
-            }
-            let (force, torques) = (outputs.force(lane), outputs.torques(lane));
-            if B::ABSENT {
-                sums.add::<false>(pair, force, torques);
-            } else {
-                sums.add::<true>(pair, force, torques);
+    /// List the links of a block that break.
+    #[cold]
+    #[inline(never)]
+    fn note_broken(&self, desk: &mut Desk<S>, positions: Range<usize>) {
+        let flags = &desk.block.outputs.flags;
+        for (position, flag) in positions.zip(flags) {
+            if flag & IDLE != 0 {
+                desk.broken.push((self.links.first + position) as u32);
             }
         }
-        desk.tally.friction_rate = heat_rate;
     }
 
     fn book_breaking(&self, desk: &mut Desk<S>) {
@@ -299,8 +300,17 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
     }
 }
 
+/// The ends of the link at a position, with the radii that it keeps.
+#[inline(always)]
+fn with_radii<S: Real>(ends: Ends<S>, links: &StrongColumns<S>, position: usize) -> Ends<S> {
+    Ends {
+        radii: links.radii.map(|radii| radii[position]),
+        ..ends
+    }
+}
+
 impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
-    /// Write what a link does into its lane.
+    /// Write what a link does into its lane; tells whether it breaks.
     #[inline(always)]
     fn settle<S: Real, const YIELDS: bool, const LEDGER: bool>(
         &self,
@@ -314,10 +324,13 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
         if !B::ABSENT {
             outputs.set_torques(lane, state.torques);
         }
+        let breaks = YIELDS && self.breaks(state, radii, strength_factor);
         if LEDGER {
-            outputs.heat_rate[lane] = self.heat_rate(state);
+            let heat_rate = self.heat_rate(state);
+            outputs.heat_rate[lane] = if breaks { S::zero() } else { heat_rate };
+            outputs.heat[lane] = S::zero();
         }
-        BREAKS * u64::from(YIELDS && self.breaks(state, radii, strength_factor))
+        IDLE * u64::from(breaks)
     }
 
     #[inline(always)]

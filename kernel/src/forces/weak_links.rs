@@ -1,6 +1,7 @@
 //! The pass over weak links.
 
-use super::block::{Block, Columns, Ends, LINKS, Outputs};
+use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
+use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
 use super::{Arrival, Desk, Sums};
 use crate::geometry::{Arm, Metric, PairFrame, PairMotion, Vec2};
@@ -45,12 +46,6 @@ impl<S: Real> WeakState<S> {
         self.frame.vector(self.normal_force, self.tangential_force)
     }
 }
-
-/// A pair that overlaps.
-const TOUCHES: u64 = 1;
-/// A contact that begins or ends, a frame that has turned far from its reference, or an angle to be
-/// wrapped.
-const IRREGULAR: u64 = 2;
 
 impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
     /// Whether tangential displacements are functions of the present angles.
@@ -262,7 +257,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     }
 
     #[inline(always)]
-    fn act(mut self, desk: &mut Desk<S>) {
+    fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
         let columns = Columns::of(self.particles);
         let number = self.pairs.len();
         if T::ABSENT {
@@ -273,29 +268,44 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.pairs[first..last];
-            let angles = WeakPass::<M, A, N, T>::FOLLOWS_ANGLES;
-            (desk.block.inputs).gather(columns, pairs, angles, !T::ABSENT);
-            if self.compute(&mut desk.block, first..last) & IRREGULAR != 0 {
+            desk.block.inputs.gather(columns, pairs, Self::READS);
+            let flags = self.compute(&mut desk.block, first..last);
+            if flags & IRREGULAR != 0 {
                 self.compute_irregular(&mut desk.block, first..last);
             }
             self.remember(&desk.block, first..last);
-            self.scatter(desk, first..last);
+            let scatter = Scatter::<_, LEDGER> {
+                pairs,
+                outputs: &desk.block.outputs,
+                turns: !T::ABSENT,
+                all: flags & IDLE == 0,
+                sums: self.sums.again(),
+                tally: &mut desk.tally,
+            };
+            S::run(instructions, scatter);
             if LEDGER {
                 self.book_bonding(desk, first..last);
             }
         }
     }
 
-    fn start(ready: Ready<Self, Desk<S>>, instructions: Instructions) {
-        A::run::<S, _>(instructions, ready);
+    fn start(ready: Ready<Self, Desk<S>>) {
+        A::run::<S, _>(ready.instructions, ready);
     }
 }
 
 impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>
     WeakLoop<'_, S, M, A, N, T, LEDGER>
 {
+    const READS: Reads = Reads {
+        angles: WeakPass::<M, A, N, T>::FOLLOWS_ANGLES,
+        spins: !T::ABSENT,
+        radii: true,
+    };
+
     /// Look at all pairs of the block as if they touched; tells which do, and whether some contact is
-    /// not what it seems.
+    /// not what it seems: it begins or ends, its frame has turned far from its reference, or an angle is to
+    /// be wrapped.
     #[inline(always)]
     fn compute(&mut self, block: &mut Block<S>, links: Range<usize>) -> u64 {
         let number = links.len().min(LINKS);
@@ -304,8 +314,13 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         } else {
             0..0
         });
-        let (inputs, outputs) = (&*block.inputs, &mut *block.outputs);
-        block.frames.find(self.pass.metric, inputs, number);
+        block.frames.find(self.pass.metric, &block.inputs, number);
+        let Block {
+            inputs,
+            frames,
+            outputs,
+        } = block;
+        let (inputs, frames, outputs) = (&**inputs, &**frames, &mut **outputs);
         let mut flags = 0;
         for lane in 0..number {
             let ends = inputs.ends(lane);
@@ -316,7 +331,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                 ContactMemory::default()
             };
             let mut memory = old;
-            let (state, is_regular) = self.pass.regular(&ends, block.frames.at(lane), &mut memory);
+            let (state, is_regular) = self.pass.regular(&ends, frames.at(lane), &mut memory);
             if T::REMEMBERS {
                 outputs.state[lane] = if touches { memory.state } else { old.state };
             }
@@ -328,7 +343,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             self.pass
                 .put::<S, LEDGER>(outputs, lane, &state, ends.radii, touches);
             let is_irregular = ((touches != old.touches) & T::REMEMBERS) | (touches & !is_regular);
-            let flag = (TOUCHES * u64::from(touches)) | (IRREGULAR * u64::from(is_irregular));
+            let flag = (IDLE * u64::from(!touches)) | (IRREGULAR * u64::from(is_irregular));
             outputs.flags[lane] = flag;
             flags |= flag;
         }
@@ -349,7 +364,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             let ends = block.inputs.ends(lane);
             let outputs = &mut *block.outputs;
             let mut memory = self.memories.get(position);
-            let touches = flags & TOUCHES != 0;
+            let touches = flags & IDLE == 0;
             if touches && !memory.touches {
                 memory = self.pass.begin(&ends);
             }
@@ -377,33 +392,10 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         }
         self.memories.states[links.clone()].copy_from_slice(&outputs.state[..number]);
         if A::ACCUMULATES {
-            for (lane, ends) in self.memories.ends[links].iter_mut().enumerate().take(LINKS) {
-                *ends = outputs.rest.map(|end| end[lane]);
+            for (ends, now) in self.memories.ends.iter_mut().zip(&outputs.rest) {
+                ends[links.clone()].copy_from_slice(&now[..number]);
             }
         }
-    }
-
-    #[inline(always)]
-    fn scatter(&mut self, desk: &mut Desk<S>, links: Range<usize>) {
-        let outputs = &*desk.block.outputs;
-        let pairs = &self.pairs[links];
-        let mut sums = self.sums.equally_long();
-        let (mut heat_rate, mut heat) = (desk.tally.friction_rate, desk.tally.friction);
-        for (lane, &pair) in (0..LINKS).zip(pairs) {
-            if LEDGER {
-                heat_rate += outputs.heat_rate[lane];
-                heat += outputs.heat[lane];
-            }
-            if outputs.flags[lane] & TOUCHES != 0 {
-                let (force, torques) = (outputs.force(lane), outputs.torques(lane));
-                if T::ABSENT {
-                    sums.add::<false>(pair, force, torques);
-                } else {
-                    sums.add::<true>(pair, force, torques);
-                }
-            }
-        }
-        (desk.tally.friction_rate, desk.tally.friction) = (heat_rate, heat);
     }
 
     /// Book the energy of contacts that take the place of broken bonds.
@@ -413,7 +405,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             return;
         };
         for (lane, position) in links.enumerate() {
-            let touches = desk.block.outputs.flags[lane] & TOUCHES != 0;
+            let touches = desk.block.outputs.flags[lane] & IDLE == 0;
             if touches && strong.breaks_now(self.pairs[position]) {
                 let ends = desk.block.inputs.ends(lane);
                 let mut memory = if T::REMEMBERS {

@@ -13,8 +13,20 @@ pub trait Metric: Copy + Send + Sync {
     fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S> {
         self.nearest(to - from)
     }
+    /// Whether a point is its own representative.
+    fn represents<S: Real>(self, point: Vec2<S>) -> bool;
     /// The representative of a point.
     fn wrap<S: Real>(self, point: Vec2<S>) -> Vec2<S>;
+    /// Replace points by their representatives; most are their own, which is seen of many together.
+    #[inline(always)]
+    fn wrap_all<S: Real>(self, points: &mut [Vec2<S>]) {
+        let all = (points.iter()).fold(true, |all, &point| all & self.represents(point));
+        if !all {
+            points
+                .iter_mut()
+                .for_each(|point| *point = self.wrap(*point));
+        }
+    }
 }
 
 /// The Euclidean plane, thesis eq. (63).
@@ -25,6 +37,10 @@ impl Metric for Open {
     #[inline(always)]
     fn nearest<S: Real>(self, difference: Vec2<S>) -> Vec2<S> {
         difference
+    }
+    #[inline(always)]
+    fn represents<S: Real>(self, _: Vec2<S>) -> bool {
+        true
     }
     #[inline(always)]
     fn wrap<S: Real>(self, point: Vec2<S>) -> Vec2<S> {
@@ -61,8 +77,12 @@ impl Metric for PeriodicX {
         Vec2::new(difference.x - period, difference.y)
     }
     #[inline(always)]
+    fn represents<S: Real>(self, point: Vec2<S>) -> bool {
+        (point.x >= S::zero()) & (point.x < S::from_f64(self.length))
+    }
+    #[inline(always)]
     fn wrap<S: Real>(self, mut point: Vec2<S>) -> Vec2<S> {
-        if !(point.x >= S::zero() && point.x < S::from_f64(self.length)) {
+        if !self.represents(point) {
             let x = point.x - (point.x * (1.0 / self.length)).floor() * self.length;
             // Rounding may put the representative of an edge just outside.
             point.x = x.max(S::zero()).min(S::from_f64(self.length));

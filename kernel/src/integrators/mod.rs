@@ -236,7 +236,7 @@ impl<T: Stage, S: Real, M: Metric> Work<bool> for Advance<'_, T, S, M> {
     }
 
     #[inline(always)]
-    fn act(self, is_stale: &mut bool) {
+    fn act(self, is_stale: &mut bool, _: Instructions) {
         *is_stale = false;
         let mut rest = self;
         while !rest.linear.coordinate.is_empty() {
@@ -255,15 +255,13 @@ impl<T: Stage, S: Real, M: Metric> Work<bool> for Advance<'_, T, S, M> {
                 T::advance(angular, step);
             }
             if T::MOVES {
-                for position in linear.coordinate.iter_mut() {
-                    *position = watch.metric.wrap(*position);
-                }
+                watch.metric.wrap_all(linear.coordinate);
                 *is_stale |= watch.is_stale(linear.coordinate);
             }
         }
     }
 
-    fn start(ready: Ready<Self, bool>, instructions: Instructions) {
-        S::run(instructions, ready);
+    fn start(ready: Ready<Self, bool>) {
+        S::run(ready.instructions, ready);
     }
 }

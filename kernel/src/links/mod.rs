@@ -3,6 +3,7 @@
 mod cells;
 mod neighbors;
 mod strong;
+mod twin;
 mod weak;
 
 pub use cells::{Cells, Index, precedes};

@@ -1,10 +1,11 @@
 //! Strong links: made once, broken, never made again.
 
-use super::Pair;
+use super::{Pair, twin};
 use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2, angle_of, reversed, wrapped};
 use crate::particles::{Particles, Role};
 use crate::scalar::Real;
+use core::ops::Range;
 
 /// What a scene says of a bond.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,10 +48,12 @@ pub struct Rest<S> {
 #[derive(Clone, Debug)]
 pub struct StrongLinks<S> {
     pub(crate) pairs: Vec<Pair>,
-    pub(crate) references: Vec<Vec2<S>>,
-    pub(crate) angles: Vec<[S; 2]>,
-    pub(crate) distances: Vec<S>,
+    references: [Vec<S>; 2],
+    angles: [Vec<S>; 2],
+    distances: Vec<S>,
     pub(crate) strength_factors: Vec<S>,
+    /// Radii of both ends in m: they never change, and so are not gathered anew in each step.
+    radii: [Vec<S>; 2],
     /// Positions of the links that broke in the latest evaluation, before they are removed.
     pub(crate) broken: Vec<u32>,
 }
@@ -60,19 +63,21 @@ pub(crate) struct StrongColumns<'a, S> {
     /// Position of the first among all.
     pub first: usize,
     pub pairs: &'a [Pair],
-    pub references: &'a mut [Vec2<S>],
-    pub angles: &'a mut [[S; 2]],
+    pub references: [&'a mut [S]; 2],
+    pub angles: [&'a mut [S]; 2],
     pub distances: &'a [S],
     pub strength_factors: &'a [S],
+    pub radii: [&'a [S]; 2],
 }
 
 impl<S: Real> StrongColumns<'_, S> {
     pub fn split_at(self, at: usize) -> (Self, Self) {
         let (pairs, other_pairs) = self.pairs.split_at(at);
-        let (references, other_references) = self.references.split_at_mut(at);
-        let (angles, other_angles) = self.angles.split_at_mut(at);
+        let (references, other_references) = twin::split_mut(self.references, at);
+        let (angles, other_angles) = twin::split_mut(self.angles, at);
         let (distances, other_distances) = self.distances.split_at(at);
         let (strength_factors, other_factors) = self.strength_factors.split_at(at);
+        let (radii, other_radii) = twin::split(self.radii, at);
         (
             Self {
                 first: self.first,
@@ -81,6 +86,7 @@ impl<S: Real> StrongColumns<'_, S> {
                 angles,
                 distances,
                 strength_factors,
+                radii,
             },
             Self {
                 first: self.first + at,
@@ -89,17 +95,38 @@ impl<S: Real> StrongColumns<'_, S> {
                 angles: other_angles,
                 distances: other_distances,
                 strength_factors: other_factors,
+                radii: other_radii,
             },
         )
+    }
+    /// Those at some positions.
+    #[inline(always)]
+    pub fn part(&mut self, positions: Range<usize>) -> StrongColumns<'_, S> {
+        StrongColumns {
+            first: self.first + positions.start,
+            pairs: &self.pairs[positions.clone()],
+            references: twin::part_mut(&mut self.references, positions.clone()),
+            angles: twin::part_mut(&mut self.angles, positions.clone()),
+            distances: &self.distances[positions.clone()],
+            strength_factors: &self.strength_factors[positions.clone()],
+            radii: self.radii.map(|radii| &radii[positions.clone()]),
+        }
     }
     /// The unstrained state at a position.
     #[inline(always)]
     pub fn rest(&self, position: usize) -> Rest<S> {
+        let [x, y] = twin::at(&self.references, position);
         Rest {
-            reference: self.references[position],
-            angles: self.angles[position],
+            reference: Vec2::new(x, y),
+            angles: twin::at(&self.angles, position),
             distance: self.distances[position],
         }
+    }
+    /// Replace what the unstrained state at a position is measured against.
+    pub fn refer(&mut self, position: usize, rest: &Rest<S>) {
+        let reference = [rest.reference.x, rest.reference.y];
+        twin::put(&mut self.references, position, reference);
+        twin::put(&mut self.angles, position, rest.angles);
     }
 }
 
@@ -132,17 +159,24 @@ impl<S: Real> StrongLinks<S> {
             links.push(link);
         }
         links.sort_by_key(|link| link.pair);
-        Ok(Self::from_links(&links))
+        Ok(Self::from_links(&links, particles))
     }
 
-    /// Links as they were recorded, in the order of their pairs.
-    pub(crate) fn from_links(links: &[StrongLink<S>]) -> Self {
+    /// Links as they were recorded, in the order of their pairs, between particles that exist.
+    pub(crate) fn from_links(links: &[StrongLink<S>], particles: &Particles<S>) -> Self {
+        let radii = |link: &StrongLink<S>| {
+            let (i, j) = link.pair.indices();
+            [particles.radius[i], particles.radius[j]]
+        };
         Self {
             pairs: links.iter().map(|link| link.pair).collect(),
-            references: links.iter().map(|link| link.rest.reference).collect(),
-            angles: links.iter().map(|link| link.rest.angles).collect(),
+            references: twin::collect(links, |StrongLink { rest, .. }| {
+                [rest.reference.x, rest.reference.y]
+            }),
+            angles: twin::collect(links, |link| link.rest.angles),
             distances: links.iter().map(|link| link.rest.distance).collect(),
             strength_factors: links.iter().map(|link| link.strength_factor).collect(),
+            radii: twin::collect(links, radii),
             broken: Vec::with_capacity(links.len()),
         }
     }
@@ -152,10 +186,11 @@ impl<S: Real> StrongLinks<S> {
         StrongColumns {
             first: 0,
             pairs: &self.pairs,
-            references: &mut self.references,
-            angles: &mut self.angles,
+            references: twin::slices_mut(&mut self.references),
+            angles: twin::slices_mut(&mut self.angles),
             distances: &self.distances,
             strength_factors: &self.strength_factors,
+            radii: twin::slices(&self.radii),
         }
     }
 
@@ -174,11 +209,12 @@ impl<S: Real> StrongLinks<S> {
     /// The bond at a position.
     #[inline(always)]
     pub(crate) fn get(&self, position: usize) -> StrongLink<S> {
+        let [x, y] = twin::at(&self.references, position);
         StrongLink {
             pair: self.pairs[position],
             rest: Rest {
-                reference: self.references[position],
-                angles: self.angles[position],
+                reference: Vec2::new(x, y),
+                angles: twin::at(&self.angles, position),
                 distance: self.distances[position],
             },
             strength_factor: self.strength_factors[position],
@@ -212,12 +248,22 @@ impl<S: Real> StrongLinks<S> {
                 !breaks
             });
         }
-        remove(&mut self.pairs, &self.broken);
-        remove(&mut self.references, &self.broken);
-        remove(&mut self.angles, &self.broken);
-        remove(&mut self.distances, &self.broken);
-        remove(&mut self.strength_factors, &self.broken);
-        self.broken.clear();
+        let Self {
+            pairs,
+            references,
+            angles,
+            distances,
+            strength_factors,
+            radii,
+            broken,
+        } = self;
+        remove(pairs, broken);
+        for column in references.iter_mut().chain(angles).chain(radii) {
+            remove(column, broken);
+        }
+        remove(distances, broken);
+        remove(strength_factors, broken);
+        broken.clear();
     }
 }
 

@@ -1,7 +1,7 @@
 //! Weak links: contacts that begin and end with overlap, and what they remember.
 
 use super::strong::{check_pairs, rest_angles};
-use super::{Neighbors, Pair, StrongLinks};
+use super::{Neighbors, Pair, StrongLinks, twin};
 use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::particles::Particles;
@@ -49,24 +49,24 @@ impl<S: Real> ContactMemory<S> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Memories<S> {
     pub touches: Vec<bool>,
-    pub references: Vec<Vec2<S>>,
-    pub ends: Vec<[S; 2]>,
+    pub references: [Vec<S>; 2],
+    pub ends: [Vec<S>; 2],
     pub states: Vec<S>,
 }
 
 /// Memories of consecutive pairs.
 pub(crate) struct MemoryColumns<'a, S> {
     pub touches: &'a mut [bool],
-    pub references: &'a mut [Vec2<S>],
-    pub ends: &'a mut [[S; 2]],
+    pub references: [&'a mut [S]; 2],
+    pub ends: [&'a mut [S]; 2],
     pub states: &'a mut [S],
 }
 
 impl<S: Real> MemoryColumns<'_, S> {
     pub fn split_at(self, at: usize) -> (Self, Self) {
         let (touches, other_touches) = halves(self.touches, at);
-        let (references, other_references) = halves(self.references, at);
-        let (ends, other_ends) = halves(self.ends, at);
+        let (references, other_references) = twin::split_mut(self.references, at);
+        let (ends, other_ends) = twin::split_mut(self.ends, at);
         let (states, other_states) = halves(self.states, at);
         (
             Self {
@@ -88,18 +88,19 @@ impl<S: Real> MemoryColumns<'_, S> {
     pub fn part(&mut self, positions: Range<usize>) -> MemoryColumns<'_, S> {
         MemoryColumns {
             touches: &mut self.touches[positions.clone()],
-            references: &mut self.references[positions.clone()],
-            ends: &mut self.ends[positions.clone()],
+            references: twin::part_mut(&mut self.references, positions.clone()),
+            ends: twin::part_mut(&mut self.ends, positions.clone()),
             states: &mut self.states[positions],
         }
     }
     /// The memory at a position.
     #[inline(always)]
     pub fn get(&self, position: usize) -> ContactMemory<S> {
+        let [x, y] = twin::at(&self.references, position);
         ContactMemory {
             touches: self.touches[position],
-            reference: self.references[position],
-            ends: self.ends[position],
+            reference: Vec2::new(x, y),
+            ends: twin::at(&self.ends, position),
             state: self.states[position],
         }
     }
@@ -107,8 +108,9 @@ impl<S: Real> MemoryColumns<'_, S> {
     #[inline(always)]
     pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
         self.touches[position] = memory.touches;
-        self.references[position] = memory.reference;
-        self.ends[position] = memory.ends;
+        let reference = [memory.reference.x, memory.reference.y];
+        twin::put(&mut self.references, position, reference);
+        twin::put(&mut self.ends, position, memory.ends);
         self.states[position] = memory.state;
     }
 }
@@ -116,16 +118,17 @@ impl<S: Real> MemoryColumns<'_, S> {
 impl<S: Real> Memories<S> {
     fn make_room(&mut self, room: usize) {
         fit(&mut self.touches, room);
-        fit(&mut self.references, room);
-        fit(&mut self.ends, room);
-        fit(&mut self.states, room);
+        for column in self.numbers() {
+            fit(column, room);
+        }
     }
     /// The memory at a position.
     pub fn get(&self, position: usize) -> ContactMemory<S> {
+        let [x, y] = twin::at(&self.references, position);
         ContactMemory {
             touches: self.touches[position],
-            reference: self.references[position],
-            ends: self.ends[position],
+            reference: Vec2::new(x, y),
+            ends: twin::at(&self.ends, position),
             state: self.states[position],
         }
     }
@@ -133,8 +136,8 @@ impl<S: Real> Memories<S> {
     pub fn columns(&mut self) -> MemoryColumns<'_, S> {
         MemoryColumns {
             touches: &mut self.touches,
-            references: &mut self.references,
-            ends: &mut self.ends,
+            references: twin::slices_mut(&mut self.references),
+            ends: twin::slices_mut(&mut self.ends),
             states: &mut self.states,
         }
     }
@@ -143,15 +146,20 @@ impl<S: Real> Memories<S> {
     }
     fn insert(&mut self, position: usize, memory: ContactMemory<S>) {
         self.touches.insert(position, memory.touches);
-        self.references.insert(position, memory.reference);
-        self.ends.insert(position, memory.ends);
-        self.states.insert(position, memory.state);
+        for column in self.numbers() {
+            column.insert(position, S::zero());
+        }
+        self.set(position, memory);
     }
     fn resize(&mut self, number: usize) {
         self.touches.resize(number, false);
-        self.references.resize(number, Vec2::zero());
-        self.ends.resize(number, [S::zero(); 2]);
-        self.states.resize(number, S::zero());
+        for column in self.numbers() {
+            column.resize(number, S::zero());
+        }
+    }
+    fn numbers(&mut self) -> impl Iterator<Item = &mut Vec<S>> {
+        let pairs = self.references.iter_mut().chain(&mut self.ends);
+        pairs.chain([&mut self.states])
     }
 }
 

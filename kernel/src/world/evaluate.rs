@@ -22,7 +22,11 @@ fn whole<S: Real, D: Work<Desk<S>>>(
 ) {
     if let Some(desk) = desks.first_mut() {
         desk.tally = *tally;
-        D::start(Ready::new(work, desk), instructions);
+        D::start(Ready {
+            work,
+            own: desk,
+            instructions,
+        });
         *tally = desk.tally;
     }
 }

@@ -251,7 +251,7 @@ impl World {
         contacts: Vec<(Pair, ContactMemory<f64>)>,
     ) {
         if let Some(strong) = &mut self.strong {
-            *strong = StrongLinks::from_links(&links);
+            *strong = StrongLinks::from_links(&links, &self.particles);
         }
         if let Some(weak) = &mut self.weak {
             weak.restore(&contacts);
