@@ -8,7 +8,7 @@ use gouge_validation::error::Error;
 /// Particle-steps of a measurement.
 const WORK: u64 = 4_000_000;
 
-/// Time pressed grains of growing number, in so many rounds over all sizes.
+/// Time pressed grains of growing number, in so many rounds over all sizes, beside the fewest of each round.
 ///
 /// # Errors
 /// Scenes that cannot be set up.
@@ -36,8 +36,13 @@ pub fn measure(rounds: usize, largest: usize) -> Result<Vec<Case>, Error> {
             sample.0.push(timer.time(steps)?);
         }
     }
-    let cases = timers.into_iter().map(|(number, timer, sample)| {
-        let case = timer.case(&format!("{number} particles"), sample, None);
+    let name = |number: usize| format!("{number} particles");
+    let fewest = timers.first();
+    let fewest = fewest.map(|(number, _, sample)| (name(*number), sample.clone()));
+    let cases = timers.into_iter().enumerate();
+    let cases = cases.map(|(position, (number, timer, sample))| {
+        let beside = fewest.clone().filter(|_| position > 0);
+        let case = timer.case(&name(number), sample, beside);
         println!("{}", case.words());
         case
     });

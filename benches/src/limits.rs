@@ -1,5 +1,6 @@
 //! What the machine can do: instructions, square roots with divisions, and traffic with the memory.
 
+use crate::sample::Sample;
 use pulp::Arch;
 use serde::Serialize;
 use std::hint::black_box;
@@ -12,40 +13,48 @@ pub struct Limits {
     pub instructions_per_ns: f64,
     /// Time in ns of a square root and a division, many side by side.
     pub root_and_division_ns: f64,
-    /// Bytes in a ns moved from and to the memory.
+    /// Bytes in a ns moved from and to the memory, at best.
     pub bytes_per_ns: f64,
+    /// The same at the median: what other tenants of the machine usually leave.
+    pub usual_bytes_per_ns: f64,
 }
 
 impl Limits {
     /// The limits of this machine, now, where a turn of [`busy`] has so many instructions.
     pub fn measured(instructions_of_busy: f64) -> Self {
         const TURNS: u64 = 20_000_000;
-        let busy_ns = least(TURNS as f64, || {
+        let busy_ns = times(TURNS as f64, || {
             black_box(busy(black_box(TURNS)));
-        });
+        })
+        .least();
+        let traffic = traffic();
         Self {
             instructions_per_ns: instructions_of_busy / busy_ns,
             root_and_division_ns: root_and_division(),
-            bytes_per_ns: traffic(),
+            bytes_per_ns: 1.0 / traffic.least(),
+            usual_bytes_per_ns: 1.0 / traffic.median(),
         }
     }
     /// The limits in words.
     pub fn words(&self) -> String {
         format!(
-            "limits: {:.2} instructions a ns, {:.2} ns a square root with a division, {:.1} bytes a ns of memory",
-            self.instructions_per_ns, self.root_and_division_ns, self.bytes_per_ns
+            "limits: {:.2} instructions a ns, {:.2} ns a square root with a division, {:.1} bytes a ns of memory, usually {:.1}",
+            self.instructions_per_ns,
+            self.root_and_division_ns,
+            self.bytes_per_ns,
+            self.usual_bytes_per_ns
         )
     }
 }
 
-/// Least time in ns of one of so many things that a function does.
-fn least(things: f64, mut act: impl FnMut()) -> f64 {
+/// Times in ns of one of so many things that a function does.
+fn times(things: f64, mut act: impl FnMut()) -> Sample {
     let mut time = || {
         let began = Instant::now();
         act();
         began.elapsed().as_secs_f64() * 1e9 / things
     };
-    (0..9).map(|_| time()).fold(f64::INFINITY, f64::min)
+    Sample((0..27).map(|_| time()).collect())
 }
 
 /// Turns of a loop of independent operations on whole numbers, which stay in registers.
@@ -62,7 +71,7 @@ pub fn busy(turns: u64) -> u64 {
 fn root_and_division() -> f64 {
     const LOOPS: usize = 40_000;
     let mut numbers = black_box([2.0_f64; 64]);
-    least((LOOPS * numbers.len()) as f64, || {
+    times((LOOPS * numbers.len()) as f64, || {
         Arch::new().dispatch(|| {
             for _ in 0..LOOPS {
                 for number in &mut numbers {
@@ -72,23 +81,24 @@ fn root_and_division() -> f64 {
             }
         });
     })
+    .least()
 }
 
-/// Two columns are read and a third is written; that is read as well before it is overwritten.
-fn traffic() -> f64 {
+/// Times of a byte in ns where two columns are read and a third is written; that is read as well before it is
+/// overwritten.
+fn traffic() -> Sample {
     const NUMBER: usize = 8_000_000;
     let (a, b) = (
         black_box(vec![1.0_f64; NUMBER]),
         black_box(vec![2.0_f64; NUMBER]),
     );
     let mut sum = vec![0.0_f64; NUMBER];
-    let ns = least((4 * 8 * NUMBER) as f64, || {
+    times((4 * 8 * NUMBER) as f64, || {
         Arch::new().dispatch(|| {
             for (sum, (a, b)) in sum.iter_mut().zip(a.iter().zip(&b)) {
                 *sum = a + 3.0 * b;
             }
         });
         black_box(&mut sum);
-    });
-    1.0 / ns
+    })
 }

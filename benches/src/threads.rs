@@ -6,8 +6,8 @@ use crate::worlds::{Friction, pressed, rubbing};
 use gouge_validation::error::Error;
 use gouge_validation::machine::{default_threads, divided};
 
-/// Particle-steps of a measurement.
-const WORK: u64 = 20_000_000;
+/// Particle-steps of a measurement: few, so that both of a turn see the same moods of the machine.
+const WORK: u64 = 4_000_000;
 
 /// Time pressed grains with one thread and with as many as are chosen by default for their number.
 ///
@@ -28,7 +28,8 @@ pub fn measure(rounds: usize) -> Result<Vec<Case>, Error> {
             alone.0.push(one.time(steps)?);
             together.0.push(several.time(steps)?);
         }
-        let name = format!("{number} particles, {threads} threads");
+        let plural = if threads == 1 { "" } else { "s" };
+        let name = format!("{number} particles, {threads} thread{plural}");
         let case = several.case(&name, together, Some(("one thread".to_owned(), alone)));
         println!("{}", case.words());
         cases.push(case);

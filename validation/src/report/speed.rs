@@ -55,6 +55,7 @@ struct Limits {
     instructions_per_ns: f64,
     root_and_division_ns: f64,
     bytes_per_ns: f64,
+    usual_bytes_per_ns: f64,
 }
 
 /// Numbers of a particle-step.
@@ -172,7 +173,8 @@ fn counting() -> Markup {
             " (first cache 32 KiB, last 16 MiB; lines of 64 bytes, written back ones included), divided by links: near pairs and bonds. "
             "The machine executes " (format!("{:.2}", limits.instructions_per_ns)) " instructions a ns in a loop without dependencies or memory, "
             "takes " (format!("{:.2}", limits.root_and_division_ns)) " ns for a square root with a division, many side by side, and moves "
-            (format!("{:.1}", limits.bytes_per_ns)) " bytes a ns from and to its memory, one core alone. "
+            (format!("{:.1}", limits.bytes_per_ns)) " bytes a ns from and to its memory, one core alone, usually "
+            (format!("{:.1}", limits.usual_bytes_per_ns)) " where other tenants use it too. "
             "A fraction is the time that this limit alone would allow over the median of ours."
         }
         (machine(&date, &run))
