@@ -1,9 +1,8 @@
 //! What links of a part do to particles of later parts.
 
-use super::block::LINKS;
 use crate::geometry::Vec2;
 use crate::instructions::Instructions;
-use crate::links::{Pair, pairs_before};
+use crate::links::{Edition, Pair, pairs_before};
 use crate::parts::{Ready, Work};
 use crate::scalar::Real;
 use core::ops::Range;
@@ -12,34 +11,47 @@ use pulp::NullaryFnOnce;
 /// What a link does to its second particle, where that belongs to a later part.
 #[derive(Clone, Debug)]
 pub(crate) struct Arrival<S> {
-    /// The link.
-    pub pair: Pair,
-    /// Force on i in N, whose reaction arrives.
+    /// The second particle.
+    pub particle: usize,
+    /// Force on the first in N, whose reaction arrives.
     pub force: Vec2<S>,
-    /// Torque on j in N m.
+    /// Torque on the second in N m.
     pub torque: S,
 }
 
-/// Whether the second particle of some pair belongs to a later part. Without an early end, so that many pairs
-/// are looked at together.
-fn leaves(pairs: &[Pair], end: usize) -> bool {
-    pairs
-        .iter()
-        .fold(false, |some, pair| some | (pair.j as usize >= end))
+/// The links of a part that lead to later parts, and what they do at present.
+#[derive(Clone, Debug)]
+pub(crate) struct Departures<S> {
+    /// The list of links in which they were sought.
+    edition: Option<Edition>,
+    positions: Vec<u32>,
+    pub arrivals: Vec<Arrival<S>>,
 }
 
-/// The search for what leaves each part, done before any part changes what links remember.
-pub(crate) struct Departures<'a, F> {
+impl<S> Default for Departures<S> {
+    fn default() -> Self {
+        Self {
+            edition: None,
+            positions: Vec::new(),
+            arrivals: Vec::new(),
+        }
+    }
+}
+
+/// The work of finding what leaves each part, done before any part changes what links remember.
+pub(crate) struct Depart<'a, F> {
     /// All links in order.
     pub pairs: &'a [Pair],
+    /// Which list of links they are.
+    pub edition: Edition,
     /// The particles of the part.
     pub part: Range<usize>,
     /// Force on i and torque on j of the link at a position; nothing if it exerts none.
     pub effect: F,
 }
 
-impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Vec<Arrival<S>>>
-    for Departures<'_, F>
+impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Departures<S>>
+    for Depart<'_, F>
 {
     fn split_at(self, particle: usize) -> (Self, Self) {
         let Range { start, end } = self.part;
@@ -55,37 +67,35 @@ impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Vec<Arriv
         (left, right)
     }
 
-    fn act(self, departures: &mut Vec<Arrival<S>>, _: Instructions) {
-        departures.clear();
-        let Range { start, end } = self.part;
-        let links = pairs_before(self.pairs, start)..pairs_before(self.pairs, end);
-        for first in links.clone().step_by(LINKS) {
-            let block = first..links.end.min(first + LINKS);
-            if leaves(&self.pairs[block.clone()], end) {
-                self.depart(block, departures);
-            }
+    fn act(self, departures: &mut Departures<S>, _: Instructions) {
+        if departures.edition != Some(self.edition) {
+            departures.edition = Some(self.edition);
+            departures.positions.clear();
+            departures.positions.extend(self.leaving());
         }
-    }
-
-    fn start(ready: Ready<Self, Vec<Arrival<S>>>) {
-        ready.call();
-    }
-}
-
-impl<S, F: Fn(usize) -> Option<(Vec2<S>, S)>> Departures<'_, F> {
-    /// Note what leaves through some links.
-    fn depart(&self, links: Range<usize>, departures: &mut Vec<Arrival<S>>) {
-        for (pair, position) in self.pairs[links.clone()].iter().zip(links) {
-            if (pair.j as usize) < self.part.end {
-                continue;
-            }
-            if let Some((force, torque)) = (self.effect)(position) {
-                departures.push(Arrival {
-                    pair: *pair,
+        departures.arrivals.clear();
+        for &position in &departures.positions {
+            if let Some((force, torque)) = (self.effect)(position as usize) {
+                departures.arrivals.push(Arrival {
+                    particle: self.pairs[position as usize].j as usize,
                     force,
                     torque,
                 });
             }
         }
+    }
+
+    fn start(ready: Ready<Self, Departures<S>>) {
+        ready.call();
+    }
+}
+
+impl<F> Depart<'_, F> {
+    /// Positions of the links of this part whose second particle belongs to a later one.
+    fn leaving(&self) -> impl Iterator<Item = u32> {
+        let Range { start, end } = self.part;
+        let links = pairs_before(self.pairs, start)..pairs_before(self.pairs, end);
+        let leaves = move |&position: &usize| self.pairs[position].j as usize >= end;
+        links.filter(leaves).map(|position| position as u32)
     }
 }

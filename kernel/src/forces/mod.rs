@@ -18,7 +18,7 @@ pub use links_at::{LinkKind, LinkState};
 
 pub(crate) use ambient::ambient;
 use block::Block;
-pub(crate) use departures::{Arrival, Departures};
+pub(crate) use departures::{Depart, Departures};
 pub(crate) use driving::{driving, measure};
 pub(crate) use external::external;
 pub(crate) use strong_links::{StrongLoop, StrongPass, stored_in_strong_links};
@@ -122,10 +122,9 @@ impl<'a, S: Real> Sums<'a, S> {
         }
     }
     /// Add what links of earlier parts do to these particles.
-    fn add_arrivals<const TURNS: bool>(&mut self, arrivals: &[Vec<Arrival<S>>]) {
-        for arrival in arrivals.iter().flatten() {
-            let (_, j) = arrival.pair.indices();
-            let j = j.wrapping_sub(self.first);
+    fn add_arrivals<const TURNS: bool>(&mut self, departures: &[Departures<S>]) {
+        for arrival in departures.iter().flat_map(|of_part| &of_part.arrivals) {
+            let j = arrival.particle.wrapping_sub(self.first);
             if j < self.force.len() {
                 self.force[j] -= arrival.force;
                 if TURNS {

@@ -3,7 +3,7 @@
 use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
-use super::{Arrival, Desk, Sums};
+use super::{Departures, Desk, Sums};
 use crate::geometry::{Metric, PairFrame, PairMotion, Vec2};
 use crate::instructions::Instructions;
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, ZhangEckert};
@@ -154,7 +154,7 @@ pub(crate) struct StrongLoop<'a, S: Real, M, B, const YIELDS: bool, const LEDGER
     pub particles: &'a Particles<S>,
     pub links: StrongColumns<'a, S>,
     pub sums: Sums<'a, S>,
-    pub arrivals: &'a [Vec<Arrival<S>>],
+    pub departures: &'a [Departures<S>],
 }
 
 impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Work<Desk<S>>
@@ -182,9 +182,9 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Wor
         let number = self.links.pairs.len();
         let columns = Columns::of(self.particles);
         if B::ABSENT {
-            self.sums.add_arrivals::<false>(self.arrivals);
+            self.sums.add_arrivals::<false>(self.departures);
         } else {
-            self.sums.add_arrivals::<true>(self.arrivals);
+            self.sums.add_arrivals::<true>(self.departures);
         }
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);

@@ -3,7 +3,7 @@
 use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
-use super::{Arrival, Desk, Sums};
+use super::{Departures, Desk, Sums};
 use crate::geometry::{Arm, Metric, PairFrame, PairMotion, Vec2};
 use crate::instructions::Instructions;
 use crate::laws::{Friction, NormalLaw, Slide, TangentialLaw};
@@ -230,7 +230,7 @@ pub(crate) struct WeakLoop<'a, S: Real, M, A, N, T, const LEDGER: bool> {
     pub memories: MemoryColumns<'a, S>,
     pub strong: Option<&'a StrongLinks<S>>,
     pub sums: Sums<'a, S>,
-    pub arrivals: &'a [Vec<Arrival<S>>],
+    pub departures: &'a [Departures<S>],
 }
 
 impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool> Work<Desk<S>>
@@ -261,9 +261,9 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         let columns = Columns::of(self.particles);
         let number = self.pairs.len();
         if T::ABSENT {
-            self.sums.add_arrivals::<false>(self.arrivals);
+            self.sums.add_arrivals::<false>(self.departures);
         } else {
-            self.sums.add_arrivals::<true>(self.arrivals);
+            self.sums.add_arrivals::<true>(self.departures);
         }
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);

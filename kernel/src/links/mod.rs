@@ -39,6 +39,14 @@ impl Pair {
     }
 }
 
+/// Tells the lists of links apart that a world has one after the other: a rebuild finds pairs anew, and between
+/// two of them pairs only join (broken bonds, among contacts) or only leave (among bonds).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Edition {
+    rebuilds: u64,
+    pairs: usize,
+}
+
 /// Number of pairs, in order, whose first particle comes before the given one.
 pub(crate) fn pairs_before(pairs: &[Pair], particle: usize) -> usize {
     pairs.partition_point(|pair| (pair.i as usize) < particle)

@@ -1,6 +1,6 @@
 //! Strong links: made once, broken, never made again.
 
-use super::{Pair, twin};
+use super::{Edition, Pair, twin};
 use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2, angle_of, reversed, wrapped};
 use crate::particles::{Particles, Role};
@@ -197,6 +197,13 @@ impl<S: Real> StrongLinks<S> {
     /// Number of bonds that hold.
     pub fn len(&self) -> usize {
         self.pairs.len()
+    }
+    /// Which list of bonds this is.
+    pub(crate) fn edition(&self) -> Edition {
+        Edition {
+            rebuilds: 0,
+            pairs: self.len(),
+        }
     }
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {

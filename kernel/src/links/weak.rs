@@ -1,7 +1,7 @@
 //! Weak links: contacts that begin and end with overlap, and what they remember.
 
 use super::strong::{check_pairs, rest_angles};
-use super::{Neighbors, Pair, StrongLinks, twin};
+use super::{Edition, Neighbors, Pair, StrongLinks, twin};
 use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::particles::Particles;
@@ -203,6 +203,14 @@ impl<S: Real> WeakLinks<S> {
     /// The neighbour list behind the pairs.
     pub fn neighbors(&self) -> &Neighbors<S> {
         &self.neighbors
+    }
+
+    /// Which list of pairs this is.
+    pub(crate) fn edition(&self) -> Edition {
+        Edition {
+            rebuilds: self.neighbors.rebuilds(),
+            pairs: self.pairs.len(),
+        }
     }
 
     /// For how many pairs there is room to remember.

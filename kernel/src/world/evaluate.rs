@@ -4,7 +4,7 @@ use super::World;
 use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
 use crate::balance::Energy;
 use crate::error::StepError;
-use crate::forces::{self, Departures, Desk, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
+use crate::forces::{self, Depart, Desk, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
 use crate::geometry::Metric;
 use crate::instructions::Instructions;
 use crate::laws::{Controller, Driven};
@@ -104,7 +104,7 @@ impl<S: Real> World<S> {
             strong,
             tally,
             desks,
-            arrivals,
+            departures,
             parts,
             instructions,
             ..
@@ -112,20 +112,21 @@ impl<S: Real> World<S> {
         let (Some(strong), Some(bond)) = (strong, model.bond) else {
             return;
         };
+        let [departures, _] = departures;
         let (sums, part) = (forces.sums(), 0..particles.len());
         with_strong_pass!(model, bond, pass => {
             if !model.ledger && parts.number() > 1 {
                 let strong = &*strong;
                 let effect = |position: usize| pass.effect(particles, strong, position);
-                let work = Departures { pairs: &strong.pairs, part, effect };
-                parts.run(work, arrivals, *instructions);
+                let work = Depart { pairs: &strong.pairs, edition: strong.edition(), part, effect };
+                parts.run(work, departures, *instructions);
             }
-            let (links, arrivals) = (strong.columns(), &**arrivals);
+            let (links, departures) = (strong.columns(), &**departures);
             match (bond.yielding.is_some(), model.ledger) {
-                (false, false) => parts.run(StrongLoop::<_, _, _, false, false> { pass, particles, links, sums, arrivals }, desks, *instructions),
-                (true, false) => parts.run(StrongLoop::<_, _, _, true, false> { pass, particles, links, sums, arrivals }, desks, *instructions),
-                (false, true) => whole(StrongLoop::<_, _, _, false, true> { pass, particles, links, sums, arrivals: &[] }, desks, tally, *instructions),
-                (true, true) => whole(StrongLoop::<_, _, _, true, true> { pass, particles, links, sums, arrivals: &[] }, desks, tally, *instructions),
+                (false, false) => parts.run(StrongLoop::<_, _, _, false, false> { pass, particles, links, sums, departures }, desks, *instructions),
+                (true, false) => parts.run(StrongLoop::<_, _, _, true, false> { pass, particles, links, sums, departures }, desks, *instructions),
+                (false, true) => whole(StrongLoop::<_, _, _, false, true> { pass, particles, links, sums, departures: &[] }, desks, tally, *instructions),
+                (true, true) => whole(StrongLoop::<_, _, _, true, true> { pass, particles, links, sums, departures: &[] }, desks, tally, *instructions),
             }
         });
         for desk in desks {
@@ -142,7 +143,7 @@ impl<S: Real> World<S> {
             weak,
             tally,
             desks,
-            arrivals,
+            departures,
             parts,
             instructions,
             ..
@@ -157,20 +158,21 @@ impl<S: Real> World<S> {
             weak.admit_broken(strong);
         }
         let elapsed = if advances { model.time_step } else { 0.0 };
+        let [_, departures] = departures;
         let (sums, part) = (forces.sums(), 0..particles.len());
         with_weak_pass!(model, contact, pass => {
             let pass = WeakPass { elapsed, ..pass };
             if !model.ledger && parts.number() > 1 {
                 let weak = &*weak;
                 let effect = |position: usize| pass.effect(particles, weak, position);
-                let work = Departures { pairs: &weak.pairs, part, effect };
-                parts.run(work, arrivals, *instructions);
+                let work = Depart { pairs: &weak.pairs, edition: weak.edition(), part, effect };
+                parts.run(work, departures, *instructions);
             }
             let (pairs, memories) = (&*weak.pairs, weak.memories.columns());
             if model.ledger {
-                whole(WeakLoop::<_, _, _, _, _, true> { pass, particles, pairs, memories, strong, sums, arrivals: &[] }, desks, tally, *instructions);
+                whole(WeakLoop::<_, _, _, _, _, true> { pass, particles, pairs, memories, strong, sums, departures: &[] }, desks, tally, *instructions);
             } else {
-                parts.run(WeakLoop::<_, _, _, _, _, false> { pass, particles, pairs, memories, strong, sums, arrivals }, desks, *instructions);
+                parts.run(WeakLoop::<_, _, _, _, _, false> { pass, particles, pairs, memories, strong, sums, departures }, desks, *instructions);
             }
         });
     }

@@ -10,7 +10,7 @@ pub use watch::stable_step_estimate;
 
 use crate::balance::{Energy, Ledger};
 use crate::error::{ModelError, StepError};
-use crate::forces::{Arrival, Desk, Forces, Tally};
+use crate::forces::{Departures, Desk, Forces, Tally};
 use crate::geometry::Vec2;
 use crate::instructions::Instructions;
 use crate::integrators::{
@@ -65,7 +65,8 @@ pub struct World<S: Real = f64> {
     ledger: Option<Ledger<S>>,
     tally: Tally<S>,
     desks: Vec<Desk<S>>,
-    arrivals: Vec<Vec<Arrival<S>>>,
+    /// For each part, of strong and of weak links.
+    departures: [Vec<Departures<S>>; 2],
     verdicts: Vec<bool>,
     /// Whether the neighbour list is stale, where that is known.
     is_stale: Option<bool>,
@@ -121,7 +122,7 @@ impl<S: Real> World<S> {
             ledger: None,
             tally: Tally::default(),
             desks: vec![Desk::default()],
-            arrivals: Vec::new(),
+            departures: [Vec::new(), Vec::new()],
             verdicts: vec![false],
             is_stale: None,
             parts: Parts::equal(particles.len(), 1),
@@ -180,8 +181,8 @@ impl<S: Real> World<S> {
         let number = self.parts.number();
         self.desks.resize(number, Desk::default());
         self.verdicts.resize(number, false);
-        self.arrivals
-            .resize(if number > 1 { number } else { 0 }, Vec::new());
+        let several = if number > 1 { number } else { 0 };
+        self.departures = [0, 1].map(|_| vec![Departures::default(); several]);
         self.make_room();
         self
     }
