@@ -17,6 +17,7 @@ mod worlds;
 use clap::{Parser, Subcommand};
 use counts::{Counting, Errand};
 use gouge_validation::error::Error;
+use gouge_validation::machine::{Caller, start};
 use lammps::Lammps;
 use machine::Machine;
 use parts::Part;
@@ -104,7 +105,7 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
         Command::Errand(errand) => return errand.run(),
     };
     let rounds = arguments.rounds;
-    let instructions = gouge_validation::machine::machine()?.instructions.name();
+    let instructions = start(Caller::Steps)?.instructions.name();
     let before = Machine::measured(instructions);
     let (mut cases, mut parts, mut counting) = (Vec::new(), Vec::new(), None);
     let mut precision = Vec::new();

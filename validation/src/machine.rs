@@ -58,11 +58,7 @@ fn chosen_threads() -> Result<Option<usize>, String> {
     };
     let number = text.to_str().and_then(|text| text.parse().ok());
     match number.filter(|number| (1..=MOST_THREADS).contains(number)) {
-        Some(number) => {
-            // A pool that is at work already keeps its threads.
-            let _ = ThreadPoolBuilder::new().num_threads(number).build_global();
-            Ok(Some(number))
-        }
+        Some(number) => Ok(Some(number)),
         None => Err(format!(
             "{THREADS} = {}: must be an integer from 1 to {MOST_THREADS}",
             text.to_string_lossy()
@@ -76,6 +72,30 @@ fn chosen_threads() -> Result<Option<usize>, String> {
 /// Instructions that this machine has not, numbers of threads that are none.
 pub fn machine() -> Result<Machine, Error> {
     CHOSEN.clone().map_err(Error::Argument)
+}
+
+/// What a main function does while worlds are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Caller {
+    /// It steps them, and is one of the threads: asleep outside the pool it would be woken several times a step.
+    Steps,
+    /// It waits for threads of its own, and must not be missed by the pool.
+    Waits,
+}
+
+/// What the environment asks for, with a pool of as many threads; for main functions.
+///
+/// # Errors
+/// As [`machine`].
+pub fn start(caller: Caller) -> Result<Machine, Error> {
+    let machine = machine()?;
+    let mut pool = ThreadPoolBuilder::new().num_threads(machine.threads.unwrap_or_default());
+    if caller == Caller::Steps {
+        pool = pool.use_current_thread();
+    }
+    // A pool that is at work already keeps its threads.
+    let _ = pool.build_global();
+    Ok(machine)
 }
 
 /// Threads for a world of so many particles: one, or all of the machine where each has enough to do.

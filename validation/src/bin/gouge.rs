@@ -2,8 +2,9 @@
 
 use clap::{Parser, Subcommand};
 use gouge_validation::error::Error;
+use gouge_validation::machine::{self, Caller};
 use gouge_validation::scene::Scene;
-use gouge_validation::{commands, machine, run, verify};
+use gouge_validation::{commands, run, verify};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -69,7 +70,10 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 fn execute(command: Command) -> Result<(), Error> {
-    machine::machine()?;
+    machine::start(match command {
+        Command::Run { .. } => Caller::Steps,
+        _ => Caller::Waits,
+    })?;
     let text = match command {
         Command::Run {
             scene,
