@@ -151,6 +151,19 @@ pub(crate) struct Block<S: Real> {
     pub outputs: Box<Outputs<S>>,
 }
 
+impl<S: Real> Block<S> {
+    /// What laws read of the first links, their frames found, and where laws write.
+    #[inline(always)]
+    pub fn open<M: Metric>(
+        &mut self,
+        metric: M,
+        number: usize,
+    ) -> (&Inputs<S>, &Frames<S>, &mut Outputs<S>) {
+        self.frames.find(metric, &self.inputs, number);
+        (&self.inputs, &self.frames, &mut self.outputs)
+    }
+}
+
 impl<S: Real> Default for Inputs<S> {
     fn default() -> Self {
         let zeros = [[S::zero(); LINKS]; 2];

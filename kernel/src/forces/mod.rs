@@ -121,13 +121,13 @@ impl<'a, S: Real> Sums<'a, S> {
             }
         }
     }
-    /// Add what links of earlier parts do to these particles.
-    fn add_arrivals<const TURNS: bool>(&mut self, departures: &[Departures<S>]) {
+    /// Add what links of earlier parts do to these particles, their torques if they turn their ends.
+    fn add_arrivals(&mut self, departures: &[Departures<S>], turns: bool) {
         for arrival in departures.iter().flat_map(|of_part| &of_part.arrivals) {
             let j = arrival.particle.wrapping_sub(self.first);
             if j < self.force.len() {
                 self.force[j] -= arrival.force;
-                if TURNS {
+                if turns {
                     self.torque[j] += arrival.torque;
                 }
             }

@@ -181,11 +181,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Wor
     fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
         let number = self.links.pairs.len();
         let columns = Columns::of(self.particles);
-        if B::ABSENT {
-            self.sums.add_arrivals::<false>(self.departures);
-        } else {
-            self.sums.add_arrivals::<true>(self.departures);
-        }
+        self.sums.add_arrivals(self.departures, !B::ABSENT);
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.links.pairs[first..last];
@@ -231,13 +227,7 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
     fn compute(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64 {
         let number = positions.len().min(LINKS);
         let links = self.links.part(positions.start..positions.start + number);
-        block.frames.find(self.pass.metric, &block.inputs, number);
-        let Block {
-            inputs,
-            frames,
-            outputs,
-        } = block;
-        let (inputs, frames, outputs) = (&**inputs, &**frames, &mut **outputs);
+        let (inputs, frames, outputs) = block.open(self.pass.metric, number);
         let mut flags = 0;
         for lane in 0..number {
             let rest = links.rest(lane);

@@ -260,11 +260,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
         let columns = Columns::of(self.particles);
         let number = self.pairs.len();
-        if T::ABSENT {
-            self.sums.add_arrivals::<false>(self.departures);
-        } else {
-            self.sums.add_arrivals::<true>(self.departures);
-        }
+        self.sums.add_arrivals(self.departures, !T::ABSENT);
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.pairs[first..last];
@@ -314,13 +310,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         } else {
             0..0
         });
-        block.frames.find(self.pass.metric, &block.inputs, number);
-        let Block {
-            inputs,
-            frames,
-            outputs,
-        } = block;
-        let (inputs, frames, outputs) = (&**inputs, &**frames, &mut **outputs);
+        let (inputs, frames, outputs) = block.open(self.pass.metric, number);
         let mut flags = 0;
         for lane in 0..number {
             let ends = inputs.ends(lane);

@@ -5,7 +5,7 @@ use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2, angle_of, reversed, wrapped};
 use crate::particles::{Particles, Role};
 use crate::scalar::Real;
-use core::ops::Range;
+use core::ops::{Deref, Range};
 
 /// What a scene says of a bond.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,12 +115,7 @@ impl<S: Real> StrongColumns<'_, S> {
     /// The unstrained state at a position.
     #[inline(always)]
     pub fn rest(&self, position: usize) -> Rest<S> {
-        let [x, y] = twin::at(&self.references, position);
-        Rest {
-            reference: Vec2::new(x, y),
-            angles: twin::at(&self.angles, position),
-            distance: self.distances[position],
-        }
+        rest_at(&self.references, &self.angles, self.distances, position)
     }
     /// Replace what the unstrained state at a position is measured against.
     pub fn refer(&mut self, position: usize, rest: &Rest<S>) {
@@ -216,14 +211,10 @@ impl<S: Real> StrongLinks<S> {
     /// The bond at a position.
     #[inline(always)]
     pub(crate) fn get(&self, position: usize) -> StrongLink<S> {
-        let [x, y] = twin::at(&self.references, position);
+        let (references, angles) = (&self.references, &self.angles);
         StrongLink {
             pair: self.pairs[position],
-            rest: Rest {
-                reference: Vec2::new(x, y),
-                angles: twin::at(&self.angles, position),
-                distance: self.distances[position],
-            },
+            rest: rest_at(references, angles, &self.distances, position),
             strength_factor: self.strength_factors[position],
         }
     }
@@ -271,6 +262,22 @@ impl<S: Real> StrongLinks<S> {
         remove(distances, broken);
         remove(strength_factors, broken);
         broken.clear();
+    }
+}
+
+/// The unstrained state at a position of columns.
+#[inline(always)]
+fn rest_at<S: Real, C: Deref<Target = [S]>>(
+    references: &[C; 2],
+    angles: &[C; 2],
+    distances: &[S],
+    position: usize,
+) -> Rest<S> {
+    let [x, y] = twin::at(references, position);
+    Rest {
+        reference: Vec2::new(x, y),
+        angles: twin::at(angles, position),
+        distance: distances[position],
     }
 }
 

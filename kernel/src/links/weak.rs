@@ -7,7 +7,7 @@ use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::particles::Particles;
 use crate::parts::halves;
 use crate::scalar::Real;
-use core::ops::Range;
+use core::ops::{Deref, Range};
 
 /// What a scene says of a contact that began before its initial state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,13 +96,8 @@ impl<S: Real> MemoryColumns<'_, S> {
     /// The memory at a position.
     #[inline(always)]
     pub fn get(&self, position: usize) -> ContactMemory<S> {
-        let [x, y] = twin::at(&self.references, position);
-        ContactMemory {
-            touches: self.touches[position],
-            reference: Vec2::new(x, y),
-            ends: twin::at(&self.ends, position),
-            state: self.states[position],
-        }
+        let touches = self.touches[position];
+        memory_at(touches, &self.references, &self.ends, self.states, position)
     }
     /// Replace the memory at a position.
     #[inline(always)]
@@ -124,13 +119,14 @@ impl<S: Real> Memories<S> {
     }
     /// The memory at a position.
     pub fn get(&self, position: usize) -> ContactMemory<S> {
-        let [x, y] = twin::at(&self.references, position);
-        ContactMemory {
-            touches: self.touches[position],
-            reference: Vec2::new(x, y),
-            ends: twin::at(&self.ends, position),
-            state: self.states[position],
-        }
+        let touches = self.touches[position];
+        memory_at(
+            touches,
+            &self.references,
+            &self.ends,
+            &self.states,
+            position,
+        )
     }
     /// All of them, to be changed; none where nothing is remembered.
     pub fn columns(&mut self) -> MemoryColumns<'_, S> {
@@ -160,6 +156,24 @@ impl<S: Real> Memories<S> {
     fn numbers(&mut self) -> impl Iterator<Item = &mut Vec<S>> {
         let pairs = self.references.iter_mut().chain(&mut self.ends);
         pairs.chain([&mut self.states])
+    }
+}
+
+/// The memory at a position of columns, of a pair that touches or does not.
+#[inline(always)]
+fn memory_at<S: Real, C: Deref<Target = [S]>>(
+    touches: bool,
+    references: &[C; 2],
+    ends: &[C; 2],
+    states: &[S],
+    position: usize,
+) -> ContactMemory<S> {
+    let [x, y] = twin::at(references, position);
+    ContactMemory {
+        touches,
+        reference: Vec2::new(x, y),
+        ends: twin::at(ends, position),
+        state: states[position],
     }
 }
 
