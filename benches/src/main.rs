@@ -7,6 +7,7 @@ mod growth;
 mod lammps;
 mod limits;
 mod machine;
+mod memory;
 mod parts;
 mod peers;
 mod precision;

@@ -3,6 +3,7 @@
 
 use crate::by_hand::Grains;
 use crate::folder::temporary_folder;
+use crate::memory::{asked, kept};
 use crate::peers::Timer;
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, pressed, pressed_with_frames, rubbing};
@@ -60,9 +61,9 @@ impl Part {
 
 /// Bytes a particle that a world keeps, with the room that it reserves.
 pub fn bytes(world: &World) -> f64 {
-    let (mut copy, words) = (None, world.to_words());
-    let taken = allocation_counter::measure(|| copy = World::from_words(*world.model(), &words));
-    taken.bytes_current as f64 / world.particles().len() as f64
+    let words = world.to_words();
+    let (bytes, _copy) = kept(|| World::<f64>::from_words(*world.model(), &words));
+    bytes as f64 / world.particles().len() as f64
 }
 
 /// The same grains at rest in an open box without driving, with a changed model.
@@ -156,12 +157,11 @@ impl Frames {
     fn write(&self, world: &World) -> Result<(), Error> {
         write_frame(&self.scene, self.folder.path(), 0, world)
     }
-    /// Bytes a particle that writing takes for a while.
+    /// Bytes a particle that writing asks for.
     fn bytes(&self, world: &World) -> Result<f64, Error> {
-        let mut written = Ok(());
-        let taken = allocation_counter::measure(|| written = self.write(world));
+        let (bytes, written) = asked(|| self.write(world));
         written?;
-        Ok(taken.bytes_max as f64 / world.particles().len() as f64)
+        Ok(bytes as f64 / world.particles().len() as f64)
     }
 }
 

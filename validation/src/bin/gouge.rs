@@ -5,9 +5,14 @@ use gouge_validation::error::Error;
 use gouge_validation::machine::{self, Caller};
 use gouge_validation::scene::Scene;
 use gouge_validation::{commands, run, verify};
+use mimalloc::MiMalloc;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
+
+/// Puts the columns of large worlds at lines of the cache and into huge pages.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 /// A verified discrete element model of shearing brittle surfaces.
 #[derive(Parser)]

@@ -211,7 +211,7 @@ fn parts() -> Markup {
         p {
             "Each optional part with and without it; the loop by hand is plain code for exactly the scene without it ("
             code { "benches/src/by_hand.rs" } ") and moves every grain to within 1e-13 m as the kernel does. "
-            "A trajectory is a frame of extended XYZ every 500 steps; its bytes are those that writing takes for a while."
+            "A trajectory is a frame of extended XYZ every 500 steps; its bytes are all those that writing asks for."
         }
         (machine(&date, &run))
         div.data {
