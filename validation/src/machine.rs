@@ -66,14 +66,6 @@ fn chosen_threads() -> Result<Option<usize>, String> {
     }
 }
 
-/// What the environment asks for.
-///
-/// # Errors
-/// Instructions that this machine has not, numbers of threads that are none.
-pub fn machine() -> Result<Machine, Error> {
-    CHOSEN.clone().map_err(Error::Argument)
-}
-
 /// What a main function does while worlds are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Caller {
@@ -86,9 +78,9 @@ pub enum Caller {
 /// What the environment asks for, with a pool of as many threads; for main functions.
 ///
 /// # Errors
-/// As [`machine`].
+/// Instructions that this machine has not, numbers of threads that are none.
 pub fn start(caller: Caller) -> Result<Machine, Error> {
-    let machine = machine()?;
+    let machine = CHOSEN.clone().map_err(Error::Argument)?;
     let mut pool = ThreadPoolBuilder::new().num_threads(machine.threads.unwrap_or_default());
     if caller == Caller::Steps {
         pool = pool.use_current_thread();

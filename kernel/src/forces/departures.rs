@@ -20,22 +20,12 @@ pub(crate) struct Arrival<S> {
 }
 
 /// The links of a part that lead to later parts, and what they do at present.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Departures<S> {
     /// The list of links in which they were sought.
     edition: Option<Edition>,
     positions: Vec<u32>,
     pub arrivals: Vec<Arrival<S>>,
-}
-
-impl<S> Default for Departures<S> {
-    fn default() -> Self {
-        Self {
-            edition: None,
-            positions: Vec::new(),
-            arrivals: Vec::new(),
-        }
-    }
 }
 
 /// The work of finding what leaves each part, done before any part changes what links remember.
