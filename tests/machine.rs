@@ -5,7 +5,8 @@
 use crate::program::{gouge, stderr};
 use crate::recorded::record;
 use crate::worlds::{advance, sheared_with, world};
-use gouge_kernel::{Instructions, World};
+use gouge_kernel::links::BondStart;
+use gouge_kernel::{Instructions, Start, World};
 use gouge_validation::scene::builtin;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -76,6 +77,59 @@ fn a_fault_has_the_same_bits_on_every_machine() {
         );
     }
     record("bits_of_a_fault", &fingerprints);
+}
+
+/// At least so many particles: copies of a world side by side along its period. Contacts begin anew, bonds too, and
+/// those across the border are left out.
+fn repeated(world: &World, least: usize) -> World {
+    let number = world.particles().len();
+    let width = world.model().period().expect("the box is periodic");
+    let times = least.div_ceil(number);
+    let mut model = *world.model();
+    model.domain.width = Some(width * times as f64);
+    if let Some(driving) = &mut model.driving {
+        driving.area *= times as f64;
+    }
+    let all: Vec<usize> = (0..times).flat_map(|_| 0..number).collect();
+    let mut particles = world.particles().select(&all);
+    for (k, position) in particles.position.iter_mut().enumerate() {
+        position.x += width * (k / number) as f64;
+    }
+    let x = |i: usize| world.particles().position[i].x;
+    let bonds = world.strong_links().expect("there are bonds");
+    let pairs = bonds.pairs().iter().map(|pair| pair.indices());
+    let inner = pairs.filter(|&(i, j)| (x(j) - x(i)).abs() < 0.5 * width);
+    let bond = |(i, j): (usize, usize)| BondStart {
+        between: [i, j],
+        strength_factor: 1.0,
+        initial_distance: None,
+        initial_angles: None,
+    };
+    let start = Start {
+        bonds: (0..times)
+            .flat_map(|copy| {
+                inner
+                    .clone()
+                    .map(move |(i, j)| (i + copy * number, j + copy * number))
+            })
+            .map(bond)
+            .collect(),
+        drive_force: world.drive().force * times as f64,
+        ..Start::default()
+    };
+    World::new(model, particles, &start).expect("the kernel takes the copies")
+}
+
+#[test]
+fn a_world_beyond_the_caches_has_the_same_bits_on_every_machine() {
+    let world = repeated(&sheared_with(&[]), 21_000);
+    assert!(
+        world.contacts() > 1000 && world.strong_links().is_some_and(|bonds| bonds.len() > 1000)
+    );
+    record(
+        "bits_beyond_the_caches",
+        &fingerprint(&world, 100, "copies"),
+    );
 }
 
 #[test]

@@ -1,13 +1,19 @@
 //! Links side by side: what a pass gathers from the particles, and what it scatters back to them.
 
-use super::MISSING;
+use super::ahead::Ahead;
+use super::{MISSING, Sums};
 use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::links::Pair;
 use crate::particles::Particles;
 use crate::scalar::Real;
+use core::ops::Range;
+use prefetch_index::prefetch_index;
 
 /// How many links a block holds.
 pub(crate) const LINKS: usize = 64;
+
+/// How many numbers a line of the cache holds.
+const LINE: usize = 8;
 
 /// The flag of a link that exerts nothing: a bond that breaks, a pair that does not touch.
 pub(super) const IDLE: u64 = 1;
@@ -87,6 +93,21 @@ impl<'a, S: Real> Columns<'a, S> {
             [self.radius[i], self.radius[j]],
         )
     }
+    /// Prefetch what links read of a particle, and of its neighbours in the same lines of the cache.
+    #[inline(always)]
+    fn prefetch(&self, particle: usize, reads: Reads) {
+        prefetch_index(self.position, particle);
+        prefetch_index(self.velocity, particle);
+        if reads.angles {
+            prefetch_index(self.angle, particle);
+        }
+        if reads.spins {
+            prefetch_index(self.angular_velocity, particle);
+        }
+        if reads.radii {
+            prefetch_index(self.radius, particle);
+        }
+    }
     #[inline(always)]
     pub fn relative_velocity(&self, pair: Pair) -> Vec2<S> {
         let (i, j) = self.indices(pair);
@@ -152,6 +173,31 @@ pub(crate) struct Block<S: Real> {
 }
 
 impl<S: Real> Block<S> {
+    /// Gather the ends of the links at some positions, and prefetch what later ones need: `prefetch` that
+    /// which links keep, from a position on.
+    #[inline(always)]
+    pub fn gather(
+        &mut self,
+        columns: Columns<S>,
+        (pairs, links): (&[Pair], Range<usize>),
+        reads: Reads,
+        ahead: Option<(&Ahead, &Sums<S>)>,
+        prefetch: impl Fn(usize),
+    ) {
+        let now = &pairs[links.clone()];
+        let Some((ahead, sums)) = ahead else {
+            return self.inputs.gather(columns, now, reads, |_| {});
+        };
+        self.inputs.gather(columns, now, reads, |lane| {
+            if let Some((link, particle)) = ahead.of_link(pairs, links.start + lane) {
+                prefetch_index(pairs, link + LINKS);
+                prefetch(link);
+                columns.prefetch(particle, reads);
+                sums.prefetch(particle, reads.spins);
+            }
+        });
+    }
+
     /// What laws read of the first links, their frames found, and where laws write.
     #[inline(always)]
     pub fn open<M: Metric>(
@@ -213,10 +259,20 @@ fn taken<S: Copy>(columns: &[[S; LINKS]; 2], lane: usize) -> [S; 2] {
 }
 
 impl<S: Real> Inputs<S> {
-    /// Gather the ends of at most a block of links; the rest keeps old values.
+    /// Gather the ends of at most a block of links; the rest keeps old values. `beside` is done with every
+    /// eighth of them.
     #[inline(always)]
-    pub fn gather(&mut self, columns: Columns<S>, pairs: &[Pair], reads: Reads) {
+    fn gather(
+        &mut self,
+        columns: Columns<S>,
+        pairs: &[Pair],
+        reads: Reads,
+        beside: impl Fn(usize),
+    ) {
         for (lane, &pair) in (0..LINKS).zip(pairs) {
+            if lane % LINE == 0 {
+                beside(lane);
+            }
             let (difference, radii) = columns.gap(pair);
             let velocity = columns.relative_velocity(pair);
             put(&mut self.difference, lane, [difference.x, difference.y]);

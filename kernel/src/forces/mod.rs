@@ -3,6 +3,7 @@
 //! Each pass is generic over the laws it calls and is chosen once a step, so that no choice is made
 //! inside a loop.
 
+mod ahead;
 mod ambient;
 mod block;
 mod departures;
@@ -27,6 +28,7 @@ pub(crate) use weak_links::{WeakLoop, WeakPass, stored_in_weak_links};
 use crate::geometry::Vec2;
 use crate::links::Pair;
 use crate::scalar::Real;
+use prefetch_index::prefetch_index;
 
 /// Forces and torques on all particles.
 #[derive(Clone, Debug, Default)]
@@ -100,6 +102,15 @@ impl<'a, S: Real> Sums<'a, S> {
             first: self.first,
             force: &mut self.force[..number],
             torque: &mut self.torque[..number],
+        }
+    }
+    /// Prefetch the sums of a particle, torques if links turn their ends.
+    #[inline(always)]
+    fn prefetch(&self, particle: usize, turns: bool) {
+        let particle = particle.wrapping_sub(self.first);
+        prefetch_index(&*self.force, particle);
+        if turns {
+            prefetch_index(&*self.torque, particle);
         }
     }
     /// Add a link's force on i, its reaction on j and, if it turns its ends, the torques: on i, which is

@@ -1,5 +1,6 @@
 //! The pass over strong links.
 
+use super::ahead::Ahead;
 use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
@@ -182,10 +183,18 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Wor
         let number = self.links.pairs.len();
         let columns = Columns::of(self.particles);
         self.sums.add_arrivals(self.departures, !B::ABSENT);
+        let ahead = Ahead::of(self.links.pairs, self.particles.len());
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.links.pairs[first..last];
-            desk.block.inputs.gather(columns, pairs, Self::READS);
+            let ahead = ahead.as_ref().map(|ahead| (ahead, &self.sums));
+            desk.block.gather(
+                columns,
+                (self.links.pairs, first..last),
+                Self::READS,
+                ahead,
+                |link| self.links.prefetch(link),
+            );
             let mut flags = self.compute(&mut desk.block, first..last);
             if flags & IRREGULAR != 0 {
                 flags |= self.compute_irregular(&mut desk.block, first..last);

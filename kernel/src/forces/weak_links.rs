@@ -1,5 +1,6 @@
 //! The pass over weak links.
 
+use super::ahead::Ahead;
 use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
@@ -261,10 +262,22 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
         let columns = Columns::of(self.particles);
         let number = self.pairs.len();
         self.sums.add_arrivals(self.departures, !T::ABSENT);
+        let ahead = Ahead::of(self.pairs, self.particles.len());
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.pairs[first..last];
-            desk.block.inputs.gather(columns, pairs, Self::READS);
+            let ahead = ahead.as_ref().map(|ahead| (ahead, &self.sums));
+            desk.block.gather(
+                columns,
+                (self.pairs, first..last),
+                Self::READS,
+                ahead,
+                |link| {
+                    if T::REMEMBERS {
+                        self.memories.prefetch(link);
+                    }
+                },
+            );
             let flags = self.compute(&mut desk.block, first..last);
             if flags & IRREGULAR != 0 {
                 self.compute_irregular(&mut desk.block, first..last);

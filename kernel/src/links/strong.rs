@@ -6,6 +6,7 @@ use crate::geometry::{Metric, PairFrame, Vec2, angle_of, reversed, wrapped};
 use crate::particles::{Particles, Role};
 use crate::scalar::Real;
 use core::ops::{Deref, Range};
+use prefetch_index::prefetch_index;
 
 /// What a scene says of a bond.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +72,15 @@ pub(crate) struct StrongColumns<'a, S> {
 }
 
 impl<S: Real> StrongColumns<'_, S> {
+    /// Prefetch the bonds from a position on, a line of each column.
+    #[inline(always)]
+    pub fn prefetch(&self, position: usize) {
+        twin::prefetch(&self.references, position);
+        twin::prefetch(&self.angles, position);
+        prefetch_index(self.distances, position);
+        prefetch_index(self.strength_factors, position);
+        twin::prefetch(&self.radii, position);
+    }
     pub fn split_at(self, at: usize) -> (Self, Self) {
         let (pairs, other_pairs) = self.pairs.split_at(at);
         let (references, other_references) = twin::split_mut(self.references, at);

@@ -5,11 +5,20 @@
 
 use crate::parts::halves;
 use core::ops::{Deref, DerefMut, Range};
+use prefetch_index::prefetch_index;
 
 /// The two numbers at a position.
 #[inline(always)]
 pub(super) fn at<T: Copy, C: Deref<Target = [T]>>(columns: &[C; 2], position: usize) -> [T; 2] {
     [columns[0][position], columns[1][position]]
+}
+
+/// Prefetch the line of each column that holds a position.
+#[inline(always)]
+pub(super) fn prefetch<T, C: Deref<Target = [T]>>(columns: &[C; 2], position: usize) {
+    for column in columns {
+        prefetch_index(&**column, position);
+    }
 }
 
 /// Replace the two numbers at a position.

@@ -8,6 +8,7 @@ use crate::particles::Particles;
 use crate::parts::halves;
 use crate::scalar::Real;
 use core::ops::{Deref, Range};
+use prefetch_index::prefetch_index;
 
 /// What a scene says of a contact that began before its initial state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +93,14 @@ impl<S: Real> MemoryColumns<'_, S> {
             ends: twin::part_mut(&mut self.ends, positions.clone()),
             states: &mut self.states[positions],
         }
+    }
+    /// Prefetch the memories from a position on, a line of each column.
+    #[inline(always)]
+    pub fn prefetch(&self, position: usize) {
+        prefetch_index(&*self.touches, position);
+        twin::prefetch(&self.references, position);
+        twin::prefetch(&self.ends, position);
+        prefetch_index(&*self.states, position);
     }
     /// The memory at a position.
     #[inline(always)]
