@@ -127,18 +127,14 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
         div.data {
             table {
                 tr {
-                    th { "scene" } th.n { "particles" } th.n { "contacts a particle" } th.n { "bonds a particle" }
-                    th.n { "bytes a particle" } th.n { "rebuilds in 1000 steps" } th.n { "ours / ns" }
+                    th { "scene" } th.n { "ours / ns" }
                     @if is_compared { th { "beside" } th.n { "its time / ns" } th.n { "ratio" } }
+                    th.n { "particles" } th.n { "contacts a particle" } th.n { "bonds a particle" }
+                    th.n { "bytes a particle" } th.n { "rebuilds in 1000 steps" }
                 }
                 @for case in &run.cases {
                     tr {
                         td { (case.name) }
-                        td.n { (case.particles) }
-                        td.n { (format!("{:.2}", case.contacts)) }
-                        td.n { (format!("{:.2}", case.bonds)) }
-                        td.n { (format!("{:.0}", case.bytes)) }
-                        td.n { (format!("{:.2}", 1e3 * case.rebuilds[0] / case.rebuilds[1])) }
                         td.n { (spread(&case.ours, 1)) }
                         @match &case.peer {
                             Some((name, times)) => {
@@ -147,6 +143,11 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
                             None if is_compared => { td {} td {} td {} }
                             None => {}
                         }
+                        td.n { (case.particles) }
+                        td.n { (format!("{:.2}", case.contacts)) }
+                        td.n { (format!("{:.2}", case.bonds)) }
+                        td.n { (format!("{:.0}", case.bytes)) }
+                        td.n { (format!("{:.2}", 1e3 * case.rebuilds[0] / case.rebuilds[1])) }
                     }
                 }
             }
