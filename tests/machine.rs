@@ -122,6 +122,7 @@ fn repeated(world: &World, least: usize) -> World {
 
 #[test]
 fn a_world_beyond_the_caches_has_the_same_bits_on_every_machine() {
+    // More than `forces/ahead.rs` takes for small.
     let world = repeated(&sheared_with(&[]), 21_000);
     assert!(
         world.contacts() > 1000 && world.strong_links().is_some_and(|bonds| bonds.len() > 1000)
