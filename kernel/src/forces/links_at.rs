@@ -3,7 +3,7 @@
 use super::block::Columns;
 use super::{StrongPass, WeakPass};
 use crate::geometry::{Arm, Metric, PairFrame, Vec2, overlap_factor};
-use crate::laws::{BeamLaw, NormalLaw, TangentialLaw};
+use crate::laws::{BeamLaw, NormalLaw, TangentialLaw, YieldLaw};
 use crate::links::{Pair, StrongLink, StrongLinks, WeakLinks};
 use crate::particles::Particles;
 use crate::scalar::Real;
@@ -112,8 +112,8 @@ pub(crate) fn weak<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
 }
 
 /// The bonds of a state.
-pub(crate) fn strong<S: Real, M: Metric, B: BeamLaw>(
-    pass: StrongPass<M, B>,
+pub(crate) fn strong<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw>(
+    pass: StrongPass<M, B, Y>,
     particles: &Particles<S>,
     strong: &StrongLinks<S>,
 ) -> Vec<LinkState> {

@@ -7,7 +7,7 @@ use super::turning::{turned, turned_far};
 use super::{Departures, Desk, Sums};
 use crate::geometry::{Metric, PairFrame, PairMotion, Vec2};
 use crate::instructions::Instructions;
-use crate::laws::{AdjustedKelvinVoigt, BeamLaw, ZhangEckert};
+use crate::laws::{AdjustedKelvinVoigt, BeamLaw, YieldLaw};
 use crate::links::{Pair, Rest, StrongColumns, StrongLinks, pairs_before};
 use crate::particles::Particles;
 use crate::parts::{Ready, Work};
@@ -16,11 +16,11 @@ use core::ops::Range;
 
 /// Laws and choices of the pass.
 #[derive(Clone, Copy)]
-pub(crate) struct StrongPass<M, B> {
+pub(crate) struct StrongPass<M, B, Y> {
     pub metric: M,
     pub normal: AdjustedKelvinVoigt,
     pub beam: B,
-    pub yielding: Option<ZhangEckert>,
+    pub yielding: Y,
     /// Whether angles are wrapped to [-pi, pi), as the thesis author did.
     pub wraps: bool,
 }
@@ -45,7 +45,7 @@ impl<S: Real> StrongState<S> {
     }
 }
 
-impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
+impl<M: Metric, B: BeamLaw, Y: YieldLaw> StrongPass<M, B, Y> {
     /// Forces of a link whose ends are at the given angles, in rad, to their unbent directions; thesis
     /// eqs. (33)-(34) and (43)-(45).
     #[inline(always)]
@@ -129,7 +129,7 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
         let link = strong.get(position);
         let ends = Columns::of(particles).ends(link.pair);
         let state = self.any(&ends, &mut { link.rest });
-        let breaks = self.breaks(&state, ends.radii, link.strength_factor);
+        let breaks = self.breaks(&state, strong.section(position));
         (!breaks).then(|| (state.force(), state.torques[1]))
     }
 
@@ -149,17 +149,17 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
 /// The loop over all strong links: adds their forces; those that break exert none and are listed.
 ///
 /// Reads positions, velocities and angles; writes forces and, where a frame has turned far, the
-/// references of links. Allocates nothing. `YIELDS` and `LEDGER` leave out what they name.
-pub(crate) struct StrongLoop<'a, S: Real, M, B, const YIELDS: bool, const LEDGER: bool> {
-    pub pass: StrongPass<M, B>,
+/// references of links. Allocates nothing. Without `LEDGER` no heat is found.
+pub(crate) struct StrongLoop<'a, S: Real, M, B, Y, const LEDGER: bool> {
+    pub pass: StrongPass<M, B, Y>,
     pub particles: &'a Particles<S>,
     pub links: StrongColumns<'a, S>,
     pub sums: Sums<'a, S>,
     pub departures: &'a [Departures<S>],
 }
 
-impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Work<Desk<S>>
-    for StrongLoop<'_, S, M, B, YIELDS, LEDGER>
+impl<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> Work<Desk<S>>
+    for StrongLoop<'_, S, M, B, Y, LEDGER>
 {
     fn split_at(self, particle: usize) -> (Self, Self) {
         let at = pairs_before(self.links.pairs, self.sums.first + particle);
@@ -223,8 +223,8 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool> Wor
     }
 }
 
-impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
-    StrongLoop<'_, S, M, B, YIELDS, LEDGER>
+impl<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>
+    StrongLoop<'_, S, M, B, Y, LEDGER>
 {
     const READS: Reads = Reads {
         angles: !B::ABSENT,
@@ -242,10 +242,9 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
             let rest = links.rest(lane);
             let ends = with_radii(inputs.ends(lane), &links, lane);
             let (state, is_regular) = self.pass.regular(&ends, frames.at(lane), &rest);
-            let factor = links.strength_factors[lane];
             let flag = self
                 .pass
-                .settle::<S, YIELDS, LEDGER>(outputs, lane, &state, ends.radii, factor)
+                .settle::<S, LEDGER>(outputs, lane, &state, links.sections[lane])
                 | (IRREGULAR * u64::from(!is_regular));
             outputs.flags[lane] = flag;
             flags |= flag;
@@ -266,11 +265,11 @@ impl<S: Real, M: Metric, B: BeamLaw, const YIELDS: bool, const LEDGER: bool>
             let ends = with_radii(block.inputs.ends(lane), &self.links, position);
             let state = self.pass.any(&ends, &mut rest);
             self.links.refer(position, &rest);
-            let factor = self.links.strength_factors[position];
+            let section = self.links.sections[position];
             let outputs = &mut block.outputs;
             let flag = self
                 .pass
-                .settle::<S, YIELDS, LEDGER>(outputs, lane, &state, ends.radii, factor);
+                .settle::<S, LEDGER>(outputs, lane, &state, section);
             outputs.flags[lane] = flag;
             flags |= flag;
         }
@@ -308,22 +307,21 @@ fn with_radii<S: Real>(ends: Ends<S>, links: &StrongColumns<S>, position: usize)
     }
 }
 
-impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
+impl<M: Metric, B: BeamLaw, Y: YieldLaw> StrongPass<M, B, Y> {
     /// Write what a link does into its lane; tells whether it breaks.
     #[inline(always)]
-    fn settle<S: Real, const YIELDS: bool, const LEDGER: bool>(
+    fn settle<S: Real, const LEDGER: bool>(
         &self,
         outputs: &mut Outputs<S>,
         lane: usize,
         state: &StrongState<S>,
-        radii: [S; 2],
-        strength_factor: S,
+        section: S,
     ) -> u64 {
         outputs.set_force(lane, state.force());
         if !B::ABSENT {
             outputs.set_torques(lane, state.torques);
         }
-        let breaks = YIELDS && self.breaks(state, radii, strength_factor);
+        let breaks = self.breaks(state, section);
         if LEDGER {
             let heat_rate = self.heat_rate(state);
             outputs.heat_rate[lane] = if breaks { S::zero() } else { heat_rate };
@@ -333,21 +331,15 @@ impl<M: Metric, B: BeamLaw> StrongPass<M, B> {
     }
 
     #[inline(always)]
-    pub fn breaks<S: Real>(
-        &self,
-        state: &StrongState<S>,
-        radii: [S; 2],
-        strength_factor: S,
-    ) -> bool {
-        let (normal, tangential) = (state.normal_force, state.tangential_force);
+    fn breaks<S: Real>(&self, state: &StrongState<S>, section: S) -> bool {
         self.yielding
-            .is_some_and(|law| law.breaks(normal, tangential, radii, strength_factor))
+            .is_exceeded(state.normal_force, state.tangential_force, section)
     }
 }
 
 /// Energy stored in all strong links in J, thesis eq. (77).
-pub(crate) fn stored_in_strong_links<S: Real, M: Metric, B: BeamLaw>(
-    pass: StrongPass<M, B>,
+pub(crate) fn stored_in_strong_links<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw>(
+    pass: StrongPass<M, B, Y>,
     particles: &Particles<S>,
     strong: &StrongLinks<S>,
 ) -> S {

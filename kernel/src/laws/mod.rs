@@ -24,4 +24,4 @@ pub use tangential::{
     BeamLaw, CundallStrack, CundallStrackTruncated, EulerBernoulli, Friction, Frictionless,
     HaffWerner, NoBending, Slide, TangentialLaw,
 };
-pub use yielding::ZhangEckert;
+pub use yielding::{Unbreakable, YieldLaw, ZhangEckert, weakest_section};

@@ -4,6 +4,38 @@ use crate::scalar::Real;
 use core::f64::consts::PI;
 use gouge_equations::rendered;
 
+/// When a strong link breaks.
+pub trait YieldLaw: Copy + Send + Sync {
+    /// Whether no link ever breaks.
+    const ABSENT: bool;
+    /// Whether a link with this [`weakest_section`] in m^2 breaks under these forces in N.
+    fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool;
+}
+
+/// Strong links that never break.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unbreakable;
+
+impl YieldLaw for Unbreakable {
+    const ABSENT: bool = true;
+    #[inline(always)]
+    fn is_exceeded<S: Real>(self, _: S, _: S, _: S) -> bool {
+        false
+    }
+}
+
+/// Area in m^2 that carries the forces of a link when it breaks.
+///
+/// $$ A = \pi (s\, r^{crit})^2, \qquad r^{crit} = \min\{r_i, r_j\} $$
+///
+/// Thesis eqs. (49)-(50), with the strength factor s and radii in m. Infinite for an infinite factor: such
+/// a link never breaks.
+#[rendered]
+pub fn weakest_section<S: Real>(radii: [S; 2], strength_factor: S) -> S {
+    let weakest = strength_factor * radii[0].min(radii[1]);
+    weakest * weakest * PI
+}
+
 /// Zhang-Eckert criterion of brittle fracture.
 ///
 /// $$ \left( \frac{F^n}{\sigma^n} \right)^2 + \left( \frac{F^t}{\sigma^t} \right)^2 \ge \left( \pi (s\, r^{crit})^2 \right)^2, \qquad r^{crit} = \min\{r_i, r_j\} $$
@@ -36,7 +68,6 @@ impl ZhangEckert {
     }
 
     /// Whether a link with this strength factor breaks under these forces in N, for radii in m.
-    #[inline(always)]
     pub fn breaks<S: Real>(
         self,
         normal_force: S,
@@ -44,10 +75,17 @@ impl ZhangEckert {
         radii: [S; 2],
         strength_factor: S,
     ) -> bool {
-        let weakest = strength_factor * radii[0].min(radii[1]);
-        let area = weakest * weakest * PI;
+        let section = weakest_section(radii, strength_factor);
+        self.is_exceeded(normal_force, tangential_force, section)
+    }
+}
+
+impl YieldLaw for ZhangEckert {
+    const ABSENT: bool = false;
+    #[inline(always)]
+    fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool {
         let normal = normal_force * (1.0 / self.normal_strength);
         let tangential = tangential_force * (1.0 / self.tangential_strength);
-        normal * normal + tangential * tangential >= area * area
+        normal * normal + tangential * tangential >= section * section
     }
 }

@@ -3,6 +3,7 @@
 use super::{Edition, Pair, twin};
 use crate::error::ModelError;
 use crate::geometry::{Metric, PairFrame, Vec2, angle_of, reversed, wrapped};
+use crate::laws::weakest_section;
 use crate::particles::{Particles, Role};
 use crate::scalar::Real;
 use core::ops::{Deref, Range};
@@ -52,7 +53,9 @@ pub struct StrongLinks<S> {
     references: [Vec<S>; 2],
     angles: [Vec<S>; 2],
     distances: Vec<S>,
-    pub(crate) strength_factors: Vec<S>,
+    strength_factors: Vec<S>,
+    /// Sections that carry the forces of bonds when they break, in m^2.
+    sections: Vec<S>,
     /// Radii of both ends in m: they never change, and so are not gathered anew in each step.
     radii: [Vec<S>; 2],
     /// Positions of the links that broke in the latest evaluation, before they are removed.
@@ -67,7 +70,7 @@ pub(crate) struct StrongColumns<'a, S> {
     pub references: [&'a mut [S]; 2],
     pub angles: [&'a mut [S]; 2],
     pub distances: &'a [S],
-    pub strength_factors: &'a [S],
+    pub sections: &'a [S],
     pub radii: [&'a [S]; 2],
 }
 
@@ -78,7 +81,7 @@ impl<S: Real> StrongColumns<'_, S> {
         twin::prefetch(&self.references, position);
         twin::prefetch(&self.angles, position);
         prefetch_index(self.distances, position);
-        prefetch_index(self.strength_factors, position);
+        prefetch_index(self.sections, position);
         twin::prefetch(&self.radii, position);
     }
     pub fn split_at(self, at: usize) -> (Self, Self) {
@@ -86,7 +89,7 @@ impl<S: Real> StrongColumns<'_, S> {
         let (references, other_references) = twin::split_mut(self.references, at);
         let (angles, other_angles) = twin::split_mut(self.angles, at);
         let (distances, other_distances) = self.distances.split_at(at);
-        let (strength_factors, other_factors) = self.strength_factors.split_at(at);
+        let (sections, other_sections) = self.sections.split_at(at);
         let (radii, other_radii) = twin::split(self.radii, at);
         (
             Self {
@@ -95,7 +98,7 @@ impl<S: Real> StrongColumns<'_, S> {
                 references,
                 angles,
                 distances,
-                strength_factors,
+                sections,
                 radii,
             },
             Self {
@@ -104,7 +107,7 @@ impl<S: Real> StrongColumns<'_, S> {
                 references: other_references,
                 angles: other_angles,
                 distances: other_distances,
-                strength_factors: other_factors,
+                sections: other_sections,
                 radii: other_radii,
             },
         )
@@ -118,7 +121,7 @@ impl<S: Real> StrongColumns<'_, S> {
             references: twin::part_mut(&mut self.references, positions.clone()),
             angles: twin::part_mut(&mut self.angles, positions.clone()),
             distances: &self.distances[positions.clone()],
-            strength_factors: &self.strength_factors[positions.clone()],
+            sections: &self.sections[positions.clone()],
             radii: self.radii.map(|radii| &radii[positions.clone()]),
         }
     }
@@ -173,6 +176,7 @@ impl<S: Real> StrongLinks<S> {
             let (i, j) = link.pair.indices();
             [particles.radius[i], particles.radius[j]]
         };
+        let section = |link| weakest_section(radii(link), link.strength_factor);
         Self {
             pairs: links.iter().map(|link| link.pair).collect(),
             references: twin::collect(links, |StrongLink { rest, .. }| {
@@ -181,6 +185,7 @@ impl<S: Real> StrongLinks<S> {
             angles: twin::collect(links, |link| link.rest.angles),
             distances: links.iter().map(|link| link.rest.distance).collect(),
             strength_factors: links.iter().map(|link| link.strength_factor).collect(),
+            sections: links.iter().map(section).collect(),
             radii: twin::collect(links, radii),
             broken: Vec::with_capacity(links.len()),
         }
@@ -194,7 +199,7 @@ impl<S: Real> StrongLinks<S> {
             references: twin::slices_mut(&mut self.references),
             angles: twin::slices_mut(&mut self.angles),
             distances: &self.distances,
-            strength_factors: &self.strength_factors,
+            sections: &self.sections,
             radii: twin::slices(&self.radii),
         }
     }
@@ -226,6 +231,19 @@ impl<S: Real> StrongLinks<S> {
             pair: self.pairs[position],
             rest: rest_at(references, angles, &self.distances, position),
             strength_factor: self.strength_factors[position],
+        }
+    }
+    /// The section that carries the forces of the bond at a position when it breaks, in m^2.
+    pub(crate) fn section(&self, position: usize) -> S {
+        self.sections[position]
+    }
+    /// Make the bonds of some pairs unbreakable.
+    pub(crate) fn strengthen(&mut self, pairs: impl Fn(Pair) -> bool) {
+        let strengths = self.strength_factors.iter_mut().zip(&mut self.sections);
+        for (&pair, (factor, section)) in self.pairs.iter().zip(strengths) {
+            if pairs(pair) {
+                (*factor, *section) = (S::from_f64(f64::INFINITY), S::from_f64(f64::INFINITY));
+            }
         }
     }
     /// The bonds that hold.
@@ -262,6 +280,7 @@ impl<S: Real> StrongLinks<S> {
             angles,
             distances,
             strength_factors,
+            sections,
             radii,
             broken,
         } = self;
@@ -271,6 +290,7 @@ impl<S: Real> StrongLinks<S> {
         }
         remove(distances, broken);
         remove(strength_factors, broken);
+        remove(sections, broken);
         broken.clear();
     }
 }

@@ -54,11 +54,10 @@ impl World {
         else {
             return;
         };
-        for (pair, factor) in strong.pairs.iter().zip(&mut strong.strength_factors) {
+        let role = &self.particles.role;
+        strong.strengthen(|pair| {
             let (i, j) = pair.indices();
-            if self.particles.role[i] != Role::Free || self.particles.role[j] != Role::Free {
-                *factor = f64::INFINITY;
-            }
-        }
+            role[i] != Role::Free || role[j] != Role::Free
+        });
     }
 }

@@ -19,21 +19,35 @@ macro_rules! with_metric {
 /// Evaluate an expression with `$pass` bound to the pass over strong links that the model asks for.
 macro_rules! with_strong_pass {
     ($model:expr, $bond:expr, $pass:ident => $body:expr) => {
-        $crate::world::dispatch::with_metric!($model, metric => {
-            let (normal, wraps) = ($bond.normal, $model.reading == $crate::model::Reading::Thesis);
-            let yielding = $bond.yielding.map(|yielding| yielding.law);
-            match $bond.tangential {
-                Some(beam) => {
-                    let $pass = $crate::forces::StrongPass { metric, normal, beam, yielding, wraps };
-                    $body
-                }
-                None => {
-                    let $pass = $crate::forces::StrongPass { metric, normal, beam: $crate::laws::NoBending, yielding, wraps };
-                    $body
-                }
+        $crate::world::dispatch::with_metric!($model, metric => match $bond.yielding {
+            Some($crate::model::Yielding { law, .. }) => {
+                $crate::world::dispatch::with_strong_pass!(@beam $model, $bond, metric, law, $pass => $body)
+            }
+            None => {
+                $crate::world::dispatch::with_strong_pass!(@beam $model, $bond, metric, $crate::laws::Unbreakable, $pass => $body)
             }
         })
     };
+    (@beam $model:expr, $bond:expr, $metric:ident, $yielding:expr, $pass:ident => $body:expr) => {
+        match $bond.tangential {
+            Some(beam) => {
+                $crate::world::dispatch::with_strong_pass!(@pass $model, $bond, $metric, $yielding, beam, $pass => $body)
+            }
+            None => {
+                $crate::world::dispatch::with_strong_pass!(@pass $model, $bond, $metric, $yielding, $crate::laws::NoBending, $pass => $body)
+            }
+        }
+    };
+    (@pass $model:expr, $bond:expr, $metric:ident, $yielding:expr, $beam:expr, $pass:ident => $body:expr) => {{
+        let $pass = $crate::forces::StrongPass {
+            metric: $metric,
+            normal: $bond.normal,
+            beam: $beam,
+            yielding: $yielding,
+            wraps: $model.reading == $crate::model::Reading::Thesis,
+        };
+        $body
+    }};
 }
 
 /// Evaluate an expression with `$pass` bound to the pass over weak links that the model asks for.

@@ -122,11 +122,10 @@ impl<S: Real> World<S> {
                 parts.run(work, departures, *instructions);
             }
             let (links, departures) = (strong.columns(), &**departures);
-            match (bond.yielding.is_some(), model.ledger) {
-                (false, false) => parts.run(StrongLoop::<_, _, _, false, false> { pass, particles, links, sums, departures }, desks, *instructions),
-                (true, false) => parts.run(StrongLoop::<_, _, _, true, false> { pass, particles, links, sums, departures }, desks, *instructions),
-                (false, true) => whole(StrongLoop::<_, _, _, false, true> { pass, particles, links, sums, departures: &[] }, desks, tally, *instructions),
-                (true, true) => whole(StrongLoop::<_, _, _, true, true> { pass, particles, links, sums, departures: &[] }, desks, tally, *instructions),
+            if model.ledger {
+                whole(StrongLoop::<_, _, _, _, true> { pass, particles, links, sums, departures: &[] }, desks, tally, *instructions);
+            } else {
+                parts.run(StrongLoop::<_, _, _, _, false> { pass, particles, links, sums, departures }, desks, *instructions);
             }
         });
         for desk in desks {
