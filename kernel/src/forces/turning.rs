@@ -1,7 +1,8 @@
 //! How far the ends of a link have turned in its frame since it began, thesis eqs. (30)-(32).
 
-use crate::geometry::{Vec2, is_wrapped, small_turn, turn, wrapped};
+use crate::geometry::{Vec2, small_turn, turn, wrapped};
 use crate::scalar::Real;
+use core::f64::consts::PI;
 
 /// Angles in rad by which the ends of most links have turned, and whether they are those of this one: not if
 /// the frame has turned far from its reference, or an angle is to be wrapped to [-pi, pi).
@@ -17,8 +18,9 @@ pub(super) fn turned<S: Real>(
 ) -> ([S; 2], bool) {
     let (of_frame, is_small) = small_turn(reference, normal);
     let turned = in_frame(angles, rest, of_frame);
-    let keeps = !wraps | (is_wrapped(turned[0]) & is_wrapped(turned[1]));
-    (turned, is_small & keeps)
+    let limit = S::from_f64(if wraps { PI } else { f64::INFINITY });
+    let is_wrapped = (turned[0].abs() < limit) & (turned[1].abs() < limit);
+    (turned, is_small & is_wrapped)
 }
 
 /// Angles in rad by which the ends of any link have turned.

@@ -29,16 +29,10 @@ pub fn reversed<S: Real>(angle: S) -> S {
     }
 }
 
-/// Whether the angle lies in [-pi, pi).
-#[inline(always)]
-pub(crate) fn is_wrapped<S: Real>(angle: S) -> bool {
-    (angle >= S::from_f64(-PI)) & (angle < S::from_f64(PI))
-}
-
 /// The angle's representative in [-pi, pi).
 #[inline(always)]
 pub fn wrapped<S: Real>(angle: S) -> S {
-    if is_wrapped(angle) {
+    if angle >= S::from_f64(-PI) && angle < S::from_f64(PI) {
         angle
     } else {
         let turns = (angle * (1.0 / TAU) + S::from_f64(0.5)).floor();

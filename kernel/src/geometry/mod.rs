@@ -7,8 +7,8 @@ mod mixed_arms;
 mod pair_frame;
 mod vector;
 
+pub(crate) use angle::small_turn;
 pub use angle::{angle_of, reversed, turn, wrapped};
-pub(crate) use angle::{is_wrapped, small_turn};
 pub use contact::{
     Arm, ContactDistance, FocalArm, MeanArm, RadiusArm, contact_area, contact_half_length,
     cylinder_contact_area, cylinder_displaced_volume, displaced_volume, focal_distance,
