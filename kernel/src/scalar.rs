@@ -91,17 +91,15 @@ pub trait Real:
     }
 }
 
-/// Coefficients of s^(2k) in arcsin(s) / s: (2k)! / (4^k (k!)^2 (2k + 1)).
-const ASIN: [f64; 9] = [
+/// Coefficients of s^(2k) in arcsin(s) / s: (2k)! / (4^k (k!)^2 (2k + 1)). For a sine of 0.0548 the next term is
+/// 1.3e-17.
+const ASIN: [f64; 6] = [
     1.0,
     1.0 / 6.0,
     3.0 / 40.0,
     5.0 / 112.0,
     35.0 / 1152.0,
     63.0 / 2816.0,
-    231.0 / 13312.0,
-    143.0 / 10240.0,
-    6435.0 / 557056.0,
 ];
 
 impl Real for f64 {
@@ -129,10 +127,8 @@ impl Real for f64 {
     fn asin_small(self) -> Self {
         let q = self * self;
         let q2 = q * q;
-        let q4 = q2 * q2;
         let low = (ASIN[0] + ASIN[1] * q) + (ASIN[2] + ASIN[3] * q) * q2;
-        let high = (ASIN[4] + ASIN[5] * q) + (ASIN[6] + ASIN[7] * q) * q2;
-        self * (low + (high + ASIN[8] * q4) * q4)
+        self * (low + (ASIN[4] + ASIN[5] * q) * (q2 * q2))
     }
     #[inline]
     fn atan2(self, other: Self) -> Self {
@@ -164,7 +160,7 @@ mod tests {
     #[test]
     fn small_inverse_sine_agrees_with_the_general_one() {
         for step in -1000..=1000 {
-            let s = f64::from(step) * 1.25e-4;
+            let s = f64::from(step) * 5.5e-5;
             let (fast, reference) = (s.asin_small(), libm::asin(s));
             assert!((fast - reference).abs() <= 2.0 * f64::EPSILON * reference.abs());
         }

@@ -55,7 +55,7 @@ const EXEMPTIONS: &[Exemption] = &[
     exempt(
         "kernel/src/geometry/angle.rs",
         "turn",
-        "SMALL_SINE",
+        "NEAR_COSINE",
         "where a series takes over from an arctangent that agrees with it",
     ),
     exempt(

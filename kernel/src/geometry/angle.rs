@@ -40,12 +40,12 @@ pub fn wrapped<S: Real>(angle: S) -> S {
     }
 }
 
-/// Largest sine for which [`Real::asin_small`] is used.
-const SMALL_SINE: f64 = 0.125;
+/// Smallest cosine for which [`Real::asin_small`] is used: sines up to 0.0548.
+const NEAR_COSINE: f64 = 0.9985;
 
 /// Angle by which `reference` has to be turned to point along `direction`, and whether it is small.
 ///
-/// $$ \delta = \arcsin(\vec e_0 \times \vec e), \quad \lvert \vec e_0 \times \vec e \rvert \le \tfrac18, \quad \vec e_0 \cdot \vec e > 0 $$
+/// $$ \delta = \arcsin(\vec e_0 \times \vec e), \quad \vec e_0 \cdot \vec e \ge 0.9985 $$
 ///
 /// Both vectors are of unit length. A small angle costs a short polynomial instead of an arctangent;
 /// otherwise the angle is that of the vector (cosine, sine), in (-pi, pi].
@@ -64,8 +64,6 @@ pub fn turn<S: Real>(reference: Vec2<S>, direction: Vec2<S>) -> (S, bool) {
 /// The small angle of [`turn`], and whether it is the angle: without it, the number has no meaning.
 #[inline(always)]
 pub(crate) fn small_turn<S: Real>(reference: Vec2<S>, direction: Vec2<S>) -> (S, bool) {
-    let sine = reference.cross(direction);
-    let is_near = sine.abs() <= S::from_f64(SMALL_SINE);
-    let is_ahead = reference.dot(direction) > S::zero();
-    (sine.asin_small(), is_near & is_ahead)
+    let is_near = reference.dot(direction) >= S::from_f64(NEAR_COSINE);
+    (reference.cross(direction).asin_small(), is_near)
 }

@@ -229,7 +229,7 @@ fn representatives() -> Outcome {
 
 fn arcsine() -> Outcome {
     let (mut coefficient, mut sum) = (1.0, 0.0);
-    for k in 0..9 {
+    for k in 0..6 {
         sum += coefficient;
         let two = f64::from(2 * k);
         coefficient *= (two + 1.0) * (two + 1.0) / ((two + 2.0) * (two + 3.0));
