@@ -4,6 +4,7 @@ use crate::instructions::Instructions;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use pulp::NullaryFnOnce;
+use wide::f64x2;
 
 /// A real number.
 ///
@@ -52,6 +53,16 @@ pub trait Real:
     /// Whether neither infinite nor undefined.
     fn is_finite(self) -> bool;
 
+    /// Differences of two numbers each, by one instruction where there is one.
+    #[inline(always)]
+    fn differences(to: [Self; 2], from: [Self; 2]) -> [Self; 2] {
+        [to[0] - from[0], to[1] - from[1]]
+    }
+    /// Rows and columns exchanged, by two instructions where there are such.
+    #[inline(always)]
+    fn transposed([[a, b], [c, d]]: [[Self; 2]; 2]) -> [[Self; 2]; 2] {
+        [[a, c], [b, d]]
+    }
     /// Run a loop over numbers of this type, with wide instructions where the machine has them for it.
     #[inline(always)]
     fn run<L: NullaryFnOnce>(_: Instructions, body: L) -> L::Output {
@@ -146,6 +157,15 @@ impl Real for f64 {
     #[inline(always)]
     fn is_finite(self) -> bool {
         f64::is_finite(self)
+    }
+    #[inline(always)]
+    fn differences(to: [Self; 2], from: [Self; 2]) -> [Self; 2] {
+        (f64x2::new(to) - f64x2::new(from)).to_array()
+    }
+    #[inline(always)]
+    fn transposed([a, b]: [[Self; 2]; 2]) -> [[Self; 2]; 2] {
+        let [a, b] = f64x2::transpose([f64x2::new(a), f64x2::new(b)]);
+        [a.to_array(), b.to_array()]
     }
     #[inline(always)]
     fn run<L: NullaryFnOnce>(instructions: Instructions, body: L) -> L::Output {

@@ -75,23 +75,13 @@ impl<'a, S: Real> Columns<'a, S> {
     /// The ends of a link between two particles.
     #[inline(always)]
     pub fn ends(&self, pair: Pair) -> Ends<S> {
-        let (difference, radii) = self.gap(pair);
         Ends {
-            difference,
-            velocity: self.relative_velocity(pair),
+            difference: vector(self.difference(pair)),
+            velocity: vector(self.relative_velocity(pair)),
             angles: self.angles(pair),
             spins: self.spins(pair),
-            radii,
+            radii: self.radii(pair),
         }
-    }
-    /// Difference of the positions, and the radii: what decides whether they touch.
-    #[inline(always)]
-    pub fn gap(&self, pair: Pair) -> (Vec2<S>, [S; 2]) {
-        let (i, j) = self.indices(pair);
-        (
-            self.position[j] - self.position[i],
-            [self.radius[i], self.radius[j]],
-        )
     }
     /// Prefetch what links read of a particle, and of its neighbours in the same lines of the cache.
     #[inline(always)]
@@ -109,20 +99,41 @@ impl<'a, S: Real> Columns<'a, S> {
         }
     }
     #[inline(always)]
-    pub fn relative_velocity(&self, pair: Pair) -> Vec2<S> {
+    fn difference(&self, pair: Pair) -> [S; 2] {
         let (i, j) = self.indices(pair);
-        self.velocity[j] - self.velocity[i]
+        difference(&self.position[j], &self.position[i])
     }
     #[inline(always)]
-    pub fn angles(&self, pair: Pair) -> [S; 2] {
+    fn relative_velocity(&self, pair: Pair) -> [S; 2] {
+        let (i, j) = self.indices(pair);
+        difference(&self.velocity[j], &self.velocity[i])
+    }
+    #[inline(always)]
+    fn angles(&self, pair: Pair) -> [S; 2] {
         let (i, j) = self.indices(pair);
         [self.angle[i], self.angle[j]]
     }
     #[inline(always)]
-    pub fn spins(&self, pair: Pair) -> [S; 2] {
+    fn spins(&self, pair: Pair) -> [S; 2] {
         let (i, j) = self.indices(pair);
         [self.angular_velocity[i], self.angular_velocity[j]]
     }
+    #[inline(always)]
+    fn radii(&self, pair: Pair) -> [S; 2] {
+        let (i, j) = self.indices(pair);
+        [self.radius[i], self.radius[j]]
+    }
+}
+
+/// Components of the difference of two vectors.
+#[inline(always)]
+fn difference<S: Real>(to: &Vec2<S>, from: &Vec2<S>) -> [S; 2] {
+    S::differences([to.x, to.y], [from.x, from.y])
+}
+
+#[inline(always)]
+fn vector<S: Real>([x, y]: [S; 2]) -> Vec2<S> {
+    Vec2::new(x, y)
 }
 
 /// What links read, as columns: one instruction serves several of them.
@@ -253,6 +264,14 @@ fn put<S>(columns: &mut [[S; LINKS]; 2], lane: usize, [first, second]: [S; 2]) {
     columns[1][lane] = second;
 }
 
+/// Put down two numbers of each of two links, so that one store serves both links.
+#[inline(always)]
+fn put_two<S: Real>(columns: &mut [[S; LINKS]; 2], two: usize, numbers: [[S; 2]; 2]) {
+    let [firsts, seconds] = S::transposed(numbers);
+    columns[0].as_chunks_mut().0[two] = firsts;
+    columns[1].as_chunks_mut().0[two] = seconds;
+}
+
 #[inline(always)]
 fn taken<S: Copy>(columns: &[[S; LINKS]; 2], lane: usize) -> [S; 2] {
     [columns[0][lane], columns[1][lane]]
@@ -269,28 +288,44 @@ impl<S: Real> Inputs<S> {
         reads: Reads,
         beside: impl Fn(usize),
     ) {
-        for (lane, &pair) in (0..LINKS).zip(pairs) {
-            if lane % LINE == 0 {
-                beside(lane);
+        let (twos, rest) = pairs.as_chunks();
+        for (two, &pairs) in (0..LINKS / 2).zip(twos) {
+            if two % (LINE / 2) == 0 {
+                beside(2 * two);
             }
-            let (difference, radii) = columns.gap(pair);
-            let velocity = columns.relative_velocity(pair);
-            put(&mut self.difference, lane, [difference.x, difference.y]);
-            put(&mut self.velocity, lane, [velocity.x, velocity.y]);
-            if reads.radii {
-                put(&mut self.radii, lane, radii);
-            }
-            if reads.angles {
-                put(&mut self.angles, lane, columns.angles(pair));
-            }
-            if reads.spins {
-                put(&mut self.spins, lane, columns.spins(pair));
-            }
+            self.gather_two(two, columns, pairs, reads);
+        }
+        if let &[last] = rest {
+            self.gather_two(twos.len(), columns, [last; 2], reads);
+        }
+    }
+    /// Gather the ends of two links, those in the given place of all twos.
+    #[inline(always)]
+    fn gather_two(&mut self, two: usize, columns: Columns<S>, pairs: [Pair; 2], reads: Reads) {
+        let [a, b] = pairs;
+        put_two(
+            &mut self.difference,
+            two,
+            [columns.difference(a), columns.difference(b)],
+        );
+        let velocities = [columns.relative_velocity(a), columns.relative_velocity(b)];
+        put_two(&mut self.velocity, two, velocities);
+        if reads.radii {
+            put_two(&mut self.radii, two, [columns.radii(a), columns.radii(b)]);
+        }
+        if reads.angles {
+            put_two(
+                &mut self.angles,
+                two,
+                [columns.angles(a), columns.angles(b)],
+            );
+        }
+        if reads.spins {
+            put_two(&mut self.spins, two, [columns.spins(a), columns.spins(b)]);
         }
     }
     #[inline(always)]
     pub fn ends(&self, lane: usize) -> Ends<S> {
-        let vector = |[x, y]: [S; 2]| Vec2::new(x, y);
         Ends {
             difference: vector(taken(&self.difference, lane)),
             velocity: vector(taken(&self.velocity, lane)),
@@ -306,8 +341,8 @@ impl<S: Real> Frames<S> {
     #[inline(always)]
     pub fn find<M: Metric>(&mut self, metric: M, inputs: &Inputs<S>, number: usize) {
         for lane in 0..number.min(LINKS) {
-            let [x, y] = taken(&inputs.difference, lane);
-            let frame = PairFrame::new(metric.nearest(Vec2::new(x, y)));
+            let difference = vector(taken(&inputs.difference, lane));
+            let frame = PairFrame::new(metric.nearest(difference));
             put(&mut self.normal, lane, [frame.normal.x, frame.normal.y]);
             let distances = [frame.distance, frame.inverse_distance];
             put(&mut self.distances, lane, distances);
@@ -315,12 +350,11 @@ impl<S: Real> Frames<S> {
     }
     #[inline(always)]
     pub fn at(&self, lane: usize) -> PairFrame<S> {
-        let [x, y] = taken(&self.normal, lane);
         let [distance, inverse_distance] = taken(&self.distances, lane);
         PairFrame {
             distance,
             inverse_distance,
-            normal: Vec2::new(x, y),
+            normal: vector(taken(&self.normal, lane)),
         }
     }
 }
