@@ -90,11 +90,7 @@ fn repeated(world: &World, least: usize) -> World {
     if let Some(driving) = &mut model.driving {
         driving.area *= times as f64;
     }
-    let all: Vec<usize> = (0..times).flat_map(|_| 0..number).collect();
-    let mut particles = world.particles().select(&all);
-    for (k, position) in particles.position.iter_mut().enumerate() {
-        position.x += width * (k / number) as f64;
-    }
+    let particles = world.particles().repeated(width, times);
     let x = |i: usize| world.particles().position[i].x;
     let bonds = world.strong_links().expect("there are bonds");
     let pairs = bonds.pairs().iter().map(|pair| pair.indices());

@@ -2,7 +2,6 @@
 
 use gouge_kernel::laws::{CundallStrackTruncated, HaffWerner};
 use gouge_kernel::model::{ContactTangential, Model};
-use gouge_kernel::particles::Particles;
 use gouge_kernel::{Start, World};
 use gouge_validation::error::Error;
 use gouge_validation::run::{Kind, prepared, recorded};
@@ -114,16 +113,7 @@ pub fn rubbing(pressed: &World, friction: Friction, times: usize) -> Result<Worl
     };
     Ok(World::new(
         model,
-        repeated(pressed.particles(), width, times),
+        pressed.particles().repeated(width, times),
         &start,
     )?)
-}
-
-fn repeated(particles: &Particles, width: f64, times: usize) -> Particles {
-    let all: Vec<usize> = (0..times).flat_map(|_| 0..particles.len()).collect();
-    let mut repeated = particles.select(&all);
-    for (k, position) in repeated.position.iter_mut().enumerate() {
-        position.x += width * (k / particles.len()) as f64;
-    }
-    repeated
 }

@@ -161,6 +161,17 @@ impl Particles {
             role: pick(&self.role, kept),
         }
     }
+
+    /// So many copies side by side along x, each a width in m from the one before.
+    pub fn repeated(&self, width: f64, times: usize) -> Self {
+        let number = self.len();
+        let all: Vec<usize> = (0..times).flat_map(|_| 0..number).collect();
+        let mut copies = self.select(&all);
+        for (k, position) in copies.position.iter_mut().enumerate() {
+            position.x += width * (k / number) as f64;
+        }
+        copies
+    }
 }
 
 /// Mass of a homogeneous sphere in kg.
