@@ -6,8 +6,6 @@ use gouge_equations::rendered;
 
 /// When a strong link breaks.
 pub trait YieldLaw: Copy + Send + Sync {
-    /// Whether no link ever breaks.
-    const ABSENT: bool;
     /// Whether a link with this [`weakest_section`] in m^2 breaks under these forces in N.
     fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool;
 }
@@ -17,7 +15,6 @@ pub trait YieldLaw: Copy + Send + Sync {
 pub struct Unbreakable;
 
 impl YieldLaw for Unbreakable {
-    const ABSENT: bool = true;
     #[inline(always)]
     fn is_exceeded<S: Real>(self, _: S, _: S, _: S) -> bool {
         false
@@ -81,7 +78,6 @@ impl ZhangEckert {
 }
 
 impl YieldLaw for ZhangEckert {
-    const ABSENT: bool = false;
     #[inline(always)]
     fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool {
         let normal = normal_force * (1.0 / self.normal_strength);
