@@ -1,7 +1,9 @@
 //! The pairs that are found are those that there are.
 
+use crate::worlds::{advance, head, particle, world};
 use gouge_kernel::geometry::{Metric, Open, PeriodicX, Vec2};
 use gouge_kernel::links::{Cells, Neighbors, Pair, precedes};
+use gouge_kernel::model::{Bond, Model, Yielding};
 use gouge_kernel::particles::{Particle, Particles, Role};
 use proptest::prelude::*;
 
@@ -148,4 +150,51 @@ fn a_world_without_particles_has_no_pairs() {
     assert!(overlapping(Open, &nothing).is_empty());
     let mut neighbors = Neighbors::new(&nothing, [None, None], None);
     assert!(found(Open, &nothing, &mut neighbors).is_empty());
+}
+
+/// Two bonded grains that are torn apart, the second with a role.
+fn torn(role: &str, yielding: bool) -> gouge_kernel::World {
+    let strength = "[bond.yielding]\nlaw = \"zhang-eckert\"\n\
+                    normal_strength = 28e6\ntangential_strength = 16.8e6\n";
+    let text = head("velocity-verlet", 1e-9)
+        + "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n"
+        + if yielding { strength } else { "" }
+        + &particle([0.0, 0.0], [-16.0, 0.0], 0.0, 1e-3)
+        + &particle([2.0e-3, 0.0], [0.0, 0.0], 0.0, 1e-3)
+        + &format!("role = \"{role}\"\n[[bonds]]\nbetween = [0, 1]\n");
+    world(&text)
+}
+
+#[test]
+fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
+    let model = |edges: bool| {
+        let model = *torn("free", true).model();
+        let yielding = |yielding| Yielding {
+            unbreakable_edges: edges,
+            ..yielding
+        };
+        let bond = model.bond.map(|bond| Bond {
+            yielding: bond.yielding.map(yielding),
+            ..bond
+        });
+        Model { bond, ..model }
+    };
+    let edge = Some(vec![Role::Free, Role::Fixed]);
+    let phases = [
+        ("free", true, model(true), None, 0),
+        ("fixed", true, model(true), None, 1),
+        // The edge comes to be only now.
+        ("free", true, model(true), edge.clone(), 1),
+        ("free", true, model(false), edge, 0),
+        // No bond could break before, and now every one can.
+        ("fixed", false, model(false), None, 0),
+    ];
+    for (role, yielding, model, roles, holding) in phases {
+        let mut world = torn(role, yielding)
+            .continue_with(model, roles)
+            .expect("the kernel goes on");
+        advance(&mut world, 5000);
+        let found = world.strong_links().map(|strong| strong.len());
+        assert_eq!(found, Some(holding), "{role} {yielding} {model:?}");
+    }
 }

@@ -109,6 +109,14 @@ pub struct Bond {
     pub yielding: Option<Yielding>,
 }
 
+impl Bond {
+    /// Whether bonds of driven and fixed particles never break, while others do.
+    pub(crate) fn has_unbreakable_edges(&self) -> bool {
+        self.yielding
+            .is_some_and(|yielding| yielding.unbreakable_edges)
+    }
+}
+
 /// Drag of the medium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ambient {

@@ -163,11 +163,14 @@ impl<S: Real> StrongLinks<S> {
                     width,
                 });
             }
-            let link = begin(metric, particles, start, unbreakable_edges);
-            links.push(link);
+            links.push(begin(metric, particles, start));
         }
         links.sort_by_key(|link| link.pair);
-        Ok(Self::from_links(&links, particles))
+        let mut links = Self::from_links(&links, particles);
+        if unbreakable_edges {
+            links.strengthen_edges(particles);
+        }
+        Ok(links)
     }
 
     /// Links as they were recorded, in the order of their pairs, between particles that exist.
@@ -176,18 +179,37 @@ impl<S: Real> StrongLinks<S> {
             let (i, j) = link.pair.indices();
             [particles.radius[i], particles.radius[j]]
         };
-        let section = |link| weakest_section(radii(link), link.strength_factor);
-        Self {
+        let zeros = vec![S::zero(); links.len()];
+        let mut columns = Self {
             pairs: links.iter().map(|link| link.pair).collect(),
             references: twin::collect(links, |StrongLink { rest, .. }| {
                 [rest.reference.x, rest.reference.y]
             }),
             angles: twin::collect(links, |link| link.rest.angles),
             distances: links.iter().map(|link| link.rest.distance).collect(),
-            strength_factors: links.iter().map(|link| link.strength_factor).collect(),
-            sections: links.iter().map(section).collect(),
+            strength_factors: zeros.clone(),
+            sections: zeros,
             radii: twin::collect(links, radii),
             broken: Vec::with_capacity(links.len()),
+        };
+        for (position, link) in links.iter().enumerate() {
+            columns.set_strength_factor(position, link.strength_factor);
+        }
+        columns
+    }
+
+    fn set_strength_factor(&mut self, position: usize, factor: S) {
+        self.strength_factors[position] = factor;
+        self.sections[position] = weakest_section(twin::at(&self.radii, position), factor);
+    }
+
+    /// Make the bonds of driven and fixed particles unbreakable.
+    pub(crate) fn strengthen_edges(&mut self, particles: &Particles<S>) {
+        for position in 0..self.len() {
+            let (i, j) = self.pairs[position].indices();
+            if [i, j].iter().any(|&end| particles.role[end] != Role::Free) {
+                self.set_strength_factor(position, S::from_f64(f64::INFINITY));
+            }
         }
     }
 
@@ -236,15 +258,6 @@ impl<S: Real> StrongLinks<S> {
     /// The section that carries the forces of the bond at a position when it breaks, in m^2.
     pub(crate) fn section(&self, position: usize) -> S {
         self.sections[position]
-    }
-    /// Make the bonds of some pairs unbreakable.
-    pub(crate) fn strengthen(&mut self, pairs: impl Fn(Pair) -> bool) {
-        let strengths = self.strength_factors.iter_mut().zip(&mut self.sections);
-        for (&pair, (factor, section)) in self.pairs.iter().zip(strengths) {
-            if pairs(pair) {
-                (*factor, *section) = (S::from_f64(f64::INFINITY), S::from_f64(f64::INFINITY));
-            }
-        }
     }
     /// The bonds that hold.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = StrongLink<S>> + Clone {
@@ -324,7 +337,6 @@ fn begin<S: Real, M: Metric>(
     metric: M,
     particles: &Particles<S>,
     start: &BondStart,
-    unbreakable_edges: bool,
 ) -> StrongLink<S> {
     let pair = Pair::new(start.between[0], start.between[1]);
     let (i, j) = pair.indices();
@@ -336,12 +348,6 @@ fn begin<S: Real, M: Metric>(
             [a[1], a[0]]
         }
     });
-    let at_edge = particles.role[i] != Role::Free || particles.role[j] != Role::Free;
-    let strength = if unbreakable_edges && at_edge {
-        f64::INFINITY
-    } else {
-        start.strength_factor
-    };
     StrongLink {
         pair,
         rest: Rest {
@@ -349,7 +355,7 @@ fn begin<S: Real, M: Metric>(
             angles: rest_angles(&frame, [particles.angle[i], particles.angle[j]], angles),
             distance: start.initial_distance.map_or(frame.distance, S::from_f64),
         },
-        strength_factor: S::from_f64(strength),
+        strength_factor: S::from_f64(start.strength_factor),
     }
 }
 

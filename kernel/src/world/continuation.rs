@@ -49,15 +49,10 @@ impl World {
 
     /// Make the bonds of driven and fixed particles unbreakable, if the model wants them so.
     fn strengthen_edges(&mut self) {
-        let edges = self.model.bond.and_then(|bond| bond.yielding);
-        let (Some(strong), true) = (&mut self.strong, edges.is_some_and(|y| y.unbreakable_edges))
-        else {
-            return;
-        };
-        let role = &self.particles.role;
-        strong.strengthen(|pair| {
-            let (i, j) = pair.indices();
-            role[i] != Role::Free || role[j] != Role::Free
-        });
+        if let (Some(strong), Some(bond)) = (&mut self.strong, self.model.bond)
+            && bond.has_unbreakable_edges()
+        {
+            strong.strengthen_edges(&self.particles);
+        }
     }
 }

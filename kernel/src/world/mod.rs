@@ -146,9 +146,7 @@ impl<S: Real> World<S> {
             model, particles, ..
         } = self;
         if let Some(bond) = model.bond {
-            let edges = bond
-                .yielding
-                .is_none_or(|yielding| yielding.unbreakable_edges);
+            let edges = bond.has_unbreakable_edges();
             let period = model.period();
             self.strong = Some(with_metric!(model, metric => {
                 StrongLinks::new(metric, particles, &start.bonds, edges, period)
