@@ -1,9 +1,10 @@
-//! Calibration against the laws of the kernel, integrated without its world.
+//! Calibration against the laws of the kernel, integrated without its world, and the numbers of the thesis.
 
 use gouge_kernel::calibration::{
-    breaking_overlap_hertzian, damping_bound, damping_ratio_for,
-    dissipative_constant_from_restitution, matching_stiffness, truncated_duration,
-    truncated_restitution,
+    FrictionDecay, breaking_overlap_hertzian, breaking_overlap_linear, damping_bound,
+    damping_ratio_for, dissipative_constant_from_restitution,
+    dissipative_constant_printed_from_restitution, first_order_coefficient, matching_stiffness,
+    truncated_duration, truncated_restitution,
 };
 use gouge_kernel::laws::{Bshp, KelvinVoigt, NormalLaw};
 use gouge_kernel::material::GRANITE;
@@ -121,4 +122,68 @@ fn metre_spheres_rebound_nearly_as_the_first_order_promises() {
         error(0.02),
         error(0.002)
     );
+}
+
+#[test]
+fn granite_gives_the_numbers_of_the_thesis() {
+    let k = matching_stiffness(GRANITE.elastic(), 1e-3, 280e6, 1.0);
+    assert!((k / 8.141_582_8e6 - 1.0).abs() < 1e-7);
+    assert!((breaking_overlap_linear(1e7, 1e-3, 280e6, 1.0) / 8.796_459_43e-5 - 1.0).abs() < 1e-9);
+    let printed = dissipative_constant_printed_from_restitution(0.83, 2700.0, 1.0);
+    assert!((printed / 6.269e-3 - 1.0).abs() < 1e-3);
+    let right = dissipative_constant_from_restitution(0.83, GRANITE.elastic(), 2700.0, 0.5, 1.0);
+    assert!((right / 1.6249e-4 - 1.0).abs() < 1e-4);
+    assert!((damping_bound(right, k) / 1.32e3 - 1.0).abs() < 5e-3);
+}
+
+#[test]
+fn both_laws_carry_the_breaking_force_at_their_overlaps() {
+    let elastic = GRANITE.elastic();
+    let k = matching_stiffness(elastic, 1e-3, 280e6, 0.95);
+    let linear = breaking_overlap_linear(k, 1e-3, 280e6, 0.95);
+    let hertzian = breaking_overlap_hertzian(elastic, 1e-3, 280e6, 0.95);
+    assert!((linear / hertzian - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn the_first_coefficient_is_that_of_an_integrated_collision() {
+    // x'' = -(x^1.5 + b sqrt(x) x') from x = 0 at unit speed, by classical Runge-Kutta.
+    let force = |x: f64, v: f64| -(x.max(0.0).powf(1.5) + 1e-3 * x.max(0.0).sqrt() * v);
+    let (mut x, mut v, h) = (1e-12, 1.0, 1e-5);
+    while x > 0.0 && (force(x, v) < 0.0 || v > 0.0) {
+        let (k1, l1) = (v, force(x, v));
+        let (k2, l2) = (v + 0.5 * h * l1, force(x + 0.5 * h * k1, v + 0.5 * h * l1));
+        let (k3, l3) = (v + 0.5 * h * l2, force(x + 0.5 * h * k2, v + 0.5 * h * l2));
+        let (k4, l4) = (v + h * l3, force(x + h * k3, v + h * l3));
+        x += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+        v += h / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
+    }
+    let slope = (1.0 + v) / 1e-3;
+    // The next term of the expansion is 0.8 b.
+    assert!(
+        (slope / first_order_coefficient() - 1.0).abs() < 1e-3,
+        "{slope}"
+    );
+}
+
+#[test]
+fn damping_ratios_invert_restitutions() {
+    for wanted in [0.99, 0.83, 0.5, 0.223, 0.1353, 0.01, 1e-3] {
+        let found = truncated_restitution(damping_ratio_for(wanted));
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{wanted} {found}");
+    }
+    assert!((damping_ratio_for(0.83) / 0.061_616_358 - 1.0).abs() < 1e-7);
+}
+
+#[test]
+fn friction_rises_to_its_peak_and_decays_to_its_residual() {
+    let decay = FrictionDecay {
+        peak_time: 2.0,
+        peak: 0.9,
+        residual: 0.3,
+        rate: 5.0,
+    };
+    assert_eq!([decay.at(1.0), decay.at(2.0)], [0.45, 0.9]);
+    assert!((decay.at(2.0 + 1e-9) - 0.9).abs() < 1e-8);
+    assert!((decay.at(100.0) - 0.3).abs() < 1e-12);
 }

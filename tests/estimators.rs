@@ -2,8 +2,8 @@
 
 use crate::worlds::{advance, head, particle, world};
 use gouge_kernel::estimators::{
-    Region, coordination_number, fragments, mean_stress, packing_fraction, radial_distribution,
-    visible_fraction,
+    Region, connected, coordination_number, fragments, mean_stress, packing_fraction,
+    radial_distribution, visible_fraction,
 };
 use gouge_kernel::geometry::Vec2;
 use rand::RngExt;
@@ -276,4 +276,12 @@ fn edges_do_not_thin_an_ideal_gas() {
         let worst = far.map(|(_, g)| (g - 1.0).abs()).fold(0.0, f64::max);
         assert!(worst < 0.06, "{worst}");
     }
+}
+
+#[test]
+fn a_chain_a_ring_and_loners_are_told_apart() {
+    let edges = [(5, 2), (2, 8), (1, 3), (3, 7), (7, 1)];
+    let found = connected(9, edges.into_iter());
+    assert_eq!(found.number, 5);
+    assert_eq!(found.label, [0, 1, 2, 1, 3, 2, 4, 1, 2]);
 }

@@ -6,6 +6,7 @@ use gouge_kernel::geometry::{
     displaced_volume, focal_distance, focal_point, mean_distance, mean_distance_of_extremities,
     overlap_factor, reversed, turn, wrapped,
 };
+use gouge_kernel::scalar::Real;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -138,4 +139,13 @@ fn areas_and_volumes_are_those_of_quadrature() {
     assert_eq!(displaced_volume([1.0, 2.0], 3.0), 0.0);
     assert!((displaced_volume([1.0, 2.0], 0.5) - 4.0 / 3.0 * PI).abs() < 1e-14);
     assert!((cylinder_displaced_volume(2.0, [1.0, 2.0], 0.5) - 2.0 * PI).abs() < 1e-14);
+}
+
+#[test]
+fn small_inverse_sine_agrees_with_the_general_one() {
+    for step in -1000..=1000 {
+        let s = f64::from(step) * 5.5e-5;
+        let (fast, reference) = (s.asin_small(), libm::asin(s));
+        assert!((fast - reference).abs() <= 2.0 * f64::EPSILON * reference.abs());
+    }
 }

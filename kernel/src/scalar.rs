@@ -172,17 +172,3 @@ impl Real for f64 {
         instructions.run(body)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Real;
-
-    #[test]
-    fn small_inverse_sine_agrees_with_the_general_one() {
-        for step in -1000..=1000 {
-            let s = f64::from(step) * 5.5e-5;
-            let (fast, reference) = (s.asin_small(), libm::asin(s));
-            assert!((fast - reference).abs() <= 2.0 * f64::EPSILON * reference.abs());
-        }
-    }
-}

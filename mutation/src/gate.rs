@@ -71,7 +71,7 @@ impl Gate {
     pub fn build(copy: &Path) -> Outcome<Self> {
         let output = Command::new(env!("CARGO"))
             .args(["test", "--no-run", "--message-format=json"])
-            .args(["-p", "gouge-kernel", "-p", "gouge-validation"])
+            .args(["-p", "gouge-validation"])
             .args(["--lib", "--test", "gate"])
             .current_dir(copy)
             .stderr(Stdio::inherit())

@@ -52,16 +52,3 @@ fn root(parent: &mut [usize], mut node: usize) -> usize {
     }
     node
 }
-
-#[cfg(test)]
-mod tests {
-    use super::connected;
-
-    #[test]
-    fn a_chain_a_ring_and_loners_are_told_apart() {
-        let edges = [(5, 2), (2, 8), (1, 3), (3, 7), (7, 1)];
-        let found = connected(9, edges.into_iter());
-        assert_eq!(found.number, 5);
-        assert_eq!(found.label, [0, 1, 2, 1, 3, 2, 4, 1, 2]);
-    }
-}
