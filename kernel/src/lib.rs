@@ -25,4 +25,4 @@ pub mod calibration;
 
 pub use error::{ModelError, StepError};
 pub use instructions::Instructions;
-pub use world::{Drive, Start, World, stable_step_estimate};
+pub use world::{Drive, Number, Start, World, stable_step_estimate};

@@ -1,8 +1,7 @@
 //! How worlds use the machine: nothing here changes a bit of a result.
 
 use crate::error::Error;
-use gouge_kernel::scalar::Real;
-use gouge_kernel::{Instructions, World};
+use gouge_kernel::{Instructions, Number, World};
 use rayon::ThreadPoolBuilder;
 use std::sync::LazyLock;
 
@@ -97,7 +96,7 @@ pub fn default_threads(particles: usize) -> usize {
 }
 
 /// A world that uses the machine as chosen; where the choice is an error, as without one.
-pub(crate) fn equipped<S: Real>(world: World<S>) -> World<S> {
+pub(crate) fn equipped<S: Number>(world: World<S>) -> World<S> {
     let default = Machine {
         instructions: Instructions::widest(),
         threads: None,
@@ -111,7 +110,7 @@ pub(crate) fn equipped<S: Real>(world: World<S>) -> World<S> {
 }
 
 /// A world that so many threads compute.
-pub fn divided<S: Real>(world: World<S>, threads: usize) -> World<S> {
+pub fn divided<S: Number>(world: World<S>, threads: usize) -> World<S> {
     let parts = if threads > 1 {
         PARTS_A_THREAD * threads
     } else {

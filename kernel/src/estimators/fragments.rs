@@ -1,7 +1,6 @@
 //! Fragments: what strong links hold together.
 
-use crate::scalar::Real;
-use crate::world::World;
+use crate::world::{Number, World};
 
 /// The connected components of the strong links.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,7 +12,7 @@ pub struct Fragments {
 }
 
 /// The fragments of a world.
-pub fn fragments<S: Real>(world: &World<S>) -> Fragments {
+pub fn fragments<S: Number>(world: &World<S>) -> Fragments {
     let pairs = world
         .strong_links()
         .map_or(&[][..], |strong| strong.pairs());

@@ -1,7 +1,6 @@
 //! How densely and how well connected a packing is.
 
-use crate::scalar::Real;
-use crate::world::World;
+use crate::world::{Number, World};
 use core::f64::consts::PI;
 use gouge_equations::rendered;
 
@@ -17,7 +16,7 @@ pub fn packing_fraction(radii: &[f64], area: f64) -> f64 {
 }
 
 /// Mean number of links a particle, weak and strong together, zero without particles.
-pub fn coordination_number<S: Real>(world: &World<S>) -> f64 {
+pub fn coordination_number<S: Number>(world: &World<S>) -> f64 {
     let number = world.particles().len().max(1);
     2.0 * world.links().len() as f64 / number as f64
 }

@@ -1,7 +1,6 @@
 //! Mean stress of a region.
 
-use crate::scalar::Real;
-use crate::world::World;
+use crate::world::{Number, World};
 use gouge_equations::rendered;
 
 /// Mean stress of a volume in Pa, positive in tension: `[[xx, xy], [yx, yy]]`.
@@ -12,7 +11,7 @@ use gouge_equations::rendered;
 /// the plane its area times its depth. Symmetric where every particle is in rotational equilibrium.
 /// Holds for slow motion: the kinetic part is left out.
 #[rendered]
-pub fn mean_stress<S: Real>(world: &World<S>, volume: f64) -> [[f64; 2]; 2] {
+pub fn mean_stress<S: Number>(world: &World<S>, volume: f64) -> [[f64; 2]; 2] {
     let mut sum = [[0.0; 2]; 2];
     for link in world.links() {
         let (normal, tangent) = (link.normal, link.normal.perpendicular());

@@ -1,6 +1,6 @@
 //! Going on from one phase to the next.
 
-use super::{Start, World};
+use super::{Number, Start, World};
 use crate::balance::Ledger;
 use crate::error::ModelError;
 use crate::model::Model;
@@ -37,7 +37,7 @@ impl World {
         world.adopt_links(links, contacts);
         world.strengthen_edges();
         if model.ledger {
-            world.ledger = Some(Ledger::starting_from(&world.state_energy()));
+            world.ledger = Some(Ledger::starting_from(&Number::state_energy(&world)));
         }
         Ok(world)
     }

@@ -1,7 +1,7 @@
 //! One evaluation: links, forces and the ledger's tally at the present positions and velocities.
 
-use super::World;
 use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
+use super::{Number, World};
 use crate::balance::Energy;
 use crate::error::StepError;
 use crate::forces::{self, Depart, Desk, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
@@ -31,7 +31,7 @@ fn whole<S: Real, D: Work<Desk<S>>>(
     }
 }
 
-impl<S: Real> World<S> {
+impl<S: Number> World<S> {
     /// Forces at the present positions and velocities; bonds break, contacts begin and end. Whether a step
     /// has passed since the previous evaluation decides what the drive and sums over steps gain.
     ///
@@ -267,6 +267,10 @@ impl<S: Real> World<S> {
     }
     /// Every pair that interacts in the present state, in order, strong links after weak ones.
     pub fn links(&self) -> Vec<LinkState> {
+        S::links(self)
+    }
+
+    pub(super) fn find_links(&self) -> Vec<LinkState> {
         let Self {
             model, particles, ..
         } = self;
@@ -285,7 +289,7 @@ impl<S: Real> World<S> {
     }
 
     /// The energies that are functions of the state, in J.
-    pub(super) fn state_energy(&self) -> Energy<S> {
+    pub(super) fn sum_state_energy(&self) -> Energy<S> {
         let Self {
             model, particles, ..
         } = self;

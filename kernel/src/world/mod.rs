@@ -3,9 +3,11 @@
 mod continuation;
 mod dispatch;
 mod evaluate;
+mod number;
 mod record;
 mod watch;
 
+pub use number::Number;
 pub use watch::stable_step_estimate;
 
 use crate::balance::{Energy, Ledger};
@@ -50,7 +52,7 @@ pub struct Start {
 
 /// Everything that changes with time, and exactly the arrays that the model asks for.
 #[derive(Clone, Debug)]
-pub struct World<S: Real = f64> {
+pub struct World<S: Number = f64> {
     model: Model,
     particles: Particles<S>,
     inverse_mass: Vec<S>,
@@ -76,7 +78,7 @@ pub struct World<S: Real = f64> {
     is_evaluated: bool,
 }
 
-impl<S: Real> World<S> {
+impl<S: Number> World<S> {
     /// The world of a model, with its particles and links at t = 0.
     ///
     /// # Errors
@@ -136,7 +138,7 @@ impl<S: Real> World<S> {
         world.make_links(start)?;
         world.make_room();
         if model.ledger {
-            world.ledger = Some(Ledger::starting_from(&world.state_energy()));
+            world.ledger = Some(Ledger::starting_from(&S::state_energy(&world)));
         }
         Ok(world)
     }
@@ -238,6 +240,10 @@ impl<S: Real> World<S> {
     /// A state that is no longer finite, or a particle that moved more than a cell. The state is then
     /// that of the failure, not of the last good step.
     pub fn step(&mut self) -> Result<(), StepError> {
+        S::step(self)
+    }
+
+    fn take_step(&mut self) -> Result<(), StepError> {
         self.evaluate_if_pending()?;
         let before = self.tally;
         let step = self.model.time_step;
@@ -280,6 +286,10 @@ impl<S: Real> World<S> {
         if self.is_evaluated {
             return Ok(());
         }
+        S::evaluate(self)
+    }
+
+    fn evaluate_first(&mut self) -> Result<(), StepError> {
         self.learn_velocity();
         self.evaluate(self.model.integrator.evaluates_first(), false)?;
         self.is_evaluated = true;
@@ -363,7 +373,7 @@ impl<S: Real> World<S> {
 
     /// Every term of the energy balance (72) in J; those of the ledger are zero without one.
     pub fn energy(&self) -> Energy<S> {
-        let energy = self.state_energy();
+        let energy = S::state_energy(self);
         match &self.ledger {
             Some(ledger) => ledger.balance(energy),
             None => energy,

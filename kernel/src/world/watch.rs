@@ -1,13 +1,12 @@
 //! Stops a run whose state has become senseless, and says why.
 
-use super::World;
+use super::{Number, World};
 use crate::error::StepError;
 use crate::integrators::{Oscillator, critical_step};
 use crate::model::{ContactNormal, ContactTangential, Model};
-use crate::scalar::Real;
 
 /// Check every particle; see [`World::check`].
-pub(super) fn check<S: Real>(world: &World<S>) -> Result<(), StepError> {
+pub(super) fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
     let p = &world.particles;
     let step = world.model.time_step;
     let cell = farthest(world);
@@ -44,7 +43,7 @@ pub(super) fn check<S: Real>(world: &World<S>) -> Result<(), StepError> {
 
 /// How far a particle may move in one step in m: a cell, where there are contacts; with bonds alone
 /// the largest diameter, which no bond survives; without links any distance.
-fn farthest<S: Real>(world: &World<S>) -> f64 {
+fn farthest<S: Number>(world: &World<S>) -> f64 {
     match (&world.weak, &world.strong) {
         (Some(weak), _) => weak.neighbors().cell_side(),
         (None, Some(_)) => 2.0 * world.particles.largest_radius(),
@@ -53,7 +52,7 @@ fn farthest<S: Real>(world: &World<S>) -> f64 {
 }
 
 /// The link of a particle with the largest force, or one whose force is not even finite.
-fn most_strained_link<S: Real>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
+fn most_strained_link<S: Number>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
     let strain = |link: &crate::forces::LinkState| {
         let force = link.normal_force.abs() + link.tangential_force.abs();
         if force.is_finite() {
@@ -79,7 +78,7 @@ fn most_strained_link<S: Real>(world: &World<S>, particle: usize) -> Option<[usi
 /// By Gershgorin's theorem no mode is stiffer than twice the sum of the stiffnesses on one particle
 /// over its inertia; the same holds for damping. The largest of both are taken together. Contacts count
 /// as if every pair near enough to touch did.
-pub fn stable_step_estimate<S: Real>(world: &World<S>) -> f64 {
+pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
     let number = world.particles.len();
     let mut stiffness = vec![0.0; number];
     let mut damping = vec![0.0; number];

@@ -2,12 +2,11 @@
 
 use super::Failure;
 use crate::scene::Scene;
-use gouge_kernel::World;
 use gouge_kernel::geometry::Vec2;
 use gouge_kernel::integrators::Integrator;
 use gouge_kernel::model::{Domain, Model, Reading};
 use gouge_kernel::particles::{Particle, Role};
-use gouge_kernel::scalar::Real;
+use gouge_kernel::{Number, World};
 use std::path::Path;
 
 /// Head of a scene in an open box: integrator, step, density 2700 kg/m^3, an end that nothing reaches.
@@ -48,7 +47,7 @@ pub fn world(text: &str) -> Result<World, Failure> {
 ///
 /// # Errors
 /// As [`world`].
-pub fn world_in<S: Real>(text: &str) -> Result<World<S>, Failure> {
+pub fn world_in<S: Number>(text: &str) -> Result<World<S>, Failure> {
     Ok(scene(text)?.initial_world_in()?)
 }
 
@@ -56,7 +55,7 @@ pub fn world_in<S: Real>(text: &str) -> Result<World<S>, Failure> {
 ///
 /// # Errors
 /// States that became senseless.
-pub fn advance<S: Real>(world: &mut World<S>, steps: u64) -> Result<(), Failure> {
+pub fn advance<S: Number>(world: &mut World<S>, steps: u64) -> Result<(), Failure> {
     for _ in 0..steps {
         world.step()?;
     }

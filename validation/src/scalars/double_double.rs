@@ -1,6 +1,7 @@
 //! Double-double precision.
 
 use super::forward_arithmetic;
+use gouge_kernel::Number;
 use gouge_kernel::scalar::Real;
 use xprec::Df64;
 
@@ -17,6 +18,8 @@ impl Default for DoubleDouble {
 }
 
 forward_arithmetic!(DoubleDouble, core::convert::identity);
+
+impl Number for DoubleDouble {}
 
 impl Real for DoubleDouble {
     #[inline(always)]

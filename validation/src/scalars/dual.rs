@@ -2,6 +2,7 @@
 
 use super::forward_arithmetic;
 use core::cmp::Ordering;
+use gouge_kernel::Number;
 use gouge_kernel::scalar::Real;
 use num_dual::{Dual64, DualNum};
 
@@ -47,6 +48,8 @@ impl PartialOrd for Dual {
 }
 
 forward_arithmetic!(Dual, core::convert::identity);
+
+impl Number for Dual {}
 
 impl Real for Dual {
     fn from_f64(value: f64) -> Self {

@@ -1,6 +1,7 @@
 //! Single precision.
 
 use super::forward_arithmetic;
+use gouge_kernel::Number;
 use gouge_kernel::scalar::Real;
 
 /// A number of 24 bits, and all arithmetic in them.
@@ -12,6 +13,8 @@ fn narrow(factor: f64) -> f32 {
 }
 
 forward_arithmetic!(Single, narrow);
+
+impl Number for Single {}
 
 impl Real for Single {
     #[inline(always)]

@@ -23,7 +23,7 @@ use gouge_kernel::links::{BondStart, ContactStart};
 use gouge_kernel::model::{Ambient, Bond, Contact, Domain, External, Model, Reading};
 use gouge_kernel::particles::{Particle, Particles};
 use gouge_kernel::scalar::Real;
-use gouge_kernel::{ModelError, Start, World};
+use gouge_kernel::{ModelError, Number, Start, World};
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use table::{Range, Source, Table};
@@ -252,7 +252,7 @@ impl Scene {
     ///
     /// # Errors
     /// States that the kernel refuses.
-    pub fn initial_world_in<S: Real>(&self) -> std::result::Result<World<S>, ModelError> {
+    pub fn initial_world_in<S: Number>(&self) -> std::result::Result<World<S>, ModelError> {
         let mut particles: Particles<S> = self.particles.iter().copied().collect();
         wrap(&self.domain, &mut particles);
         let radii: Vec<f64> = self.particles.iter().map(|one| one.radius).collect();

@@ -12,8 +12,7 @@ use gouge_kernel::integrators::Integrator;
 use gouge_kernel::links::BondStart;
 use gouge_kernel::model::Model;
 use gouge_kernel::particles::Particles;
-use gouge_kernel::scalar::Real;
-use gouge_kernel::{Start, World};
+use gouge_kernel::{Number, Start, World};
 use nalgebra::DMatrix;
 
 /// Step in s: 2^-30.
@@ -83,7 +82,7 @@ impl Rest {
         (0..p.len()).flat_map(of).collect()
     }
 
-    fn moving<S: Real>(&self, model: Model, rates: &[S]) -> Result<World<S>, Failure> {
+    fn moving<S: Number>(&self, model: Model, rates: &[S]) -> Result<World<S>, Failure> {
         let p = &self.particles;
         let numbers = |column: &[f64]| column.iter().map(|&x| S::from_f64(x)).collect();
         let particles = Particles {
@@ -100,7 +99,7 @@ impl Rest {
     }
 
     /// The world, evaluated after a displacement of every coordinate, without damping.
-    pub fn displaced<S: Real>(&self, displacement: &[S]) -> Result<World<S>, Failure> {
+    pub fn displaced<S: Number>(&self, displacement: &[S]) -> Result<World<S>, Failure> {
         let mut model = self.model;
         if let Some(bond) = &mut model.bond {
             bond.normal.damping = 0.0;
@@ -116,7 +115,7 @@ impl Rest {
     }
 
     /// The world with a given rate of every coordinate, to be run with the given method and step in s.
-    pub fn launched<S: Real>(
+    pub fn launched<S: Number>(
         &self,
         rates: &[S],
         integrator: Integrator,
@@ -164,7 +163,7 @@ impl Rest {
 }
 
 /// Force or torque on every coordinate.
-pub fn forces<S: Real>(world: &World<S>) -> Vec<S> {
+pub fn forces<S: Number>(world: &World<S>) -> Vec<S> {
     let forces = world.forces();
     let of = |(force, torque): (&Vec2<S>, &S)| [force.x, force.y, *torque];
     forces
@@ -176,7 +175,7 @@ pub fn forces<S: Real>(world: &World<S>) -> Vec<S> {
 }
 
 /// Positions and angles of all particles.
-pub fn coordinates<S: Real>(world: &World<S>) -> Vec<S> {
+pub fn coordinates<S: Number>(world: &World<S>) -> Vec<S> {
     let p = world.particles();
     let of = |(x, angle): (&Vec2<S>, &S)| [x.x, x.y, *angle];
     p.position.iter().zip(&p.angle).flat_map(of).collect()

@@ -13,8 +13,7 @@ use gouge_kernel::model::{
     Ambient, Bond, Contact, ContactNormal, ContactTangential, External, Model, Yielding,
 };
 use gouge_kernel::particles::{Particle, Particles, Role};
-use gouge_kernel::scalar::Real;
-use gouge_kernel::{Start, World};
+use gouge_kernel::{Number, Start, World};
 
 /// Factors by which the units of length, time and mass are smaller.
 #[derive(Clone, Copy)]
@@ -104,7 +103,7 @@ impl Cluster {
     }
 
     /// Its world at t = 0, in any number type.
-    pub fn world<S: Real>(&self) -> Result<World<S>, Failure> {
+    pub fn world<S: Number>(&self) -> Result<World<S>, Failure> {
         let particles: Particles<S> = self.grains.iter().copied().collect();
         let start = Start {
             bonds: self.bonds.clone(),

@@ -6,7 +6,7 @@ use gouge_kernel::integrators::Integrator;
 use gouge_kernel::model::Model;
 use gouge_kernel::particles::{Particles, Role};
 use gouge_kernel::scalar::Real;
-use gouge_kernel::{Start, World};
+use gouge_kernel::{Number, Start, World};
 use std::ops::Range;
 use xprec::Df64;
 
@@ -75,7 +75,7 @@ impl Origin {
     }
 
     /// A world that starts here, in any number type, without the ledger.
-    pub fn world<S: Real>(&self, integrator: Integrator, step: f64) -> Result<World<S>, Failure> {
+    pub fn world<S: Number>(&self, integrator: Integrator, step: f64) -> Result<World<S>, Failure> {
         let model = Model {
             integrator,
             time_step: step,

@@ -5,8 +5,7 @@ use crate::checks::Failure;
 use crate::scalars::{DoubleDouble, Single};
 use crate::scene::INTEGRATORS;
 use gouge_kernel::integrators::Integrator;
-use gouge_kernel::scalar::Real;
-use gouge_kernel::{StepError, World};
+use gouge_kernel::{Number, StepError, World};
 use std::ops::Range;
 use std::time::Instant;
 
@@ -143,7 +142,7 @@ impl<'a> Bench<'a> {
         })
     }
 
-    fn run<S: Real>(&self, integrator: Integrator, rung: u32) -> Result<Rung, Failure> {
+    fn run<S: Number>(&self, integrator: Integrator, rung: u32) -> Result<Rung, Failure> {
         let (step, steps) = self.case.rung(rung);
         let start = self.origin.world::<S>(integrator, step)?;
         let mut world = start.clone();
@@ -169,7 +168,7 @@ impl<'a> Bench<'a> {
 const SHORT: f64 = 5e-3;
 
 /// Times of repeated runs after a first, which warmed up.
-fn repeated<S: Real>(start: &World<S>, steps: u64, first: f64) -> Result<Spread, Failure> {
+fn repeated<S: Number>(start: &World<S>, steps: u64, first: f64) -> Result<Spread, Failure> {
     let repetitions = if first < SHORT { 21 } else { 5 };
     let times = (0..repetitions)
         .map(|_| stepping(&mut start.clone(), steps))
@@ -178,7 +177,7 @@ fn repeated<S: Real>(start: &World<S>, steps: u64, first: f64) -> Result<Spread,
 }
 
 /// Advance a world by so many steps; the seconds that it took.
-fn stepping<S: Real>(world: &mut World<S>, steps: u64) -> Result<f64, StepError> {
+fn stepping<S: Number>(world: &mut World<S>, steps: u64) -> Result<f64, StepError> {
     let began = Instant::now();
     for _ in 0..steps {
         world.step()?;
