@@ -63,6 +63,12 @@ enum Measurement {
         #[arg(long, default_value = "")]
         only: String,
     },
+    /// The whole shear of the fault with bonds, beside LAMMPS
+    Whole {
+        /// LAMMPS with the package BPM
+        #[arg(long)]
+        lammps: Option<PathBuf>,
+    },
     /// Error against run time of two small scenes, beside LAMMPS
     Precision {
         /// LAMMPS with the packages BPM and GRANULAR
@@ -122,6 +128,10 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
                 beams: build(lammps),
             };
             cases = peers::measure(&programs, rounds, &only)?;
+        }
+        Measurement::Whole { lammps } => {
+            let beams = lammps.map(|program| Lammps { program });
+            cases.push(peers::whole(beams.as_ref(), rounds)?);
         }
         Measurement::Precision { lammps } => {
             precision = precision::measure(&Lammps { program: lammps }, rounds)?;

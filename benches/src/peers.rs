@@ -4,7 +4,7 @@ use crate::folder::temporary_folder;
 use crate::lammps::{Lammps, data, roles};
 use crate::parts::bytes;
 use crate::sample::Sample;
-use crate::worlds::{Friction, fault, pressed, rubbing};
+use crate::worlds::{Friction, fault, fault_steps, pressed, rubbing};
 use gouge_kernel::World;
 use gouge_validation::error::Error;
 use serde::Serialize;
@@ -129,7 +129,6 @@ pub struct Programs {
 /// # Errors
 /// Scenes that cannot be set up, programs that fail.
 pub fn measure(programs: &Programs, rounds: usize, only: &str) -> Result<Vec<Case>, Error> {
-    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers");
     let loose = |friction| rubbing(&pressed(0.1)?, friction, 1);
     type Make<'a> = &'a dyn Fn() -> Result<World, Error>;
     let scenes: [(&str, Make, &str, &Option<Lammps>); 6] = [
@@ -173,40 +172,84 @@ pub fn measure(programs: &Programs, rounds: usize, only: &str) -> Result<Vec<Cas
     let mut cases = Vec::new();
     for (name, make, input, program) in scenes {
         if name.contains(only) {
-            let program = program
-                .as_ref()
-                .map(|program| (program, inputs.join(input)));
-            cases.push(compare(name, make()?, program, rounds)?);
+            let turns = Turns {
+                rounds,
+                warm_up: WARM_UP,
+                steps: STEPS * rounds as u64,
+            };
+            cases.push(compare(name, make()?, program.as_ref(), input, turns)?);
         }
     }
     Ok(cases)
 }
 
+/// Time the fault with Cundall-Strack friction from the beginning of its shear to the end, in so many turns
+/// with the beams of LAMMPS.
+///
+/// # Errors
+/// As [`measure`].
+pub fn whole(beams: Option<&Lammps>, rounds: usize) -> Result<Case, Error> {
+    let turns = Turns {
+        rounds,
+        warm_up: 0,
+        steps: fault_steps()?,
+    };
+    let world = fault(Friction::CundallStrack, false)?;
+    let name = "bonded, Cundall-Strack, whole shear";
+    let case = compare(name, world, beams, "bonded.lammps", turns)?;
+    let mean = case.ours.0.iter().sum::<f64>() / rounds as f64;
+    let seconds = mean * 1e-9 * case.particles as f64 * turns.steps as f64;
+    println!("{} steps in {seconds:.1} s", turns.steps);
+    Ok(case)
+}
+
+/// How a scene and a program take turns.
+#[derive(Clone, Copy)]
+struct Turns {
+    rounds: usize,
+    /// Steps of ours before the first.
+    warm_up: u64,
+    /// Steps of ours in all of them.
+    steps: u64,
+}
+
+impl Turns {
+    /// Steps of ours in each turn, equal but for rounding.
+    fn each(self) -> impl Iterator<Item = u64> {
+        let end = move |turn: u64| self.steps * turn / self.rounds as u64;
+        (0..self.rounds as u64).map(move |turn| end(turn + 1) - end(turn))
+    }
+}
+
 fn compare(
     name: &str,
     world: World,
-    program: Option<(&Lammps, std::path::PathBuf)>,
-    rounds: usize,
+    program: Option<&Lammps>,
+    input: &str,
+    turns: Turns,
 ) -> Result<Case, Error> {
+    let input = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("peers")
+        .join(input);
     let folder = temporary_folder()?;
     let file = folder.path().join("data");
     std::fs::write(&file, data(&world, &roles(&world)))
         .map_err(|error| Error::file("write", &file, error))?;
     let number = world.particles().len();
-    let mut timer = Timer::new(world, WARM_UP)?;
+    let mut timer = Timer::new(world, turns.warm_up)?;
     let (mut ours, mut theirs) = (Sample::default(), Sample::default());
-    for _ in 0..rounds {
-        ours.0.push(timer.time(STEPS)?);
-        if let Some((lammps, input)) = &program {
+    for of_ours in turns.each() {
+        ours.0.push(timer.time(of_ours)?);
+        if let Some(lammps) = program {
             let (steps, file) = (STEPS.to_string(), file.to_string_lossy());
-            let seconds = lammps.seconds(input, &[("steps", &steps), ("data", &file)])?;
+            let seconds = lammps.seconds(&input, &[("steps", &steps), ("data", &file)])?;
             theirs
                 .0
                 .push(seconds * 1e9 / (STEPS as f64 * number as f64));
         }
     }
     let peer = match program {
-        Some((lammps, _)) => Some((lammps.name()?, theirs)),
+        Some(lammps) => Some((lammps.name()?, theirs)),
         None => None,
     };
     let case = timer.case(name, ours, peer);

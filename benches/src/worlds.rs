@@ -59,6 +59,11 @@ pub fn fault(friction: Friction, ledger: bool) -> Result<World, Error> {
     prepare(&fault_text(friction, ledger))
 }
 
+/// Steps of the shear of the granite fault.
+pub fn fault_steps() -> Result<u64, Error> {
+    Ok(parse(&fault_text(Friction::CundallStrack, false))?.steps())
+}
+
 fn fault_text(friction: Friction, ledger: bool) -> String {
     let text = builtin::text("granite-fault").unwrap_or_default();
     let text = match friction {
