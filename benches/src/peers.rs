@@ -7,6 +7,7 @@ use crate::sample::Sample;
 use crate::worlds::{Friction, fault, fault_steps, pressed, rubbing};
 use gouge_kernel::World;
 use gouge_validation::error::Error;
+use gouge_validation::machine::divided;
 use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
@@ -56,6 +57,13 @@ impl Timer {
             rebuilds,
             steps: 0,
         })
+    }
+    /// The same world, advanced by so many threads from now on.
+    pub fn divided(self, threads: usize) -> Self {
+        Self {
+            world: divided(self.world, threads),
+            ..self
+        }
     }
     /// Time of a particle-step in ns, over so many more steps.
     pub fn time(&mut self, steps: u64) -> Result<f64, Error> {

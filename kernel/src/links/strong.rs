@@ -180,7 +180,7 @@ impl<S: Real> StrongLinks<S> {
             [particles.radius[i], particles.radius[j]]
         };
         let zeros = vec![S::zero(); links.len()];
-        let mut columns = Self {
+        let mut kept = Self {
             pairs: links.iter().map(|link| link.pair).collect(),
             references: twin::collect(links, |StrongLink { rest, .. }| {
                 [rest.reference.x, rest.reference.y]
@@ -193,9 +193,9 @@ impl<S: Real> StrongLinks<S> {
             broken: Vec::with_capacity(links.len()),
         };
         for (position, link) in links.iter().enumerate() {
-            columns.set_strength_factor(position, link.strength_factor);
+            kept.set_strength_factor(position, link.strength_factor);
         }
-        columns
+        kept
     }
 
     fn set_strength_factor(&mut self, position: usize, factor: S) {

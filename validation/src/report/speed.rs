@@ -42,6 +42,21 @@ struct Part {
     bytes: [f64; 2],
 }
 
+impl Case {
+    /// All its steps and the time that ours took for them, from turns of equally many steps.
+    fn duration(&self) -> String {
+        let steps = self.rebuilds[1];
+        let of_step =
+            self.ours.iter().sum::<f64>() / self.ours.len() as f64 * self.particles as f64;
+        let seconds = (1e-9 * of_step * steps).round();
+        format!(
+            "ours took {:.0} min {:.0} s for {steps:.0} steps",
+            (seconds / 60.0).floor(),
+            seconds % 60.0
+        )
+    }
+}
+
 /// What a step executes and moves, and what the machine can do.
 #[derive(Deserialize)]
 struct Counting {
@@ -92,6 +107,7 @@ pub fn chapter() -> Markup {
                 ". Times are those of a particle-step in ns: medians with quartiles. What is compared took turns; ratios are those of neighbouring turns."
             }
             (scenes("peers", "Beside LAMMPS", "The same states, boxes and steps; LAMMPS moves the upper plate at 2 m/s, ours is driven."))
+            (whole())
             (scenes("growth", "From a thousand to a million particles", "Pressed grains with truncated Cundall-Strack friction, repeated along the period; one thread."))
             (scenes("threads", "Threads", "The same grains with as many threads as are the default for their number, beside one thread."))
             (parts())
@@ -153,6 +169,20 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
             }
         }
     }
+}
+
+/// The granite fault from the beginning of its shear to the end.
+fn whole() -> Markup {
+    let run = latest::<Run>("whole");
+    let Some(case) = run.as_ref().and_then(|(_, run)| run.cases.first()) else {
+        return html! {};
+    };
+    let about = format!(
+        "Energy ledger off, one thread, in {} turns with LAMMPS: {}.",
+        case.ours.len(),
+        case.duration()
+    );
+    scenes("whole", "The whole shear of the granite fault", &about)
 }
 
 fn counting() -> Markup {
@@ -251,7 +281,7 @@ mod tests {
             assert!(run.is_ok(), "{}: {:?}", file.path().display(), run.err());
         }
         let page = chapter().into_string();
-        for kind in ["peers", "growth", "threads", "parts"] {
+        for kind in ["peers", "whole", "growth", "threads", "parts", "counts"] {
             let newest = latest::<Run>(kind);
             assert!(newest.is_some(), "no run of {kind}");
             if let Some((date, run)) = newest {
