@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use gouge_kernel::geometry::PeriodicX;
-use gouge_kernel::links::{Neighbors, Pair};
+use gouge_kernel::links::{ContactMemory, Neighbors, Pair, WeakLinks};
 use gouge_validation::run::{enter, phases};
 use gouge_validation::scene::{Scene, builtin};
 use gouge_validation::verify;
@@ -29,15 +29,43 @@ fn rebuild(criterion: &mut Criterion) {
     let world = fault().and_then(|scene| enter(&scene, &phases(&scene), 0, None).ok());
     let Some(world) = world else { return };
     let (particles, length) = (world.particles(), 0.1);
-    let mut neighbors = Neighbors::new(particles, [Some(length), None], Some(length));
-    let mut pairs: Vec<Pair> = Vec::new();
-    let name = format!("find the neighbours of {} grains", particles.len());
-    criterion.bench_function(&name, |bencher| {
-        bencher.iter(|| {
-            neighbors.rebuild(PeriodicX { length }, black_box(particles), &mut pairs);
-            pairs.len()
-        });
-    });
+    let neighbors = || Neighbors::new(particles, [Some(length), None], Some(length));
+    let number = particles.len();
+    let (mut list, mut pairs): (_, Vec<Pair>) = (neighbors(), Vec::new());
+    criterion.bench_function(
+        &format!("find the neighbours of {number} grains"),
+        |bencher| {
+            bencher.iter(|| {
+                list.rebuild(PeriodicX { length }, black_box(particles), &mut pairs);
+                pairs.len()
+            });
+        },
+    );
+    let mut contacts = WeakLinks::new(neighbors(), true);
+    contacts.rebuild(PeriodicX { length }, particles, None);
+    let touching: Vec<_> = contacts
+        .pairs
+        .iter()
+        .map(|&pair| (pair, touching()))
+        .collect();
+    contacts.restore(&touching);
+    criterion.bench_function(
+        &format!("list the contacts of {number} grains anew"),
+        |bencher| {
+            bencher.iter(|| {
+                contacts.rebuild(PeriodicX { length }, black_box(particles), None);
+                contacts.pairs.len()
+            });
+        },
+    );
+}
+
+/// A contact that has begun.
+fn touching() -> ContactMemory<f64> {
+    ContactMemory {
+        touches: true,
+        ..ContactMemory::default()
+    }
 }
 
 fn report(criterion: &mut Criterion) {

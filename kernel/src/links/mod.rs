@@ -32,6 +32,20 @@ impl Pair {
             j: j as u32,
         }
     }
+    /// With the greater index first.
+    fn turned_round(self) -> Self {
+        Self {
+            i: self.j,
+            j: self.i,
+        }
+    }
+    /// With the smaller index first.
+    fn in_order(self) -> Self {
+        Self {
+            i: self.i.min(self.j),
+            j: self.i.max(self.j),
+        }
+    }
     /// Both indices.
     #[inline(always)]
     pub fn indices(self) -> (usize, usize) {

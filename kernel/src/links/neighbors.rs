@@ -86,17 +86,29 @@ impl<S: Real> Neighbors<S> {
         particles: &Particles<S>,
         pairs: &mut Vec<Pair>,
     ) {
+        pairs.clear();
+        self.rebuild_around(metric, particles, pairs);
+        pairs.sort_unstable();
+    }
+
+    /// Find all pairs anew, and append those that `pairs` does not hold, in any order; what it holds is in
+    /// lexicographical order.
+    pub(super) fn rebuild_around<M: Metric>(
+        &mut self,
+        metric: M,
+        particles: &Particles<S>,
+        pairs: &mut Vec<Pair>,
+    ) {
         self.rebuilds += 1;
         self.built_at.clone_from(&particles.position);
         self.sort_into_cells(particles);
-        pairs.clear();
+        let held = pairs.len();
         for i in 0..particles.len() {
             let own = self.cell_of(particles, i);
             for cell in self.cells.neighbors_from(own) {
-                self.pairs_with_cell(metric, particles, (own, i), cell, pairs);
+                self.pairs_with_cell(metric, particles, (own, i), cell, (held, pairs));
             }
         }
-        pairs.sort_unstable();
     }
 
     fn cell_of(&self, particles: &Particles<S>, i: usize) -> Index {
@@ -137,7 +149,7 @@ impl<S: Real> Neighbors<S> {
         particles: &Particles<S>,
         (own, i): (Index, usize),
         cell: Index,
-        pairs: &mut Vec<Pair>,
+        (held, pairs): (usize, &mut Vec<Pair>),
     ) {
         let rank = self.cells.rank(cell);
         let members = &self.members[self.starts[rank] as usize..self.starts[rank + 1] as usize];
@@ -149,8 +161,9 @@ impl<S: Real> Neighbors<S> {
             }
             let d = metric.displacement(particles.position[i], particles.position[j]);
             let reach = particles.radius[i] + particles.radius[j] + S::from_f64(self.margin);
-            if d.norm_squared() <= reach * reach {
-                pairs.push(Pair::new(i, j));
+            let pair = Pair::new(i, j);
+            if d.norm_squared() <= reach * reach && pairs[..held].binary_search(&pair).is_err() {
+                pairs.push(pair);
             }
         }
     }

@@ -205,7 +205,6 @@ pub struct WeakLinks<S> {
     pub(crate) memories: Memories<S>,
     remembers: bool,
     neighbors: Neighbors<S>,
-    touching: Vec<Pair>,
     /// For how many pairs there is room.
     room: usize,
 }
@@ -218,7 +217,6 @@ impl<S: Real> WeakLinks<S> {
             memories: Memories::default(),
             remembers,
             neighbors,
-            touching: Vec::new(),
             room: 0,
         }
     }
@@ -259,13 +257,15 @@ impl<S: Real> WeakLinks<S> {
         particles: &Particles<S>,
         strong: Option<&StrongLinks<S>>,
     ) {
-        self.gather_touching();
-        self.neighbors.rebuild(metric, particles, &mut self.pairs);
+        let touching = self.gather_touching();
+        self.neighbors
+            .rebuild_around(metric, particles, &mut self.pairs);
         self.make_room();
+        self.mark_and_sort(touching);
         if let Some(strong) = strong {
             remove_bonded(&mut self.pairs, strong);
         }
-        self.spread_touching();
+        self.spread_touching(touching);
     }
 
     /// Room for what all near pairs remember, also for the bonded ones, whose bonds may break.
@@ -277,40 +277,45 @@ impl<S: Real> WeakLinks<S> {
         fit(&mut self.pairs, self.room);
         if self.remembers {
             self.memories.make_room(self.room);
-            fit(&mut self.touching, self.room);
         }
     }
 
-    /// Move the memories of touching pairs to the front, and list these pairs.
-    fn gather_touching(&mut self) {
-        self.touching.clear();
+    /// Keep only the pairs that touch and their memories; how many there are.
+    fn gather_touching(&mut self) -> usize {
+        let mut touching = 0;
         for position in 0..self.memories.touches.len() {
             if let Some(memory) = self.memory_at(position) {
-                self.memories.set(self.touching.len(), memory);
-                self.touching.push(self.pairs[position]);
+                self.memories.set(touching, memory);
+                self.pairs[touching] = self.pairs[position];
+                touching += 1;
             }
         }
+        self.pairs.truncate(touching);
+        touching
     }
 
-    /// Give the new pairs the memories at the front; a touching pair is kept even if it has left the
-    /// margin, so that its end is seen whenever the list happens to be rebuilt.
-    fn spread_touching(&mut self) {
+    /// Sort the pairs, the first of which touch: these are turned round, so that they are known afterwards.
+    fn mark_and_sort(&mut self, touching: usize) {
+        for pair in &mut self.pairs[..touching] {
+            *pair = pair.turned_round();
+        }
+        self.pairs.sort_unstable_by_key(|pair| pair.in_order());
+    }
+
+    /// Give the pairs that are turned round the memories at the front, and turn them back.
+    fn spread_touching(&mut self, mut touching: usize) {
         if !self.remembers {
             return;
         }
-        for pair in &self.touching {
-            if let Err(at) = self.pairs.binary_search(pair) {
-                self.pairs.insert(at, *pair);
-            }
-        }
         self.memories.resize(self.pairs.len());
         // From behind: a memory never moves forward, so none is overwritten before it has moved.
-        let mut left = self.touching.len();
         for position in (0..self.pairs.len()).rev() {
-            let touches = left > 0 && self.touching[left - 1] == self.pairs[position];
+            let pair = self.pairs[position];
+            let touches = pair != pair.in_order();
             if touches {
-                left -= 1;
-                let memory = self.memories.get(left);
+                touching -= 1;
+                self.pairs[position] = pair.in_order();
+                let memory = self.memories.get(touching);
                 self.memories.set(position, memory);
             }
             self.memories.touches[position] = touches;
@@ -385,11 +390,11 @@ impl<S: Real> WeakLinks<S> {
     }
 }
 
-/// Remove from sorted pairs those that are bonded.
+/// Remove from sorted pairs those that are bonded; pairs that touch, turned round, are not.
 fn remove_bonded<S: Real>(pairs: &mut Vec<Pair>, strong: &StrongLinks<S>) {
     let mut bonded = strong.pairs.iter().copied().peekable();
     pairs.retain(|&pair| {
-        while bonded.next_if(|&other| other < pair).is_some() {}
+        while bonded.next_if(|&other| other < pair.in_order()).is_some() {}
         bonded.peek() != Some(&pair)
     });
 }

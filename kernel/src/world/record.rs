@@ -225,10 +225,9 @@ impl World {
         };
         let links = reader.list(read_strong_link)?;
         let contacts = reader.list(read_contact)?;
-        let exists = |pair: Pair| pair.i < pair.j && (pair.j as usize) < number;
-        let all_exist = links.iter().all(|link| exists(link.pair))
-            && contacts.iter().all(|&(pair, _)| exists(pair));
-        if !all_exist {
+        let bonded = links.iter().map(|link| link.pair);
+        let touching = contacts.iter().map(|&(pair, _)| pair);
+        if !can_be(bonded, number) || !can_be(touching, number) {
             return None;
         }
         let mut world = Self::new(model, particles, &Start::default()).ok()?;
@@ -259,6 +258,12 @@ impl World {
         self.make_room();
         self.find_neighbors();
     }
+}
+
+/// Whether pairs are such that links have: in order, each once, of so many particles.
+fn can_be(mut pairs: impl Iterator<Item = Pair> + Clone, particles: usize) -> bool {
+    let exists = |pair: Pair| pair.i < pair.j && (pair.j as usize) < particles;
+    pairs.clone().is_sorted_by(|a, b| a < b) && pairs.all(exists)
 }
 
 impl Reader<'_> {
