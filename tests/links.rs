@@ -33,6 +33,7 @@ fn overlapping(metric: impl Metric, p: &Particles) -> Vec<Pair> {
             }
         }
     }
+    pairs.sort();
     pairs
 }
 

@@ -9,7 +9,7 @@ use gouge_kernel::laws::{
     AdjustedKelvinVoigt, Controller, CreepingDrag, CundallStrack, Driving, EulerBernoulli,
     HaffWerner, HarmonicWell, KelvinVoigt, ZhangEckert,
 };
-use gouge_kernel::links::{BondStart, ContactStart};
+use gouge_kernel::links::{BondStart, ContactStart, Pair};
 use gouge_kernel::model::{
     Ambient, Bond, Contact, ContactNormal, ContactTangential, Domain, External, Model, Reading,
     Yielding,
@@ -285,13 +285,13 @@ fn compare_links(Twins { world, oracle }: &Twins) {
     let pairs = world
         .strong_links()
         .map_or(&[][..], |strong| strong.pairs());
-    let bonded: Vec<Ends> = pairs.iter().map(|pair| pair.indices()).collect();
+    let bonded = in_order(pairs.iter().copied());
     let expected: Vec<Ends> = oracle.bonds.keys().copied().collect();
     assert_eq!(bonded, expected, "bonds after {} steps", world.steps());
     if matches!(oracle.rules.rubbing, Rubbing::CundallStrack { .. }) {
         let moves = |i: usize| oracle.grains[i].duty != Duty::Fixed;
         let weak = world.weak_links().expect("there are contacts");
-        let touching: Vec<Ends> = weak.remembered().map(|(pair, _)| pair.indices()).collect();
+        let touching = in_order(weak.remembered().map(|(pair, _)| pair));
         let expected = oracle
             .contacts
             .keys()
@@ -300,6 +300,13 @@ fn compare_links(Twins { world, oracle }: &Twins) {
         let expected: Vec<Ends> = expected.collect();
         assert_eq!(touching, expected, "contacts after {} steps", world.steps());
     }
+}
+
+/// Pairs in the order of their first particles.
+fn in_order(pairs: impl Iterator<Item = Pair>) -> Vec<Ends> {
+    let mut all: Vec<Ends> = pairs.map(Pair::indices).collect();
+    all.sort_unstable();
+    all
 }
 
 fn compare_states(run: &mut Replay) {

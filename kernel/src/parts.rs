@@ -1,7 +1,8 @@
 //! Work on particles and links, divided into parts that are done side by side.
 //!
-//! A part owns consecutive particles and the links whose first particle is among them. It alone writes to
-//! these, in the order in which a single part would, so that results do not depend on the number of parts.
+//! A part owns consecutive particles and the links whose second particle is among them. It alone writes to
+//! these; what its links do to earlier particles is added when all parts are done. A single part would add it
+//! last, too, so that results do not depend on the number of parts.
 
 use crate::instructions::Instructions;
 use pulp::NullaryFnOnce;

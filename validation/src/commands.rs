@@ -36,7 +36,7 @@ pub fn links(scene: &Scene) -> Result<String, Error> {
          tangential_force,torque_i,torque_j\n",
     );
     let mut links = world_of(scene)?.links();
-    links.sort_by_key(|link| link.pair);
+    links.sort_by_key(|link| link.pair.indices());
     for link in links {
         let kind = match link.kind {
             LinkKind::Weak => "weak",

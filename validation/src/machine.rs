@@ -13,7 +13,7 @@ pub const THREADS: &str = "GOUGE_THREADS";
 /// Particles below which a second thread costs more than it gives.
 const WORTH_A_THREAD: usize = 10_000;
 /// Parts for each thread: more than one, so that a thread that is held up leaves work to the others.
-const PARTS_A_THREAD: usize = 4;
+const PARTS_A_THREAD: usize = 8;
 /// Most threads that one may ask for.
 const MOST_THREADS: usize = 1024;
 

@@ -1,6 +1,6 @@
 //! Links side by side: what a pass gathers from the particles, and what it scatters back to them.
 
-use super::ahead::Ahead;
+use super::ahead::ahead_of;
 use super::{MISSING, Sums};
 use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::links::Pair;
@@ -184,23 +184,23 @@ pub(crate) struct Block<S: Real> {
 }
 
 impl<S: Real> Block<S> {
-    /// Gather the ends of the links at some positions, and prefetch what later ones need: `prefetch` that
-    /// which links keep, from a position on.
+    /// Gather the ends of the links at some positions. Where there are sums, prefetch what later links need, and
+    /// by `prefetch` what these keep, from a position on.
     #[inline(always)]
     pub fn gather(
         &mut self,
         columns: Columns<S>,
         (pairs, links): (&[Pair], Range<usize>),
         reads: Reads,
-        ahead: Option<(&Ahead, &Sums<S>)>,
+        sums: Option<&Sums<S>>,
         prefetch: impl Fn(usize),
     ) {
         let now = &pairs[links.clone()];
-        let Some((ahead, sums)) = ahead else {
+        let Some(sums) = sums else {
             return self.inputs.gather(columns, now, reads, |_| {});
         };
         self.inputs.gather(columns, now, reads, |lane| {
-            if let Some((link, particle)) = ahead.of_link(pairs, links.start + lane) {
+            if let Some((link, particle)) = ahead_of(pairs, links.start + lane) {
                 prefetch_index(pairs, link + LINKS);
                 prefetch(link);
                 columns.prefetch(particle, reads);

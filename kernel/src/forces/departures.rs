@@ -1,91 +1,92 @@
-//! What links of a part do to particles of later parts.
+//! What links of a part do to particles of earlier parts.
 
+use super::Sums;
+use super::block::{IDLE, Outputs};
 use crate::geometry::Vec2;
-use crate::instructions::Instructions;
-use crate::links::{Edition, Pair, pairs_before};
-use crate::parts::{Ready, Work};
+use crate::links::{Edition, Pair};
 use crate::scalar::Real;
 use core::ops::Range;
-use pulp::NullaryFnOnce;
 
-/// What a link does to its second particle, where that belongs to a later part.
+/// What a link does to its first particle, where that belongs to an earlier part.
 #[derive(Clone, Debug)]
-pub(crate) struct Arrival<S> {
-    /// The second particle.
-    pub particle: usize,
-    /// Force on the first in N, whose reaction arrives.
-    pub force: Vec2<S>,
-    /// Torque on the second in N m.
-    pub torque: S,
+struct Departure<S> {
+    /// The first particle.
+    particle: u32,
+    /// Force on it in N.
+    force: Vec2<S>,
+    /// Torque on it in N m; zero if links do not turn their ends.
+    torque: S,
 }
 
-/// The links of a part that lead to later parts, and what they do at present.
+/// The links of a part that lead to earlier parts, and what they do at present.
+///
+/// Links are in the order of their second particles, to which their part belongs: what they do to earlier
+/// particles comes after all that these do to each other, and may be added when all parts are done.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Departures<S> {
     /// The list of links in which they were sought.
     edition: Option<Edition>,
-    positions: Vec<u32>,
-    pub arrivals: Vec<Arrival<S>>,
+    /// Where they are among the links of the part.
+    positions: Vec<usize>,
+    /// Which of these comes next.
+    next: usize,
+    present: Vec<Departure<S>>,
 }
 
-/// The work of finding what leaves each part, done before any part changes what links remember.
-pub(crate) struct Depart<'a, F> {
-    /// All links in order.
-    pub pairs: &'a [Pair],
-    /// Which list of links they are.
-    pub edition: Edition,
-    /// The particles of the part.
-    pub part: Range<usize>,
-    /// Force on i and torque on j of the link at a position; nothing if it exerts none.
-    pub effect: F,
-}
-
-impl<S: Real, F: Fn(usize) -> Option<(Vec2<S>, S)> + Copy + Send> Work<Departures<S>>
-    for Depart<'_, F>
-{
-    fn split_at(self, particle: usize) -> (Self, Self) {
-        let Range { start, end } = self.part;
-        let middle = start + particle;
-        let left = Self {
-            part: start..middle,
-            ..self
-        };
-        let right = Self {
-            part: middle..end,
-            ..self
-        };
-        (left, right)
+impl<S: Real> Departures<S> {
+    /// Begin an evaluation: find the links that lead to particles before the first of the part, where they
+    /// may be others than before.
+    pub fn begin(&mut self, edition: Edition, pairs: &[Pair], first: usize) {
+        self.present.clear();
+        self.next = 0;
+        if self.edition != Some(edition) {
+            self.edition = Some(edition);
+            let leaves = |&position: &usize| (pairs[position].i as usize) < first;
+            self.positions.clear();
+            self.positions.extend((0..pairs.len()).filter(leaves));
+            self.present.reserve(self.positions.len());
+        }
+    }
+    /// Note what a block of the links does to earlier parts, and its torques if links turn their ends.
+    #[inline(always)]
+    pub fn note(&mut self, pairs: &[Pair], links: Range<usize>, outputs: &Outputs<S>, turns: bool) {
+        let next = self.positions.get(self.next);
+        if next.is_some_and(|&position| position < links.end) {
+            self.note_block(pairs, links, outputs, turns);
+        }
     }
 
-    fn act(self, departures: &mut Departures<S>, _: Instructions) {
-        if departures.edition != Some(self.edition) {
-            departures.edition = Some(self.edition);
-            departures.positions.clear();
-            departures.positions.extend(self.leaving());
-        }
-        departures.arrivals.clear();
-        for &position in &departures.positions {
-            if let Some((force, torque)) = (self.effect)(position as usize) {
-                departures.arrivals.push(Arrival {
-                    particle: self.pairs[position as usize].j as usize,
-                    force,
-                    torque,
+    #[cold]
+    #[inline(never)]
+    fn note_block(
+        &mut self,
+        pairs: &[Pair],
+        links: Range<usize>,
+        outputs: &Outputs<S>,
+        turns: bool,
+    ) {
+        while let Some(&position) = self.positions.get(self.next)
+            && position < links.end
+        {
+            self.next += 1;
+            let lane = position - links.start;
+            if outputs.flags[lane] & IDLE == 0 {
+                let [torque, _] = outputs.torques(lane);
+                self.present.push(Departure {
+                    particle: pairs[position].i,
+                    force: outputs.force(lane),
+                    torque: if turns { torque } else { S::zero() },
                 });
             }
         }
     }
 
-    fn start(ready: Ready<Self, Departures<S>>) {
-        ready.call();
-    }
-}
-
-impl<F> Depart<'_, F> {
-    /// Positions of the links of this part whose second particle belongs to a later one.
-    fn leaving(&self) -> impl Iterator<Item = u32> {
-        let Range { start, end } = self.part;
-        let links = pairs_before(self.pairs, start)..pairs_before(self.pairs, end);
-        let leaves = move |&position: &usize| self.pairs[position].j as usize >= end;
-        links.filter(leaves).map(|position| position as u32)
+    /// Add what has been noted to the sums of all particles.
+    pub fn arrive(&self, sums: &mut Sums<S>) {
+        for departure in &self.present {
+            let particle = departure.particle as usize;
+            sums.force[particle] += departure.force;
+            sums.torque[particle] += departure.torque;
+        }
     }
 }

@@ -19,7 +19,7 @@ pub use links_at::{LinkKind, LinkState};
 
 pub(crate) use ambient::ambient;
 use block::Block;
-pub(crate) use departures::{Depart, Departures};
+use departures::Departures;
 pub(crate) use driving::{driving, measure};
 pub(crate) use external::external;
 pub(crate) use strong_links::{StrongLoop, StrongPass, stored_in_strong_links};
@@ -113,35 +113,23 @@ impl<'a, S: Real> Sums<'a, S> {
             prefetch_index(&*self.torque, particle);
         }
     }
-    /// Add a link's force on i, its reaction on j and, if it turns its ends, the torques: on i, which is
-    /// among the particles, and on j, where that is.
+    /// Add a link's force on i, its reaction on j and, if it turns its ends, the torques: on j, which is
+    /// among the particles, and on i, where that is.
     #[inline(always)]
     fn add<const TURNS: bool>(&mut self, pair: Pair, force: Vec2<S>, torques: [S; 2]) {
         let (i, j) = pair.indices();
         let (i, j) = (i.wrapping_sub(self.first), j.wrapping_sub(self.first));
         let number = self.force.len();
-        assert!(i < number, "{MISSING}");
-        self.force[i] += force;
-        if TURNS {
-            self.torque[i] += torques[0];
-        }
-        if j < number {
-            self.force[j] -= force;
+        assert!(j < number, "{MISSING}");
+        if i < number {
+            self.force[i] += force;
             if TURNS {
-                self.torque[j] += torques[1];
+                self.torque[i] += torques[0];
             }
         }
-    }
-    /// Add what links of earlier parts do to these particles, their torques if they turn their ends.
-    fn add_arrivals(&mut self, departures: &[Departures<S>], turns: bool) {
-        for arrival in departures.iter().flat_map(|of_part| &of_part.arrivals) {
-            let j = arrival.particle.wrapping_sub(self.first);
-            if j < self.force.len() {
-                self.force[j] -= arrival.force;
-                if turns {
-                    self.torque[j] += arrival.torque;
-                }
-            }
+        self.force[j] -= force;
+        if TURNS {
+            self.torque[j] += torques[1];
         }
     }
 }
@@ -155,6 +143,10 @@ pub(crate) struct Desk<S: Real> {
     pub tally: Tally<S>,
     /// Positions of the links that broke.
     pub broken: Vec<u32>,
+    /// What strong links do to earlier parts.
+    pub strong: Departures<S>,
+    /// What weak links do to earlier parts.
+    pub weak: Departures<S>,
 }
 
 /// Links are made between particles that exist, and no particle is ever removed.

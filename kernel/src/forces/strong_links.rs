@@ -1,14 +1,14 @@
 //! The pass over strong links.
 
-use super::ahead::Ahead;
+use super::ahead::is_large;
 use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
-use super::{Departures, Desk, Sums};
+use super::{Desk, Sums};
 use crate::geometry::{Metric, PairFrame, PairMotion, Vec2};
 use crate::instructions::Instructions;
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, YieldLaw};
-use crate::links::{Pair, Rest, StrongColumns, StrongLinks, pairs_before};
+use crate::links::{Edition, Pair, Rest, StrongColumns, StrongLinks, pairs_before};
 use crate::particles::Particles;
 use crate::parts::{Ready, Work};
 use crate::scalar::Real;
@@ -119,20 +119,6 @@ impl<M: Metric, B: BeamLaw, Y: YieldLaw> StrongPass<M, B, Y> {
         self.any(&ends, &mut rest)
     }
 
-    /// Force on i in N and torque on j in N m of the link at a position; nothing if it breaks.
-    pub fn effect<S: Real>(
-        &self,
-        particles: &Particles<S>,
-        strong: &StrongLinks<S>,
-        position: usize,
-    ) -> Option<(Vec2<S>, S)> {
-        let link = strong.get(position);
-        let ends = Columns::of(particles).ends(link.pair);
-        let state = self.any(&ends, &mut { link.rest });
-        let breaks = self.breaks(&state, strong.section(position));
-        (!breaks).then(|| (state.force(), state.torques[1]))
-    }
-
     #[inline(always)]
     fn stored<S: Real>(&self, state: &StrongState<S>) -> S {
         self.normal.stored_energy(state.xi_adjusted)
@@ -155,7 +141,7 @@ pub(crate) struct StrongLoop<'a, S: Real, M, B, Y, const LEDGER: bool> {
     pub particles: &'a Particles<S>,
     pub links: StrongColumns<'a, S>,
     pub sums: Sums<'a, S>,
-    pub departures: &'a [Departures<S>],
+    pub edition: Edition,
 }
 
 impl<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> Work<Desk<S>>
@@ -182,17 +168,17 @@ impl<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> Work<Desk<
     fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
         let number = self.links.pairs.len();
         let columns = Columns::of(self.particles);
-        self.sums.add_arrivals(self.departures, !B::ABSENT);
-        let ahead = Ahead::of(self.links.pairs, self.particles.len());
+        desk.strong
+            .begin(self.edition, self.links.pairs, self.sums.first);
+        let is_large = is_large(self.particles.len());
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.links.pairs[first..last];
-            let ahead = ahead.as_ref().map(|ahead| (ahead, &self.sums));
             desk.block.gather(
                 columns,
                 (self.links.pairs, first..last),
                 Self::READS,
-                ahead,
+                is_large.then_some(&self.sums),
                 |link| self.links.prefetch(link),
             );
             let mut flags = self.compute(&mut desk.block, first..last);
@@ -212,6 +198,9 @@ impl<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> Work<Desk<
                 tally: &mut desk.tally,
             };
             S::run(instructions, scatter);
+            let outputs = &desk.block.outputs;
+            desk.strong
+                .note(self.links.pairs, first..last, outputs, !B::ABSENT);
         }
         if LEDGER {
             self.book_breaking(desk);

@@ -1,14 +1,16 @@
 //! The pass over weak links.
 
-use super::ahead::Ahead;
+use super::ahead::is_large;
 use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
-use super::{Departures, Desk, Sums};
+use super::{Desk, Sums};
 use crate::geometry::{Arm, Metric, PairFrame, PairMotion, Vec2};
 use crate::instructions::Instructions;
 use crate::laws::{Friction, NormalLaw, Slide, TangentialLaw};
-use crate::links::{ContactMemory, MemoryColumns, Pair, StrongLinks, WeakLinks, pairs_before};
+use crate::links::{
+    ContactMemory, Edition, MemoryColumns, Pair, StrongLinks, WeakLinks, pairs_before,
+};
 use crate::model::Reading;
 use crate::particles::Particles;
 use crate::parts::{Ready, Work};
@@ -184,21 +186,6 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
         self.state(ends, frame, angles, memory)
     }
 
-    /// Force on i in N and torque on j in N m of the pair at a position; nothing if it does not overlap.
-    pub fn effect<S: Real>(
-        &self,
-        particles: &Particles<S>,
-        weak: &WeakLinks<S>,
-        position: usize,
-    ) -> Option<(Vec2<S>, S)> {
-        let ends = Columns::of(particles).ends(weak.pairs[position]);
-        self.touch(&ends).then(|| {
-            let mut memory = self.memory_at(weak, position, &ends);
-            let state = self.any(&ends, &mut memory);
-            (state.force(), state.torques[1])
-        })
-    }
-
     /// Energy stored in a contact in J.
     #[inline(always)]
     fn stored<S: Real>(&self, radii: [S; 2], state: &WeakState<S>, memory: S) -> S {
@@ -231,7 +218,7 @@ pub(crate) struct WeakLoop<'a, S: Real, M, A, N, T, const LEDGER: bool> {
     pub memories: MemoryColumns<'a, S>,
     pub strong: Option<&'a StrongLinks<S>>,
     pub sums: Sums<'a, S>,
-    pub departures: &'a [Departures<S>],
+    pub edition: Edition,
 }
 
 impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool> Work<Desk<S>>
@@ -261,17 +248,16 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
         let columns = Columns::of(self.particles);
         let number = self.pairs.len();
-        self.sums.add_arrivals(self.departures, !T::ABSENT);
-        let ahead = Ahead::of(self.pairs, self.particles.len());
+        desk.weak.begin(self.edition, self.pairs, self.sums.first);
+        let is_large = is_large(self.particles.len());
         for first in (0..number).step_by(LINKS) {
             let last = number.min(first + LINKS);
             let pairs = &self.pairs[first..last];
-            let ahead = ahead.as_ref().map(|ahead| (ahead, &self.sums));
             desk.block.gather(
                 columns,
                 (self.pairs, first..last),
                 Self::READS,
-                ahead,
+                is_large.then_some(&self.sums),
                 |link| {
                     if T::REMEMBERS {
                         self.memories.prefetch(link);
@@ -292,6 +278,8 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                 tally: &mut desk.tally,
             };
             S::run(instructions, scatter);
+            let outputs = &desk.block.outputs;
+            desk.weak.note(self.pairs, first..last, outputs, !T::ABSENT);
             if LEDGER {
                 self.book_bonding(desk, first..last);
             }

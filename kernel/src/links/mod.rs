@@ -14,8 +14,13 @@ pub use strong::{BondStart, Rest, StrongLink, StrongLinks};
 pub(crate) use weak::MemoryColumns;
 pub use weak::{ContactMemory, ContactStart, WeakLinks};
 
+use core::cmp::Ordering;
+
 /// A pair of particles, the smaller index first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+///
+/// Pairs are in the order of their second particles, and of the first where these are the same. A particle's links
+/// then come in the order of its neighbours, and those to earlier particles are its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pair {
     /// First particle.
     pub i: u32,
@@ -53,6 +58,18 @@ impl Pair {
     }
 }
 
+impl Ord for Pair {
+    fn cmp(&self, other: &Self) -> Ordering {
+        (self.j, self.i).cmp(&(other.j, other.i))
+    }
+}
+
+impl PartialOrd for Pair {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
 /// Tells the lists of links apart that a world has one after the other: a rebuild finds pairs anew, and between
 /// two of them pairs only join (broken bonds, among contacts) or only leave (among bonds).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +78,7 @@ pub(crate) struct Edition {
     pairs: usize,
 }
 
-/// Number of pairs, in order, whose first particle comes before the given one.
+/// Number of pairs, in order, whose second particle comes before the given one.
 pub(crate) fn pairs_before(pairs: &[Pair], particle: usize) -> usize {
-    pairs.partition_point(|pair| (pair.i as usize) < particle)
+    pairs.partition_point(|pair| (pair.j as usize) < particle)
 }

@@ -79,7 +79,7 @@ impl<S: Real> Neighbors<S> {
             || Watch::of(Some(self), metric).is_stale(&particles.position)
     }
 
-    /// Find all pairs anew, in lexicographical order, into `pairs`.
+    /// Find all pairs anew, in order, into `pairs`.
     pub fn rebuild<M: Metric>(
         &mut self,
         metric: M,
@@ -91,8 +91,7 @@ impl<S: Real> Neighbors<S> {
         pairs.sort_unstable();
     }
 
-    /// Find all pairs anew, and append those that `pairs` does not hold, in any order; what it holds is in
-    /// lexicographical order.
+    /// Find all pairs anew, and append those that `pairs`, in order, does not hold, in any order.
     pub(super) fn rebuild_around<M: Metric>(
         &mut self,
         metric: M,

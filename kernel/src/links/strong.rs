@@ -255,10 +255,6 @@ impl<S: Real> StrongLinks<S> {
             strength_factor: self.strength_factors[position],
         }
     }
-    /// The section that carries the forces of the bond at a position when it breaks, in m^2.
-    pub(crate) fn section(&self, position: usize) -> S {
-        self.sections[position]
-    }
     /// The bonds that hold.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = StrongLink<S>> + Clone {
         (0..self.len()).map(|position| self.get(position))

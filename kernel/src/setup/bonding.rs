@@ -8,7 +8,8 @@ use crate::particles::Particles;
 /// Reach of bonds in sums of radii that the thesis author used: the root of 3/2.
 pub const REACH: f64 = 1.224_744_871_391_589;
 
-/// All pairs whose distance is at most `reach` times the sum of their radii, in order.
+/// All pairs whose distance is at most `reach` times the sum of their radii, in the order of their first and
+/// then of their second particles.
 pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<Pair> {
     use crate::geometry::{Metric, Open, PeriodicX};
     let period = domain.period();
@@ -29,6 +30,7 @@ pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<P
         let distance = displacement(particles.position[i], particles.position[j]).norm();
         distance <= reach * (particles.radius[i] + particles.radius[j])
     });
+    pairs.sort_unstable_by_key(|pair| pair.indices());
     pairs
 }
 

@@ -4,7 +4,7 @@ use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
 use super::{Number, World};
 use crate::balance::Energy;
 use crate::error::StepError;
-use crate::forces::{self, Depart, Desk, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
+use crate::forces::{self, Desk, LinkState, StrongLoop, Tally, WeakLoop, WeakPass};
 use crate::geometry::Metric;
 use crate::instructions::Instructions;
 use crate::laws::{Controller, Driven};
@@ -104,7 +104,6 @@ impl<S: Number> World<S> {
             strong,
             tally,
             desks,
-            departures,
             parts,
             instructions,
             ..
@@ -112,23 +111,17 @@ impl<S: Number> World<S> {
         let (Some(strong), Some(bond)) = (strong, model.bond) else {
             return;
         };
-        let [departures, _] = departures;
-        let (sums, part) = (forces.sums(), 0..particles.len());
+        let (sums, edition) = (forces.sums(), strong.edition());
         with_strong_pass!(model, bond, pass => {
-            if !model.ledger && parts.number() > 1 {
-                let strong = &*strong;
-                let effect = |position: usize| pass.effect(particles, strong, position);
-                let work = Depart { pairs: &strong.pairs, edition: strong.edition(), part, effect };
-                parts.run(work, departures, *instructions);
-            }
-            let (links, departures) = (strong.columns(), &**departures);
+            let links = strong.columns();
             if model.ledger {
-                whole(StrongLoop::<_, _, _, _, true> { pass, particles, links, sums, departures: &[] }, desks, tally, *instructions);
+                whole(StrongLoop::<_, _, _, _, true> { pass, particles, links, edition, sums }, desks, tally, *instructions);
             } else {
-                parts.run(StrongLoop::<_, _, _, _, false> { pass, particles, links, sums, departures }, desks, *instructions);
+                parts.run(StrongLoop::<_, _, _, _, false> { pass, particles, links, edition, sums }, desks, *instructions);
             }
         });
         for desk in desks {
+            desk.strong.arrive(&mut forces.sums());
             strong.broken.append(&mut desk.broken);
         }
     }
@@ -142,7 +135,6 @@ impl<S: Number> World<S> {
             weak,
             tally,
             desks,
-            departures,
             parts,
             instructions,
             ..
@@ -157,23 +149,19 @@ impl<S: Number> World<S> {
             weak.admit_broken(strong);
         }
         let elapsed = if advances { model.time_step } else { 0.0 };
-        let [_, departures] = departures;
-        let (sums, part) = (forces.sums(), 0..particles.len());
+        let (sums, edition) = (forces.sums(), weak.edition());
         with_weak_pass!(model, contact, pass => {
             let pass = WeakPass { elapsed, ..pass };
-            if !model.ledger && parts.number() > 1 {
-                let weak = &*weak;
-                let effect = |position: usize| pass.effect(particles, weak, position);
-                let work = Depart { pairs: &weak.pairs, edition: weak.edition(), part, effect };
-                parts.run(work, departures, *instructions);
-            }
             let (pairs, memories) = (&*weak.pairs, weak.memories.columns());
             if model.ledger {
-                whole(WeakLoop::<_, _, _, _, _, true> { pass, particles, pairs, memories, strong, sums, departures: &[] }, desks, tally, *instructions);
+                whole(WeakLoop::<_, _, _, _, _, true> { pass, particles, pairs, memories, strong, edition, sums }, desks, tally, *instructions);
             } else {
-                parts.run(WeakLoop::<_, _, _, _, _, false> { pass, particles, pairs, memories, strong, sums, departures }, desks, *instructions);
+                parts.run(WeakLoop::<_, _, _, _, _, false> { pass, particles, pairs, memories, strong, edition, sums }, desks, *instructions);
             }
         });
+        for desk in desks {
+            desk.weak.arrive(&mut forces.sums());
+        }
     }
 
     fn add_fields(&mut self) {

@@ -12,7 +12,7 @@ pub use watch::stable_step_estimate;
 
 use crate::balance::{Energy, Ledger};
 use crate::error::{ModelError, StepError};
-use crate::forces::{Departures, Desk, Forces, Tally};
+use crate::forces::{Desk, Forces, Tally};
 use crate::geometry::Vec2;
 use crate::instructions::Instructions;
 use crate::integrators::{
@@ -67,8 +67,6 @@ pub struct World<S: Number = f64> {
     ledger: Option<Ledger<S>>,
     tally: Tally<S>,
     desks: Vec<Desk<S>>,
-    /// For each part, of strong and of weak links.
-    departures: [Vec<Departures<S>>; 2],
     verdicts: Vec<bool>,
     /// Whether the neighbour list is stale, where that is known.
     is_stale: Option<bool>,
@@ -124,7 +122,6 @@ impl<S: Number> World<S> {
             ledger: None,
             tally: Tally::default(),
             desks: vec![Desk::default()],
-            departures: [Vec::new(), Vec::new()],
             verdicts: vec![false],
             is_stale: None,
             parts: Parts::equal(particles.len(), 1),
@@ -179,10 +176,8 @@ impl<S: Number> World<S> {
     pub fn with_parts(mut self, parts: usize) -> Self {
         self.parts = Parts::equal(self.particles.len(), parts);
         let number = self.parts.number();
-        self.desks.resize(number, Desk::default());
+        self.desks = vec![Desk::default(); number];
         self.verdicts.resize(number, false);
-        let several = if number > 1 { number } else { 0 };
-        self.departures = [0, 1].map(|_| vec![Departures::default(); several]);
         self.make_room();
         self
     }

@@ -9,9 +9,10 @@ use sha2::{Digest, Sha256};
 use std::io::Write;
 use std::path::Path;
 
-/// First bytes of every checkpoint; the digit is the version of the format.
+/// First bytes of every checkpoint.
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
-const VERSION: u64 = 2;
+/// Version of the format, the first word after the fingerprint of the scene.
+const VERSION: u64 = 3;
 
 /// A moment of a run.
 #[derive(Clone, Debug, PartialEq)]
