@@ -78,7 +78,7 @@ impl Timer {
         &self.world
     }
     /// What was timed.
-    pub fn case(self, name: &str, ours: Sample, peer: Option<(String, Sample)>) -> Case {
+    pub fn case(&self, name: &str, ours: Sample, peer: Option<(String, Sample)>) -> Case {
         let world = &self.world;
         let number = world.particles().len();
         let of_each = |count: usize| count as f64 / number as f64;

@@ -57,11 +57,11 @@ fn compare(packing: &World, times: usize, rounds: usize) -> Result<Vec<Case>, Er
     let name = format!("{number} particles, {threads} thread{plural}");
     let one = Some(("one thread".to_owned(), alone));
     let mut cases = vec![whole.case(&name, together.clone(), one)];
-    if let Some(share) = shares.pop() {
+    if let Some(share) = shares.first() {
         let name = format!("{name}, beside smaller worlds");
         let number = share.world().particles().len();
         let peer = format!("{threads} worlds of {number} side by side");
-        cases.push(share.case(&name, together, Some((peer, apart))));
+        cases.push(whole.case(&name, together, Some((peer, apart))));
     }
     Ok(cases)
 }

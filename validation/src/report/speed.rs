@@ -33,15 +33,6 @@ struct Case {
     peer: Option<(String, Vec<f64>)>,
 }
 
-#[derive(Deserialize)]
-struct Part {
-    name: String,
-    with: Vec<f64>,
-    without: Vec<f64>,
-    by_hand: Option<Vec<f64>>,
-    bytes: [f64; 2],
-}
-
 impl Case {
     /// All its steps and the time that ours took for them, from turns of equally many steps.
     fn duration(&self) -> String {
@@ -55,6 +46,15 @@ impl Case {
             seconds % 60.0
         )
     }
+}
+
+#[derive(Deserialize)]
+struct Part {
+    name: String,
+    with: Vec<f64>,
+    without: Vec<f64>,
+    by_hand: Option<Vec<f64>>,
+    bytes: [f64; 2],
 }
 
 /// What a step executes and moves, and what the machine can do.
