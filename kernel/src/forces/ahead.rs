@@ -16,8 +16,8 @@ pub(super) fn is_large(particles: usize) -> bool {
     particles > SMALL
 }
 
-/// Position of the link to be prefetched with that at a position, and its second particle, which no earlier
-/// one has needed; nothing near the end.
+/// Position of the link to be prefetched with that at a position, and its second particle, whose own links
+/// are the first to need it; nothing near the end.
 #[inline(always)]
 pub(super) fn ahead_of(pairs: &[Pair], now: usize) -> Option<(usize, usize)> {
     let later = now + DISTANCE;

@@ -280,7 +280,8 @@ impl<S: Real> WeakLinks<S> {
         }
     }
 
-    /// Keep only the pairs that touch and their memories; how many there are.
+    /// Keep only the pairs that touch and their memories; how many there are. They stay even if they have left the
+    /// margin, so that their end is seen whenever the list happens to be rebuilt.
     fn gather_touching(&mut self) -> usize {
         let mut touching = 0;
         for position in 0..self.memories.touches.len() {
