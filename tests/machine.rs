@@ -30,23 +30,23 @@ const VARIANTS: [&[(&str, &str)]; 9] = [
     &[("distance = \"radius\"", "distance = \"focal\"")],
 ];
 
-/// The state after some steps from a recorded one, computed with the given instructions and parts.
-fn continued(world: &World, instructions: Instructions, parts: usize, steps: u64) -> Vec<u64> {
+/// The state after some steps from a recorded one, computed with the given instructions, divided for some threads.
+fn continued(world: &World, instructions: Instructions, threads: usize, steps: u64) -> Vec<u64> {
     let copy = World::from_words(*world.model(), &world.to_words()).expect("just recorded");
-    let mut copy = copy.with_instructions(instructions).with_parts(parts);
+    let mut copy = copy.with_instructions(instructions).with_threads(threads);
     advance(&mut copy, steps);
     copy.to_words()
 }
 
-/// A fingerprint of the bits after some steps, which all instructions and numbers of parts share.
+/// A fingerprint of the bits after some steps, which all instructions and numbers of threads share.
 fn fingerprint(world: &World, steps: u64, what: &str) -> String {
     let portable = continued(world, Instructions::portable(), 1, steps);
     let sets = Instructions::available().into_iter().map(|set| (set, 1));
-    let divisions = [2, 3, 5].map(|parts| (Instructions::widest(), parts));
-    for (instructions, parts) in sets.chain(divisions) {
+    let divisions = [2, 3, 5].map(|threads| (Instructions::widest(), threads));
+    for (instructions, threads) in sets.chain(divisions) {
         assert!(
-            continued(world, instructions, parts, steps) == portable,
-            "{what}: {} in {parts} parts give other bits than the portable instructions in one",
+            continued(world, instructions, threads, steps) == portable,
+            "{what}: {} for {threads} threads give other bits than the portable instructions for one",
             instructions.name()
         );
     }

@@ -7,7 +7,6 @@ use crate::sample::Sample;
 use crate::worlds::{Friction, fault, fault_steps, pressed, rubbing};
 use gouge_kernel::World;
 use gouge_validation::error::Error;
-use gouge_validation::machine::divided;
 use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
@@ -59,9 +58,9 @@ impl Timer {
         })
     }
     /// The same world, advanced by so many threads from now on.
-    pub fn divided(self, threads: usize) -> Self {
+    pub fn with_threads(self, threads: usize) -> Self {
         Self {
-            world: divided(self.world, threads),
+            world: self.world.with_threads(threads),
             ..self
         }
     }

@@ -44,7 +44,7 @@ fn compare(packing: &World, times: usize, rounds: usize) -> Result<Vec<Case>, Er
     let [mut alone, mut together, mut apart] = [(); 3].map(|()| Sample::default());
     for _ in 0..rounds {
         for (count, sample) in [(1, &mut alone), (threads, &mut together)] {
-            whole = whole.divided(count);
+            whole = whole.with_threads(count);
             whole.time(WARM_UP)?;
             sample.0.push(whole.time(steps)?);
         }

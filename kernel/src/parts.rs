@@ -7,6 +7,11 @@
 use crate::instructions::Instructions;
 use pulp::NullaryFnOnce;
 
+/// How many numbers a line of the cache holds.
+pub(crate) const LINE: usize = 8;
+/// Parts of a thread's share, where there are several threads.
+const PARTS_OF_A_SHARE: usize = 7;
+
 /// Work that can be divided.
 ///
 /// `W` is what a part needs for itself.
@@ -42,16 +47,34 @@ pub(crate) struct Parts {
 }
 
 impl Parts {
-    /// Equal parts of so many particles.
-    pub fn equal(particles: usize, number: usize) -> Self {
-        let number = number.clamp(1, particles.max(1));
-        Self {
-            bounds: (0..=number).map(|k| k * particles / number).collect(),
-        }
+    /// Parts of so many particles for some threads: a single one for one thread. Each of several has an equal
+    /// share, and each part of it takes half of what is left, but for the last: the large ones cost little, the
+    /// small ones let a thread that is done early help the others.
+    ///
+    /// Parts begin where lines of columns do, so that no wide instruction needs two of them; few particles make
+    /// fewer parts.
+    pub fn of(particles: usize, threads: usize) -> Self {
+        const WHOLE: usize = 1 << PARTS_OF_A_SHARE;
+        let threads = threads.max(1);
+        let parts = if threads > 1 { PARTS_OF_A_SHARE } else { 1 };
+        let begin = |share: usize, part: usize| {
+            let before = share * WHOLE + (WHOLE - (WHOLE >> part));
+            before * particles / (threads * WHOLE) / LINE * LINE
+        };
+        let mut bounds: Vec<usize> = (0..threads)
+            .flat_map(|share| (0..parts).map(move |part| begin(share, part)))
+            .collect();
+        bounds.dedup();
+        bounds.push(particles);
+        Self { bounds }
     }
     /// Number of parts.
     pub fn number(&self) -> usize {
         self.bounds.len() - 1
+    }
+    /// Sizes of the parts, in particles.
+    pub fn sizes(&self) -> impl Iterator<Item = usize> {
+        self.bounds.windows(2).map(|ends| ends[1] - ends[0])
     }
     /// Do all parts of a work, each with its own of `owns`; a single one if there is only one.
     pub fn run<W: Send, D: Work<W>>(&self, work: D, owns: &mut [W], instructions: Instructions) {

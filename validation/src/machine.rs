@@ -12,8 +12,6 @@ pub const THREADS: &str = "GOUGE_THREADS";
 
 /// Particles below which a second thread costs more than it gives.
 const WORTH_A_THREAD: usize = 10_000;
-/// Parts for each thread: more than one, so that a thread that is held up leaves work to the others.
-const PARTS_A_THREAD: usize = 8;
 /// Most threads that one may ask for.
 const MOST_THREADS: usize = 1024;
 
@@ -106,15 +104,7 @@ pub(crate) fn equipped<S: Number>(world: World<S>) -> World<S> {
     let threads = machine
         .threads
         .unwrap_or_else(|| default_threads(particles));
-    divided(world.with_instructions(machine.instructions), threads)
-}
-
-/// A world that so many threads compute.
-pub fn divided<S: Number>(world: World<S>, threads: usize) -> World<S> {
-    let parts = if threads > 1 {
-        PARTS_A_THREAD * threads
-    } else {
-        1
-    };
-    world.with_parts(parts)
+    world
+        .with_instructions(machine.instructions)
+        .with_threads(threads)
 }

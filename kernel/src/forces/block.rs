@@ -5,15 +5,13 @@ use super::{MISSING, Sums};
 use crate::geometry::{Metric, PairFrame, Vec2};
 use crate::links::Pair;
 use crate::particles::Particles;
+use crate::parts::LINE;
 use crate::scalar::Real;
 use core::ops::Range;
 use prefetch_index::prefetch_index;
 
 /// How many links a block holds.
 pub(crate) const LINKS: usize = 64;
-
-/// How many numbers a line of the cache holds.
-const LINE: usize = 8;
 
 /// The flag of a link that exerts nothing: a bond that breaks, a pair that does not touch.
 pub(super) const IDLE: u64 = 1;
@@ -136,8 +134,18 @@ fn vector<S: Real>([x, y]: [S; 2]) -> Vec2<S> {
     Vec2::new(x, y)
 }
 
+/// Where the blocks of consecutive links begin and end, the first of them at a position among all: blocks begin
+/// where lines of columns do, but for the first one.
+pub(super) fn blocks(first: usize, number: usize) -> impl Iterator<Item = Range<usize>> {
+    let before = first % LINKS;
+    (0..before + number)
+        .step_by(LINKS)
+        .map(move |begin| begin.saturating_sub(before)..number.min(begin + LINKS - before))
+}
+
 /// What links read, as columns: one instruction serves several of them.
 #[derive(Clone, Debug)]
+#[repr(align(64))]
 pub(crate) struct Inputs<S> {
     difference: [[S; LINKS]; 2],
     velocity: [[S; LINKS]; 2],
@@ -151,6 +159,7 @@ pub(crate) struct Inputs<S> {
 /// They are found in a loop of their own: a root and a quotient take long, and while the law waits for them
 /// too few links are under way.
 #[derive(Clone, Debug)]
+#[repr(align(64))]
 pub(crate) struct Frames<S> {
     normal: [[S; LINKS]; 2],
     /// Distance, and its inverse.
@@ -159,6 +168,7 @@ pub(crate) struct Frames<S> {
 
 /// What links do, as columns.
 #[derive(Clone, Debug)]
+#[repr(align(64))]
 pub(crate) struct Outputs<S> {
     /// Force on i in N.
     pub force: [[S; LINKS]; 2],

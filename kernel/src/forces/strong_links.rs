@@ -1,7 +1,7 @@
 //! The pass over strong links.
 
 use super::ahead::is_large;
-use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
+use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads, blocks};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
 use super::{Desk, Sums};
@@ -166,31 +166,28 @@ impl<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> Work<Desk<
 
     #[inline(always)]
     fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
-        let number = self.links.pairs.len();
         let columns = Columns::of(self.particles);
         desk.strong
             .begin(self.edition, self.links.pairs, self.sums.first);
         let is_large = is_large(self.particles.len());
-        for first in (0..number).step_by(LINKS) {
-            let last = number.min(first + LINKS);
-            let pairs = &self.links.pairs[first..last];
+        for links in blocks(self.links.first, self.links.pairs.len()) {
             desk.block.gather(
                 columns,
-                (self.links.pairs, first..last),
+                (self.links.pairs, links.clone()),
                 Self::READS,
                 is_large.then_some(&self.sums),
                 |link| self.links.prefetch(link),
             );
-            let mut flags = self.compute(&mut desk.block, first..last);
+            let mut flags = self.compute(&mut desk.block, links.clone());
             if flags & IRREGULAR != 0 {
-                flags |= self.compute_irregular(&mut desk.block, first..last);
+                flags |= self.compute_irregular(&mut desk.block, links.clone());
             }
             let all = flags & IDLE == 0;
             if !all {
-                self.note_broken(desk, first..last);
+                self.note_broken(desk, links.clone());
             }
             let scatter = Scatter::<_, LEDGER> {
-                pairs,
+                pairs: &self.links.pairs[links.clone()],
                 outputs: &desk.block.outputs,
                 turns: !B::ABSENT,
                 all,
@@ -200,7 +197,7 @@ impl<S: Real, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> Work<Desk<
             S::run(instructions, scatter);
             let outputs = &desk.block.outputs;
             desk.strong
-                .note(self.links.pairs, first..last, outputs, !B::ABSENT);
+                .note(self.links.pairs, links, outputs, !B::ABSENT);
         }
         if LEDGER {
             self.book_breaking(desk);

@@ -1,7 +1,7 @@
 //! The pass over weak links.
 
 use super::ahead::is_large;
-use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads};
+use super::block::{Block, Columns, Ends, IDLE, IRREGULAR, LINKS, Outputs, Reads, blocks};
 use super::scatter::Scatter;
 use super::turning::{turned, turned_far};
 use super::{Desk, Sums};
@@ -214,6 +214,8 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> WeakPass<M, A, N, T> {
 pub(crate) struct WeakLoop<'a, S: Real, M, A, N, T, const LEDGER: bool> {
     pub pass: WeakPass<M, A, N, T>,
     pub particles: &'a Particles<S>,
+    /// Position of the first pair among all.
+    pub first: usize,
     pub pairs: &'a [Pair],
     pub memories: MemoryColumns<'a, S>,
     pub strong: Option<&'a StrongLinks<S>>,
@@ -236,6 +238,7 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             ..self
         };
         let right = Self {
+            first: self.first + at,
             pairs: other_pairs,
             memories: other_memories,
             sums: other_sums,
@@ -247,15 +250,12 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
     #[inline(always)]
     fn act(mut self, desk: &mut Desk<S>, instructions: Instructions) {
         let columns = Columns::of(self.particles);
-        let number = self.pairs.len();
         desk.weak.begin(self.edition, self.pairs, self.sums.first);
         let is_large = is_large(self.particles.len());
-        for first in (0..number).step_by(LINKS) {
-            let last = number.min(first + LINKS);
-            let pairs = &self.pairs[first..last];
+        for links in blocks(self.first, self.pairs.len()) {
             desk.block.gather(
                 columns,
-                (self.pairs, first..last),
+                (self.pairs, links.clone()),
                 Self::READS,
                 is_large.then_some(&self.sums),
                 |link| {
@@ -264,13 +264,13 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
                     }
                 },
             );
-            let flags = self.compute(&mut desk.block, first..last);
+            let flags = self.compute(&mut desk.block, links.clone());
             if flags & IRREGULAR != 0 {
-                self.compute_irregular(&mut desk.block, first..last);
+                self.compute_irregular(&mut desk.block, links.clone());
             }
-            self.remember(&desk.block, first..last);
+            self.remember(&desk.block, links.clone());
             let scatter = Scatter::<_, LEDGER> {
-                pairs,
+                pairs: &self.pairs[links.clone()],
                 outputs: &desk.block.outputs,
                 turns: !T::ABSENT,
                 all: flags & IDLE == 0,
@@ -279,9 +279,10 @@ impl<S: Real, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: b
             };
             S::run(instructions, scatter);
             let outputs = &desk.block.outputs;
-            desk.weak.note(self.pairs, first..last, outputs, !T::ABSENT);
+            desk.weak
+                .note(self.pairs, links.clone(), outputs, !T::ABSENT);
             if LEDGER {
-                self.book_bonding(desk, first..last);
+                self.book_bonding(desk, links);
             }
         }
     }

@@ -46,10 +46,8 @@ impl Pair {
     }
     /// With the smaller index first.
     fn in_order(self) -> Self {
-        Self {
-            i: self.i.min(self.j),
-            j: self.i.max(self.j),
-        }
+        let (i, j) = self.indices();
+        Self::new(i, j)
     }
     /// Both indices.
     #[inline(always)]

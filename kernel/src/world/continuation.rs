@@ -33,7 +33,7 @@ impl World {
         };
         let mut world = Self::new(model, self.particles, &start)?
             .with_instructions(self.instructions)
-            .with_parts(self.parts.number());
+            .with_parts(self.parts);
         world.adopt_links(links, contacts);
         world.strengthen_edges();
         if model.ledger {

@@ -154,9 +154,9 @@ impl<S: Number> World<S> {
             let pass = WeakPass { elapsed, ..pass };
             let (pairs, memories) = (&*weak.pairs, weak.memories.columns());
             if model.ledger {
-                whole(WeakLoop::<_, _, _, _, _, true> { pass, particles, pairs, memories, strong, edition, sums }, desks, tally, *instructions);
+                whole(WeakLoop::<_, _, _, _, _, true> { pass, particles, first: 0, pairs, memories, strong, edition, sums }, desks, tally, *instructions);
             } else {
-                parts.run(WeakLoop::<_, _, _, _, _, false> { pass, particles, pairs, memories, strong, edition, sums }, desks, *instructions);
+                parts.run(WeakLoop::<_, _, _, _, _, false> { pass, particles, first: 0, pairs, memories, strong, edition, sums }, desks, *instructions);
             }
         });
         for desk in desks {

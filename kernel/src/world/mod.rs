@@ -124,7 +124,7 @@ impl<S: Number> World<S> {
             desks: vec![Desk::default()],
             verdicts: vec![false],
             is_stale: None,
-            parts: Parts::equal(particles.len(), 1),
+            parts: Parts::of(particles.len(), 1),
             instructions: Instructions::default(),
             steps: 0,
             is_evaluated: false,
@@ -170,12 +170,17 @@ impl<S: Number> World<S> {
         self
     }
 
-    /// The same world, computed in so many parts, which idle threads take; bits do not depend on them.
+    /// The same world, divided for so many threads of the pool; bits do not depend on their number.
     ///
     /// Worlds with a ledger compute links in one part, so that its sums keep their order.
-    pub fn with_parts(mut self, parts: usize) -> Self {
-        self.parts = Parts::equal(self.particles.len(), parts);
-        let number = self.parts.number();
+    pub fn with_threads(self, threads: usize) -> Self {
+        let parts = Parts::of(self.particles.len(), threads);
+        self.with_parts(parts)
+    }
+
+    fn with_parts(mut self, parts: Parts) -> Self {
+        let number = parts.number();
+        self.parts = parts;
         self.desks = vec![Desk::default(); number];
         self.verdicts.resize(number, false);
         self.make_room();
@@ -185,8 +190,9 @@ impl<S: Number> World<S> {
     /// Room for as many broken links as there are, so that a step allocates nothing.
     fn make_room(&mut self) {
         let number = self.strong.as_ref().map_or(0, StrongLinks::len);
-        for desk in &mut self.desks {
-            desk.broken.reserve(number / self.parts.number());
+        let particles = self.particles.len().max(1);
+        for (desk, size) in self.desks.iter_mut().zip(self.parts.sizes()) {
+            desk.broken.reserve(number * size / particles);
         }
     }
 
