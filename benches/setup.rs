@@ -2,12 +2,16 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use gouge_kernel::geometry::PeriodicX;
-use gouge_kernel::links::{ContactMemory, Neighbors, Pair, WeakLinks};
+use gouge_kernel::links::{ContactMemory, Neighbors, WeakLinks};
+use gouge_kernel::particles::Particles;
 use gouge_validation::run::{enter, phases};
 use gouge_validation::scene::{Scene, builtin};
 use gouge_validation::verify;
 use std::hint::black_box;
 use std::path::Path;
+
+/// The box of the fault.
+const BOX: PeriodicX = PeriodicX { length: 0.1 };
 
 fn fault() -> Option<Scene> {
     let text = builtin::text("granite-fault")?;
@@ -28,36 +32,39 @@ fn scenes(criterion: &mut Criterion) {
 fn rebuild(criterion: &mut Criterion) {
     let world = fault().and_then(|scene| enter(&scene, &phases(&scene), 0, None).ok());
     let Some(world) = world else { return };
-    let (particles, length) = (world.particles(), 0.1);
-    let neighbors = || Neighbors::new(particles, [Some(length), None], Some(length));
-    let number = particles.len();
-    let (mut list, mut pairs): (_, Vec<Pair>) = (neighbors(), Vec::new());
-    criterion.bench_function(
-        &format!("find the neighbours of {number} grains"),
-        |bencher| {
-            bencher.iter(|| {
-                list.rebuild(PeriodicX { length }, black_box(particles), &mut pairs);
-                pairs.len()
-            });
-        },
-    );
-    let mut contacts = WeakLinks::new(neighbors(), true);
-    contacts.rebuild(PeriodicX { length }, particles, None);
-    let touching: Vec<_> = contacts
-        .pairs
-        .iter()
-        .map(|&pair| (pair, touching()))
-        .collect();
+    find_neighbors(criterion, world.particles());
+    list_contacts(criterion, world.particles());
+}
+
+fn neighbors(particles: &Particles<f64>) -> Neighbors<f64> {
+    let length = BOX.length;
+    Neighbors::new(particles, [Some(length), None], Some(length))
+}
+
+fn find_neighbors(criterion: &mut Criterion, particles: &Particles<f64>) {
+    let (mut list, mut pairs) = (neighbors(particles), Vec::new());
+    let name = format!("find the neighbours of {} grains", particles.len());
+    criterion.bench_function(&name, |bencher| {
+        bencher.iter(|| {
+            list.rebuild(BOX, black_box(particles), &mut pairs);
+            pairs.len()
+        });
+    });
+}
+
+fn list_contacts(criterion: &mut Criterion, particles: &Particles<f64>) {
+    let mut contacts = WeakLinks::new(neighbors(particles), true);
+    contacts.rebuild(BOX, particles, None);
+    let near = contacts.pairs.iter();
+    let touching: Vec<_> = near.map(|&pair| (pair, touching())).collect();
     contacts.restore(&touching);
-    criterion.bench_function(
-        &format!("list the contacts of {number} grains anew"),
-        |bencher| {
-            bencher.iter(|| {
-                contacts.rebuild(PeriodicX { length }, black_box(particles), None);
-                contacts.pairs.len()
-            });
-        },
-    );
+    let name = format!("list the contacts of {} grains anew", particles.len());
+    criterion.bench_function(&name, |bencher| {
+        bencher.iter(|| {
+            contacts.rebuild(BOX, black_box(particles), None);
+            contacts.pairs.len()
+        });
+    });
 }
 
 /// A contact that has begun.
