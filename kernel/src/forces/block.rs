@@ -185,7 +185,8 @@ pub(crate) struct Outputs<S> {
     pub flags: [u64; LINKS],
 }
 
-/// A block of links. Inputs and outputs lie apart, so that no result can be the input of a later link.
+/// A block of links. Inputs and outputs lie apart, so that no result can be the input of a later link. Each begins
+/// at a line of the cache, as every column in it then does.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block<S: Real> {
     pub inputs: Box<Inputs<S>>,
