@@ -1,11 +1,13 @@
 //! What happens rarely: reading a scene, setting it up, finding neighbours, writing a report.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use gouge_kernel::geometry::PeriodicX;
-use gouge_kernel::links::{ContactMemory, Neighbors, WeakLinks};
-use gouge_kernel::particles::Particles;
-use gouge_validation::run::{enter, phases};
-use gouge_validation::scene::{Scene, builtin};
+use gouge_common::geometry::Domain;
+use gouge_common::geometry::PeriodicX;
+use gouge_common::neighbors::Neighbors;
+use gouge_dem::contacts::{ContactMemory, Contacts};
+use gouge_dem::particles::Particles;
+use gouge_runner::run::{enter, phases};
+use gouge_runner::scene::{Scene, builtin};
 use gouge_validation::verify;
 use std::hint::black_box;
 use std::path::Path;
@@ -38,7 +40,12 @@ fn rebuild(criterion: &mut Criterion) {
 
 fn neighbors(particles: &Particles<f64>) -> Neighbors<f64> {
     let length = BOX.length;
-    Neighbors::new(particles, [Some(length), None], Some(length))
+    let domain = Domain {
+        width: Some(length),
+        height: None,
+        periodic: true,
+    };
+    Neighbors::new(particles.reaching(), &domain)
 }
 
 fn find_neighbors(criterion: &mut Criterion, particles: &Particles<f64>) {
@@ -46,14 +53,16 @@ fn find_neighbors(criterion: &mut Criterion, particles: &Particles<f64>) {
     let name = format!("find the neighbours of {} grains", particles.len());
     criterion.bench_function(&name, |bencher| {
         bencher.iter(|| {
-            list.rebuild(BOX, black_box(particles), &mut pairs);
+            let particles = black_box(particles);
+            let may_interact = |i, j| particles.may_interact(i, j);
+            list.rebuild(BOX, particles.reaching(), may_interact, &mut pairs);
             pairs.len()
         });
     });
 }
 
 fn list_contacts(criterion: &mut Criterion, particles: &Particles<f64>) {
-    let mut contacts = WeakLinks::new(neighbors(particles), true);
+    let mut contacts = Contacts::new(neighbors(particles), true);
     contacts.rebuild(BOX, particles, None);
     let near = contacts.pairs.iter();
     let touching: Vec<_> = near.map(|&pair| (pair, touching())).collect();

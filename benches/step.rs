@@ -4,8 +4,8 @@
 //! two entries. Set-up is outside the timed part.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use gouge_kernel::World;
-use gouge_validation::scene::Scene;
+use gouge_dem::World;
+use gouge_runner::scene::Scene;
 use std::hint::black_box;
 use std::path::Path;
 
@@ -49,7 +49,7 @@ fn lattice(integrator: &str, parts: &[&str]) -> Option<World> {
     );
     let scene = Scene::parse("bench", text.as_bytes(), Path::new("."));
     let scene = scene.map_err(|error| eprintln!("{error}")).ok()?;
-    gouge_validation::run::enter(&scene, &gouge_validation::run::phases(&scene), 0, None).ok()
+    gouge_runner::run::enter(&scene, &gouge_runner::run::phases(&scene), 0, None).ok()
 }
 
 /// After some steps: in the first one every contact begins, which costs more than all that follows.

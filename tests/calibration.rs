@@ -1,14 +1,14 @@
 //! Calibration against the laws of the kernel, integrated without its world, and the numbers of the thesis.
 
-use gouge_kernel::calibration::{
+use gouge_dem::calibration::{
     FrictionDecay, breaking_overlap_hertzian, breaking_overlap_linear, damping_bound,
     damping_ratio_for, dissipative_constant_from_restitution,
     dissipative_constant_printed_from_restitution, first_order_coefficient, matching_stiffness,
     truncated_duration, truncated_restitution,
 };
-use gouge_kernel::laws::{Bshp, KelvinVoigt, NormalLaw};
-use gouge_kernel::material::GRANITE;
-use gouge_kernel::particles::sphere_mass;
+use gouge_dem::laws::{Bshp, KelvinVoigt, NormalLaw};
+use gouge_dem::material::GRANITE;
+use gouge_dem::particles::sphere_mass;
 
 /// Restitution and duration of a head-on collision of equal spheres at the given speed, by classical
 /// Runge-Kutta steps until the force first vanishes.

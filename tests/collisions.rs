@@ -1,7 +1,7 @@
 //! Two particles meet: closed forms of the outcome.
 
 use crate::worlds::{advance, head, particle, world};
-use gouge_kernel::World;
+use gouge_dem::World;
 use proptest::prelude::*;
 
 const MASS: f64 = 1.130973355292325e-5; // 4/3 pi 2700 kg/m^3 (1 mm)^3

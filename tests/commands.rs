@@ -89,7 +89,7 @@ fn scenes_lists_and_prints() {
         );
         let text = stdout(&run(&["scenes", name]));
         let path = std::path::Path::new(".");
-        let scene = gouge_validation::scene::Scene::parse(name, text.as_bytes(), path);
+        let scene = gouge_runner::scene::Scene::parse(name, text.as_bytes(), path);
         assert!(scene.is_ok(), "{name}: {:?}", scene.err());
     }
 }

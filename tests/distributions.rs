@@ -1,10 +1,10 @@
 //! Distributions against quadrature and samples.
 
-use gouge_kernel::distributions::{
+use gouge_dem::distributions::{
     DENSEST_DISCS, Distribution, Power, Uniform, UniformProduct, UniformSum, WeakestProduct,
     Weibull, crystallises, discs_in_square, spheres_in_cube,
 };
-use gouge_kernel::setup::SizeRange;
+use gouge_dem::setup::SizeRange;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -294,7 +294,7 @@ fn nothing_lies_outside_a_support() {
 
 #[test]
 fn an_interval_of_ratio_root_two_is_that_of_the_thesis() {
-    use gouge_kernel::distributions::{relative_deviation_of_ratio, spheres_per_disc};
+    use gouge_dem::distributions::{relative_deviation_of_ratio, spheres_per_disc};
     let sizes = SizeRange::around(3.0);
     let uniform = Uniform {
         low: sizes.minimum,

@@ -1,12 +1,13 @@
 //! Dual numbers: laws on them give their own derivatives, so that forces are minus the slopes of
 //! stored energies to rounding.
 
-use gouge_kernel::geometry::{Vec2, mean_distance};
-use gouge_kernel::laws::{
+use gouge_common::geometry::Vec2;
+use gouge_common::scalar::Real;
+use gouge_dem::geometry::mean_distance;
+use gouge_dem::laws::{
     AdjustedKelvinVoigt, BeamLaw, Bshp, CundallStrack, CundallStrackTruncated, EulerBernoulli,
     ExternalLaw, Gravity, HarmonicWell, KelvinVoigt, NormalLaw, Slide, TangentialLaw,
 };
-use gouge_kernel::scalar::Real;
 use gouge_validation::scalars::Dual;
 use proptest::prelude::*;
 

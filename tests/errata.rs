@@ -1,16 +1,17 @@
 //! Errata that change forces or motion, pinned by closed forms, invariants and derivatives.
 
 use crate::worlds::{INTEGRATORS, advance, head, particle, world};
-use gouge_kernel::World;
-use gouge_kernel::estimators::{friction_feedback, friction_load};
-use gouge_kernel::geometry::{Metric, PeriodicX, Vec2, contact_half_length, overlap_factor};
-use gouge_kernel::integrators::{crack_bound, wave_bound};
-use gouge_kernel::laws::{
+use gouge_common::geometry::{Metric, PeriodicX, Vec2};
+use gouge_dem::World;
+use gouge_dem::estimators::{friction_feedback, friction_load};
+use gouge_dem::geometry::{contact_half_length, overlap_factor};
+use gouge_dem::integrators::{crack_bound, wave_bound};
+use gouge_dem::laws::{
     ZhangEckert, characteristic_length, dissipative_constant, dissipative_constant_printed,
     drag_coefficient,
 };
-use gouge_kernel::material::{Elastic, GRANITE};
-use gouge_kernel::particles::{sphere_mass, sphere_moment_of_inertia};
+use gouge_dem::material::{Elastic, GRANITE};
+use gouge_dem::particles::{sphere_mass, sphere_moment_of_inertia};
 use std::f64::consts::PI;
 
 fn close(found: f64, expected: f64, relative: f64) -> bool {
@@ -539,7 +540,7 @@ fn a_displacement_below_half_the_spacing_of_numbers_moves_nothing() {
 // --- Energy -----------------------------------------------------------------------------------
 
 /// Largest residual over the largest energy of a run, and the terms at its end.
-fn balance(text: &str, steps: u64) -> (f64, gouge_kernel::balance::Energy) {
+fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
     let mut world = world(text);
     let (mut residual, mut scale) = (0.0_f64, world.energy().mechanical());
     for _ in 0..steps {

@@ -1,11 +1,11 @@
 //! Estimators against states whose answer is known.
 
 use crate::worlds::{advance, head, particle, world};
-use gouge_kernel::estimators::{
-    Region, connected, coordination_number, fragments, mean_stress, packing_fraction,
-    radial_distribution, visible_fraction,
+use gouge_common::estimators::{
+    Region, connected, packing_fraction, radial_distribution, visible_fraction,
 };
-use gouge_kernel::geometry::Vec2;
+use gouge_common::geometry::Vec2;
+use gouge_dem::estimators::{contact_network, fragments};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -118,17 +118,17 @@ fn chain(strain: f64) -> String {
 fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
     let world = world(&chain(1e-3));
     // Nine links of 2.002 mm in a volume of nine such lengths and one square millimetre.
-    let stress = mean_stress(&world, 9.0 * 2.002e-3 * 1e-6);
+    let stress = contact_network(&world).mean_stress(9.0 * 2.002e-3 * 1e-6);
     let expected = 1e7 * 2e-6 / 1e-6;
     assert!((stress[0][0] / expected - 1.0).abs() < 1e-10, "{stress:?}");
     assert_eq!([stress[0][1], stress[1][0], stress[1][1]], [0.0; 3]);
-    assert!((coordination_number(&world) - 1.8).abs() < 1e-15);
+    assert!((contact_network(&world).coordination_number() - 1.8).abs() < 1e-15);
     assert_eq!(fragments(&world).number, 1);
 }
 
 #[test]
 fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
-    use gouge_kernel::estimators::{friction_feedback, friction_load};
+    use gouge_dem::estimators::{friction_feedback, friction_load};
     // Pulled at constant speed against creeping drag and pressed against the drag's absence: the
     // reaction along x is the drag 6 pi eta r v alone.
     let text = head("symplectic-euler", 1e-6)
@@ -170,7 +170,7 @@ fn the_mean_stress_is_the_virial_of_the_forces() {
     let mut world = world(&text);
     advance(&mut world, 20);
     world.evaluate_if_pending().expect("finite");
-    let stress = mean_stress(&world, 1.0);
+    let stress = contact_network(&world).mean_stress(1.0);
     let mut virial = [[0.0; 2]; 2];
     for (force, x) in world.forces().force.iter().zip(&world.particles().position) {
         for (row, force) in virial.iter_mut().zip([force.x, force.y]) {
@@ -197,7 +197,7 @@ fn the_mean_stress_is_the_virial_of_the_forces() {
 
 #[test]
 fn entropy_of_simple_radial_distributions_is_closed_form() {
-    use gouge_kernel::estimators::RadialDistribution;
+    use gouge_common::estimators::RadialDistribution;
     let (samples, limit, number_density) = (4000_u32, 2.5, 3.0);
     let spacing = limit / f64::from(samples);
     let distance: Vec<f64> = (0..samples)

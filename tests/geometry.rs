@@ -1,12 +1,13 @@
 //! Geometry against identities and quadrature.
 
-use gouge_kernel::geometry::{
-    Arm, FocalArm, MeanArm, Metric, Open, PairFrame, PeriodicX, RadiusArm, Vec2, angle_of,
-    contact_area, contact_half_length, cylinder_contact_area, cylinder_displaced_volume,
-    displaced_volume, focal_distance, focal_point, mean_distance, mean_distance_of_extremities,
-    overlap_factor, reversed, turn, wrapped,
+use gouge_common::geometry::{Metric, Open, PeriodicX, Vec2};
+use gouge_common::scalar::Real;
+use gouge_dem::geometry::{
+    Arm, FocalArm, MeanArm, PairFrame, RadiusArm, angle_of, contact_area, contact_half_length,
+    cylinder_contact_area, cylinder_displaced_volume, displaced_volume, focal_distance,
+    focal_point, mean_distance, mean_distance_of_extremities, overlap_factor, reversed, turn,
+    wrapped,
 };
-use gouge_kernel::scalar::Real;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 

@@ -1,16 +1,17 @@
 //! Equations that no erratum touches, pinned by identities, derivatives and limits.
 
 use crate::worlds::{advance, head, particle, world};
-use gouge_kernel::geometry::{
-    Arm, FocalArm, MeanArm, PairFrame, PairMotion, Vec2, angle_of, contact_area,
-    contact_half_length, cylinder_contact_area, cylinder_displaced_volume, displaced_volume,
-    focal_distance, overlap_factor, reversed,
+use gouge_common::geometry::Vec2;
+use gouge_dem::geometry::{
+    Arm, FocalArm, MeanArm, PairFrame, PairMotion, angle_of, contact_area, contact_half_length,
+    cylinder_contact_area, cylinder_displaced_volume, displaced_volume, focal_distance,
+    overlap_factor, reversed,
 };
-use gouge_kernel::laws::{
+use gouge_dem::laws::{
     AmbientLaw, CorrelationDrag, CreepingDrag, ZhangEckert, drag_coefficient, reynolds_number,
 };
-use gouge_kernel::material::GRANITE;
-use gouge_kernel::setup::{Fault, is_above};
+use gouge_dem::material::GRANITE;
+use gouge_dem::setup::{Fault, is_above};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -245,7 +246,7 @@ fn external_forces_derive_from_their_potentials_and_turn_nothing() {
 }
 
 /// Three particles with every kind of force, or with those kinds only that are asked for.
-fn parts(kinds: &[&str]) -> gouge_kernel::World {
+fn parts(kinds: &[&str]) -> gouge_dem::World {
     let mut text = head("euler", 1e-9) + "[box]\nwidth = 0.02\n";
     let tables = [
         (
@@ -327,7 +328,7 @@ fn the_force_on_a_particle_is_the_sum_of_its_parts() {
 }
 
 /// What the contact between particles 0 and 1 adds, which a bond between them replaces.
-fn pair_of_bond(world: &gouge_kernel::World) -> ([Vec2; 3], [f64; 3]) {
+fn pair_of_bond(world: &gouge_dem::World) -> ([Vec2; 3], [f64; 3]) {
     let (mut force, mut torque) = ([Vec2::zero(); 3], [0.0; 3]);
     for link in world.links() {
         if link.pair.indices() == (0, 1) {
@@ -343,7 +344,7 @@ fn pair_of_bond(world: &gouge_kernel::World) -> ([Vec2; 3], [f64; 3]) {
 #[test]
 fn moduli_and_wave_speeds_are_those_of_one_solid() {
     for nu in [-0.5, 0.0, 0.1, 0.22, 0.4, 0.49] {
-        let solid = gouge_kernel::material::Elastic {
+        let solid = gouge_dem::material::Elastic {
             youngs_modulus: 50e9,
             poissons_ratio: nu,
         };

@@ -1,8 +1,8 @@
 //! Order and stability of the integrators, found by running the kernel on a damped oscillator.
 
 use crate::worlds::{advance, head, particle, world};
-use gouge_kernel::World;
-use gouge_kernel::integrators::{Integrator, Oscillator, critical_step};
+use gouge_dem::World;
+use gouge_dem::integrators::{Integrator, Oscillator, critical_step};
 use std::f64::consts::PI;
 
 const NAMES: [(&str, Integrator); 6] = [

@@ -148,7 +148,7 @@ fn only_passes_write_forces_and_estimators_write_nothing() {
                 );
             }
             if module.as_deref() == Some("estimators") {
-                let columns = ["World", "Particles", "Forces", "StrongLinks", "WeakLinks"];
+                let columns = ["World", "Particles", "Forces", "Bonds", "Contacts"];
                 let writes = columns
                     .iter()
                     .any(|name| line.contains(&format!("&mut {name}")));
@@ -163,7 +163,7 @@ fn oracles_never_call_the_kernel() {
     for file in rust_files(&root().join("validation/src/oracles")) {
         let text = read(&file);
         for line in code(&text) {
-            assert!(!line.contains("gouge_kernel"), "{}: {line}", file.display());
+            assert!(!line.contains("gouge_dem"), "{}: {line}", file.display());
         }
     }
 }

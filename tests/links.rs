@@ -1,10 +1,11 @@
 //! The pairs that are found are those that there are.
 
 use crate::worlds::{advance, head, particle, world};
-use gouge_kernel::geometry::{Metric, Open, PeriodicX, Vec2};
-use gouge_kernel::links::{Cells, Neighbors, Pair, precedes};
-use gouge_kernel::model::{Bond, Model, Yielding};
-use gouge_kernel::particles::{Particle, Particles, Role};
+use gouge_common::geometry::{Domain, Metric, Open, PeriodicX, Vec2};
+use gouge_common::neighbors::{Cells, Neighbors, precedes};
+use gouge_common::pair::Pair;
+use gouge_dem::model::{BondLaws, Model, Yielding};
+use gouge_dem::particles::{Particle, Particles, Role};
 use proptest::prelude::*;
 
 fn particles(points: &[(f64, f64, f64)]) -> Particles {
@@ -20,6 +21,15 @@ fn particles(points: &[(f64, f64, f64)]) -> Particles {
             role: Role::Free,
         })
         .collect()
+}
+
+/// A box with the given sides.
+fn domain([width, height]: [Option<f64>; 2], periodic: bool) -> Domain {
+    Domain {
+        width,
+        height,
+        periodic,
+    }
 }
 
 /// Every overlapping pair, by looking at all of them.
@@ -39,7 +49,7 @@ fn overlapping(metric: impl Metric, p: &Particles) -> Vec<Pair> {
 
 fn found(metric: impl Metric, p: &Particles, neighbors: &mut Neighbors<f64>) -> Vec<Pair> {
     let mut pairs = Vec::new();
-    neighbors.rebuild(metric, p, &mut pairs);
+    neighbors.rebuild(metric, p.reaching(), |_, _| true, &mut pairs);
     assert!(
         pairs.windows(2).all(|two| two[0] < two[1]),
         "each pair once and in order"
@@ -61,7 +71,7 @@ proptest! {
     ) {
         let p = particles(&points);
         let extent = if given { [Some(2.0), Some(3.0)] } else { [None, None] };
-        let mut neighbors = Neighbors::new(&p, extent, None);
+        let mut neighbors = Neighbors::new(p.reaching(), &domain(extent, false));
         prop_assert_eq!(found(Open, &p, &mut neighbors), overlapping(Open, &p));
     }
 
@@ -75,7 +85,7 @@ proptest! {
         let points: Vec<_> = points.iter().map(|&(x, y, r)| (x * length, y, r)).collect();
         let p = particles(&points);
         let metric = PeriodicX { length };
-        let mut neighbors = Neighbors::new(&p, [Some(length), Some(3.0)], Some(length));
+        let mut neighbors = Neighbors::new(p.reaching(), &domain([Some(length), Some(3.0)], true));
         prop_assert_eq!(found(metric, &p, &mut neighbors), overlapping(metric, &p));
     }
 
@@ -87,13 +97,13 @@ proptest! {
     ) {
         let mut p = particles(&points);
         let metric = PeriodicX { length: 4.0 };
-        let mut neighbors = Neighbors::new(&p, [Some(4.0), Some(4.0)], Some(4.0));
+        let mut neighbors = Neighbors::new(p.reaching(), &domain([Some(4.0), Some(4.0)], true));
         let mut pairs = Vec::new();
-        neighbors.rebuild(metric, &p, &mut pairs);
+        neighbors.rebuild(metric, p.reaching(), |_, _| true, &mut pairs);
         for (x, (dx, dy)) in p.position.iter_mut().zip(&moves) {
             *x = metric.wrap(*x + Vec2::new(dx * size, dy * size));
         }
-        if !neighbors.are_stale(metric, &p) {
+        if !neighbors.are_stale(metric, &p.position) {
             for pair in overlapping(metric, &p) {
                 prop_assert!(pairs.binary_search(&pair).is_ok(), "missed {pair:?}");
             }
@@ -149,12 +159,12 @@ fn a_world_without_particles_has_no_pairs() {
     let nothing = particles(&[]);
     assert!(nothing.is_empty() && !particles(&[(0.0, 0.0, 1.0)]).is_empty());
     assert!(overlapping(Open, &nothing).is_empty());
-    let mut neighbors = Neighbors::new(&nothing, [None, None], None);
+    let mut neighbors = Neighbors::new(nothing.reaching(), &domain([None, None], false));
     assert!(found(Open, &nothing, &mut neighbors).is_empty());
 }
 
 /// Two bonded grains that are torn apart, the second with a role.
-fn torn(role: &str, yielding: bool) -> gouge_kernel::World {
+fn torn(role: &str, yielding: bool) -> gouge_dem::World {
     let strength = "[bond.yielding]\nlaw = \"zhang-eckert\"\n\
                     normal_strength = 28e6\ntangential_strength = 16.8e6\n";
     let text = head("velocity-verlet", 1e-9)
@@ -174,7 +184,7 @@ fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
             unbreakable_edges: edges,
             ..yielding
         };
-        let bond = model.bond.map(|bond| Bond {
+        let bond = model.bond.map(|bond| BondLaws {
             yielding: bond.yielding.map(yielding),
             ..bond
         });
@@ -195,7 +205,7 @@ fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
             .continue_with(model, roles)
             .expect("the kernel goes on");
         advance(&mut world, 5000);
-        let found = world.strong_links().map(|strong| strong.len());
+        let found = world.bonds().map(|strong| strong.len());
         assert_eq!(found, Some(holding), "{role} {yielding} {model:?}");
     }
 }

@@ -5,10 +5,11 @@
 use crate::program::{gouge, stderr};
 use crate::recorded::record;
 use crate::worlds::{advance, sheared_with, world};
-use gouge_kernel::links::BondStart;
-use gouge_kernel::model::Model;
-use gouge_kernel::{Instructions, Start, World};
-use gouge_validation::scene::builtin;
+use gouge_common::instructions::Instructions;
+use gouge_dem::bonds::BondStart;
+use gouge_dem::model::Model;
+use gouge_dem::{Start, World};
+use gouge_runner::scene::builtin;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
@@ -72,10 +73,12 @@ fn fingerprint(world: &World, steps: u64, what: &str) -> String {
 
 /// Whether bonds break, lists are made anew and particles touch in some steps.
 fn shows_enough(world: &World, steps: u64) -> bool {
-    let bonds = |world: &World| world.strong_links().map_or(0, |bonds| bonds.len());
+    let bonds = |world: &World| world.bonds().map_or(0, |bonds| bonds.len());
     let mut after = world.clone();
     advance(&mut after, steps);
-    bonds(&after) < bonds(world) && after.rebuilds() > world.rebuilds() && after.contacts() > 0
+    bonds(&after) < bonds(world)
+        && after.rebuilds() > world.rebuilds()
+        && after.number_of_contacts() > 0
 }
 
 #[test]
@@ -108,7 +111,7 @@ fn repeated(world: &World, least: usize) -> World {
     }
     let particles = world.particles().repeated(width, times);
     let x = |i: usize| world.particles().position[i].x;
-    let bonds = world.strong_links().expect("there are bonds");
+    let bonds = world.bonds().expect("there are bonds");
     let pairs = bonds.pairs().iter().map(|pair| pair.indices());
     let inner = pairs.filter(|&(i, j)| (x(j) - x(i)).abs() < 0.5 * width);
     let bond = |(i, j): (usize, usize)| BondStart {
@@ -140,7 +143,8 @@ fn a_world_beyond_the_caches_has_the_same_bits_on_every_machine() {
         // More than `forces/ahead.rs` takes for small.
         let world = repeated(world, 21_000);
         assert!(
-            world.contacts() > 1000 && world.strong_links().is_some_and(|bonds| bonds.len() > 1000)
+            world.number_of_contacts() > 1000
+                && world.bonds().is_some_and(|bonds| bonds.len() > 1000)
         );
         let bits = fingerprint(&world, 100, &format!("copies {ledger} ledger"));
         fingerprints += &format!("{ledger} ledger {bits}\n");

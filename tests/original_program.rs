@@ -3,19 +3,23 @@
 //! Both sides do the same operations but for the order of sums and the way to an angle, so they may
 //! differ by rounding alone; see [`rounding`] for how much that is.
 
-use gouge_kernel::geometry::{ContactDistance, Vec2};
-use gouge_kernel::integrators::Integrator;
-use gouge_kernel::laws::{
+use gouge_common::geometry::Domain;
+use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
+use gouge_dem::bonds::BondStart;
+use gouge_dem::contacts::ContactStart;
+use gouge_dem::geometry::ContactDistance;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{
     AdjustedKelvinVoigt, Controller, CreepingDrag, CundallStrack, Driving, EulerBernoulli,
     HaffWerner, HarmonicWell, KelvinVoigt, ZhangEckert,
 };
-use gouge_kernel::links::{BondStart, ContactStart, Pair};
-use gouge_kernel::model::{
-    Ambient, Bond, Contact, ContactNormal, ContactTangential, Domain, External, Model, Reading,
+use gouge_dem::model::{
+    Ambient, BondLaws, ContactLaws, ContactNormal, ContactTangential, External, Model, Reading,
     Yielding,
 };
-use gouge_kernel::particles::{Particle, Role};
-use gouge_kernel::{Start, World};
+use gouge_dem::particles::{Particle, Role};
+use gouge_dem::{Start, World};
 use gouge_validation::oracles::original::{
     Driver, Duty, Ends, Grain, Original, Rubbing, Rules, Spring,
 };
@@ -168,7 +172,7 @@ fn model(oracle: &Original, ledger: bool) -> Model {
     }
 }
 
-fn contact(rules: &Rules) -> Contact {
+fn contact(rules: &Rules) -> ContactLaws {
     let tangential = match rules.rubbing {
         Rubbing::Zero => None,
         Rubbing::HaffWerner { mu, gamma } => Some(ContactTangential::HaffWerner(HaffWerner {
@@ -190,14 +194,14 @@ fn contact(rules: &Rules) -> Contact {
         gamma: damping,
     } = rules.touch;
     let normal = ContactNormal::KelvinVoigt(KelvinVoigt { stiffness, damping });
-    Contact {
+    ContactLaws {
         distance: ContactDistance::Radius,
         normal,
         tangential,
     }
 }
 
-fn bond(rules: &Rules) -> Bond {
+fn bond(rules: &Rules) -> BondLaws {
     let Rules { stretch, bend, .. } = rules;
     let yielding = |[normal_strength, tangential_strength]: [f64; 2]| Yielding {
         law: ZhangEckert {
@@ -206,7 +210,7 @@ fn bond(rules: &Rules) -> Bond {
         },
         unbreakable_edges: true,
     };
-    Bond {
+    BondLaws {
         normal: AdjustedKelvinVoigt {
             stiffness: stretch.k,
             damping: stretch.gamma,
@@ -282,15 +286,13 @@ fn replay(twins: Twins, steps: u64) -> Replay {
 
 /// The same bonds hold and, where the kernel remembers contacts, the same pairs touch.
 fn compare_links(Twins { world, oracle }: &Twins) {
-    let pairs = world
-        .strong_links()
-        .map_or(&[][..], |strong| strong.pairs());
+    let pairs = world.bonds().map_or(&[][..], |strong| strong.pairs());
     let bonded = in_order(pairs.iter().copied());
     let expected: Vec<Ends> = oracle.bonds.keys().copied().collect();
     assert_eq!(bonded, expected, "bonds after {} steps", world.steps());
     if matches!(oracle.rules.rubbing, Rubbing::CundallStrack { .. }) {
         let moves = |i: usize| oracle.grains[i].duty != Duty::Fixed;
-        let weak = world.weak_links().expect("there are contacts");
+        let weak = world.contacts().expect("there are contacts");
         let touching = in_order(weak.remembered().map(|(pair, _)| pair));
         let expected = oracle
             .contacts

@@ -55,7 +55,7 @@ fn the_ledger_changes_no_motion() {
 }
 
 /// A small fault in its shear phase.
-fn sheared(integrator: &str, friction: &str) -> gouge_kernel::World {
+fn sheared(integrator: &str, friction: &str) -> gouge_dem::World {
     sheared_with(&[
         ("velocity-verlet", integrator),
         ("cundall-strack-truncated", friction),
@@ -66,7 +66,7 @@ fn sheared(integrator: &str, friction: &str) -> gouge_kernel::World {
 fn a_step_allocates_nothing() {
     for integrator in INTEGRATORS {
         let mut world = sheared(integrator, "cundall-strack-truncated");
-        let bonds = |world: &gouge_kernel::World| world.strong_links().map(|s| s.len());
+        let bonds = |world: &gouge_dem::World| world.bonds().map(|s| s.len());
         advance(&mut world, 2000);
         let before = bonds(&world);
         let count = allocation_counter::measure(|| advance(&mut world, 10_000));
@@ -87,7 +87,7 @@ fn a_recorded_state_continues_with_the_same_bits() {
             for _ in 0..5 {
                 advance(&mut world, 397);
                 let words = world.to_words();
-                let mut copy = gouge_kernel::World::from_words(*world.model(), &words)
+                let mut copy = gouge_dem::World::from_words(*world.model(), &words)
                     .expect("a state that was just recorded");
                 assert!(copy.to_words() == words);
                 advance(&mut world, 600);
@@ -106,12 +106,12 @@ fn damaged_records_are_refused_without_panic() {
     let world = sheared("beeman", "cundall-strack");
     let words = world.to_words();
     for cut in (0..words.len()).step_by(97) {
-        assert!(gouge_kernel::World::from_words(*world.model(), &words[..cut]).is_none());
+        assert!(gouge_dem::World::from_words(*world.model(), &words[..cut]).is_none());
     }
     for place in (0..words.len()).step_by(101) {
         let mut damaged = words.clone();
         damaged[place] ^= 1 << 62;
-        let _ = gouge_kernel::World::from_words(*world.model(), &damaged);
+        let _ = gouge_dem::World::from_words(*world.model(), &damaged);
     }
 }
 
@@ -129,7 +129,7 @@ fn records_that_name_other_particles_are_refused_or_run() {
         for more in 1..=5 {
             let mut damaged = words.clone();
             damaged[place] = damaged[place].wrapping_add(more);
-            match gouge_kernel::World::from_words(*world.model(), &damaged) {
+            match gouge_dem::World::from_words(*world.model(), &damaged) {
                 Some(mut copy) => drop(copy.step()),
                 None => refused += 1,
             }
@@ -144,7 +144,7 @@ fn records_that_name_other_particles_are_refused_or_run() {
             let mut longer = words.clone();
             longer[place] += 1;
             longer.splice(place + 1..place + 1, vec![0; more]);
-            let read = gouge_kernel::World::from_words(*world.model(), &longer);
+            let read = gouge_dem::World::from_words(*world.model(), &longer);
             assert!(read.is_none(), "{more} words after {place}");
         }
     }

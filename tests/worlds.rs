@@ -1,10 +1,10 @@
 //! Worlds from the text of scenes.
 
-pub use gouge_validation::checks::scenes::{bits, particle};
+pub use gouge_validation::checks::dem::scenes::{bits, particle};
 
-use gouge_kernel::World;
-use gouge_validation::run::{enter, phases};
-use gouge_validation::scene::{Scene, builtin};
+use gouge_dem::World;
+use gouge_runner::run::{enter, phases};
+use gouge_runner::scene::{Scene, builtin};
 use std::path::Path;
 
 /// Names of all integrators.

@@ -3,10 +3,10 @@
 //! Plain code on plain arrays, one pair after the other, velocity Verlet with predicted velocities as in the
 //! kernel, and the same watch over the neighbour list. Positions are not wrapped, nothing is booked.
 
-use gouge_kernel::World;
-use gouge_kernel::geometry::Vec2;
-use gouge_kernel::laws::{AdjustedKelvinVoigt, EulerBernoulli};
-use gouge_kernel::model::{Contact, ContactNormal, ContactTangential};
+use gouge_common::geometry::Vec2;
+use gouge_dem::World;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli};
+use gouge_dem::model::{ContactLaws, ContactNormal, ContactTangential};
 
 type Vector = [f64; 2];
 
@@ -46,7 +46,7 @@ fn vector(v: Vec2) -> Vector {
 }
 
 /// Stiffness and damping of repulsion, friction and damping of rubbing; nothing for other laws.
-fn laws(contact: Contact) -> Option<([f64; 2], Option<[f64; 2]>)> {
+fn laws(contact: ContactLaws) -> Option<([f64; 2], Option<[f64; 2]>)> {
     let ContactNormal::KelvinVoigt(normal) = contact.normal else {
         return None;
     };
@@ -60,13 +60,13 @@ fn laws(contact: Contact) -> Option<([f64; 2], Option<[f64; 2]>)> {
 
 /// The beams of a world, and stiffness and damping of stretching and bending; nothing for other laws.
 fn beams(world: &World) -> Option<(Vec<Beam>, [f64; 2], [f64; 2])> {
-    let (Some(bond), Some(links)) = (world.model().bond, world.strong_links()) else {
+    let (Some(bond), Some(links)) = (world.model().bond, world.bonds()) else {
         return Some((Vec::new(), [0.0; 2], [0.0; 2]));
     };
     let (None, Some(bending)) = (bond.yielding, bond.tangential) else {
         return None;
     };
-    let beam = |link: gouge_kernel::links::StrongLink<f64>| Beam {
+    let beam = |link: gouge_dem::bonds::Bond<f64>| Beam {
         ends: link.pair.indices().into(),
         length: link.rest.distance,
         reference: vector(link.rest.reference),
@@ -97,7 +97,7 @@ impl Grains {
         };
         let vectors = |column: &[Vec2]| column.iter().copied().map(vector).collect::<Vec<_>>();
         let position = vectors(&p.position);
-        let pairs = &world.weak_links()?.pairs;
+        let pairs = &world.contacts()?.pairs;
         let number = p.len();
         Some(Self {
             listed_at: position.clone(),

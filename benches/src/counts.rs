@@ -6,10 +6,10 @@ use crate::peers::{Timer, advance};
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, fault_again, pressed, pressed_again, rubbing};
 use clap::{Subcommand, ValueEnum};
-use gouge_kernel::World;
-use gouge_validation::error::Error;
-use gouge_validation::machine::INSTRUCTIONS;
-use gouge_validation::run::words_of;
+use gouge_dem::World;
+use gouge_runner::error::Error;
+use gouge_runner::machine::INSTRUCTIONS;
+use gouge_runner::run::words_of;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -173,7 +173,7 @@ pub fn measure(valgrind: &Path, rounds: usize) -> Result<Counting, Error> {
     };
     let (block, grains) = (fault(Friction::CundallStrack, false)?, pressed(0.1)?);
     let files = [record("block", &block)?, record("grains", &grains)?];
-    let available = gouge_kernel::Instructions::available();
+    let available = gouge_common::instructions::Instructions::available();
     let known = |name: &&'static str| available.iter().find(|set| set.name() == *name).copied();
     let instructions = KNOWN.iter().find_map(known).unwrap_or_default();
     let program = Program {
@@ -213,8 +213,8 @@ impl Program<'_> {
         rounds: usize,
     ) -> Result<Counts, Error> {
         let particles = world.particles().len();
-        let pairs = world.weak_links().map_or(0, |weak| weak.pairs.len());
-        let bonds = world.strong_links().map_or(0, |strong| strong.len());
+        let pairs = world.contacts().map_or(0, |weak| weak.pairs.len());
+        let bonds = world.bonds().map_or(0, |strong| strong.len());
         let mut timer = Timer::new(world, 10)?;
         let steps = if counted == Counted::Large { 4 } else { 1 } * STEPS / 4;
         let mut ours = Sample::default();

@@ -1,6 +1,6 @@
 //! Where measurements put their files.
 
-use gouge_validation::error::Error;
+use gouge_runner::error::Error;
 use std::path::Path;
 use tempfile::TempDir;
 

@@ -3,7 +3,7 @@
 use crate::peers::{Case, Timer};
 use crate::sample::Sample;
 use crate::worlds::{Friction, pressed, rubbing};
-use gouge_validation::error::Error;
+use gouge_runner::error::Error;
 
 /// Particle-steps of a measurement.
 const WORK: u64 = 4_000_000;

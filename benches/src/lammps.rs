@@ -1,8 +1,8 @@
 //! The same states timed with LAMMPS: a data file, a run of an input in `peers/`, the time of its loop.
 
-use gouge_kernel::World;
-use gouge_kernel::particles::Role;
-use gouge_validation::error::Error;
+use gouge_dem::World;
+use gouge_dem::particles::Role;
+use gouge_runner::error::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -38,7 +38,7 @@ fn ends(places: impl Iterator<Item = f64>) -> (f64, f64) {
 /// The state as a data file, for atoms of the given types with or without bonds.
 pub fn data(world: &World, types: &[usize]) -> String {
     let p = world.particles();
-    let bonds = world.strong_links().map_or(&[][..], |bonds| bonds.pairs());
+    let bonds = world.bonds().map_or(&[][..], |bonds| bonds.pairs());
     let (left, right) = match world.model().period() {
         Some(width) => (0.0, width),
         None => ends(p.position.iter().map(|x| x.x)),

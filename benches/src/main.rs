@@ -17,8 +17,8 @@ mod worlds;
 
 use clap::{Parser, Subcommand};
 use counts::{Counting, Errand};
-use gouge_validation::error::Error;
-use gouge_validation::machine::{Caller, start};
+use gouge_runner::error::Error;
+use gouge_runner::machine::{Caller, start};
 use lammps::Lammps;
 use machine::Machine;
 use parts::Part;

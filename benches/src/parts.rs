@@ -7,12 +7,12 @@ use crate::memory::{asked, kept};
 use crate::peers::Timer;
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, pressed, pressed_with_frames, rubbing};
-use gouge_kernel::laws::{CreepingDrag, Gravity};
-use gouge_kernel::model::{Ambient, Bond, Contact, External, Model};
-use gouge_kernel::{Start, World};
-use gouge_validation::error::Error;
-use gouge_validation::run::write_frame;
-use gouge_validation::scene::Scene;
+use gouge_dem::laws::{CreepingDrag, Gravity};
+use gouge_dem::model::{Ambient, BondLaws, ContactLaws, External, Model};
+use gouge_dem::{Start, World};
+use gouge_runner::error::Error;
+use gouge_runner::run::write_frame;
+use gouge_runner::scene::Scene;
 use serde::Serialize;
 use std::time::Instant;
 use tempfile::TempDir;
@@ -88,10 +88,10 @@ fn still(world: &World, change: impl Fn(&mut Model)) -> Model {
 }
 
 /// A block of the fault whose contacts are frictionless, with the bonds that are asked for.
-fn block(fault: &World, bond: impl Fn(Bond) -> Option<Bond>) -> Result<World, Error> {
+fn block(fault: &World, bond: impl Fn(BondLaws) -> Option<BondLaws>) -> Result<World, Error> {
     let model = still(fault, |model| {
         model.bond = model.bond.and_then(&bond);
-        model.contact = model.contact.map(|contact| Contact {
+        model.contact = model.contact.map(|contact| ContactLaws {
             tangential: None,
             ..contact
         });
@@ -130,7 +130,7 @@ fn of_grains(grains: &World, bare: &World) -> Result<Vec<Compared>, Error> {
 fn of_bonds() -> Result<Vec<Compared>, Error> {
     let fault = fault(Friction::CundallStrack, false)?;
     let unyielding = block(&fault, |bond| {
-        Some(Bond {
+        Some(BondLaws {
             yielding: None,
             ..bond
         })

@@ -5,8 +5,8 @@ use crate::lammps::{Lammps, data, roles};
 use crate::parts::bytes;
 use crate::sample::Sample;
 use crate::worlds::{Friction, fault, fault_steps, pressed, rubbing};
-use gouge_kernel::World;
-use gouge_validation::error::Error;
+use gouge_dem::World;
+use gouge_runner::error::Error;
 use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
@@ -84,9 +84,9 @@ impl Timer {
         Case {
             name: name.to_owned(),
             particles: number,
-            contacts: of_each(world.contacts()),
-            near_pairs: of_each(world.weak_links().map_or(0, |weak| weak.pairs.len())),
-            bonds: of_each(world.strong_links().map_or(0, |strong| strong.len())),
+            contacts: of_each(world.number_of_contacts()),
+            near_pairs: of_each(world.contacts().map_or(0, |weak| weak.pairs.len())),
+            bonds: of_each(world.bonds().map_or(0, |strong| strong.len())),
             bytes: bytes(world),
             rebuilds: [world.rebuilds() - self.rebuilds, self.steps],
             ours,
@@ -100,7 +100,7 @@ impl Timer {
 /// # Errors
 /// A state that becomes senseless.
 pub fn advance(world: &mut World, steps: u64) -> Result<(), Error> {
-    gouge_validation::run::advance(world, steps, "measurement")
+    gouge_runner::run::advance(world, steps, "measurement")
 }
 
 impl Case {

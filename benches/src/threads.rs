@@ -3,9 +3,9 @@
 use crate::peers::{Case, Timer};
 use crate::sample::Sample;
 use crate::worlds::{Friction, pressed, rubbing};
-use gouge_kernel::World;
-use gouge_validation::error::Error;
-use gouge_validation::machine::default_threads;
+use gouge_dem::World;
+use gouge_runner::error::Error;
+use gouge_runner::machine::default_threads;
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
 /// Particle-steps of a measurement: few, so that all of a turn see the same moods of the machine.

@@ -1,11 +1,11 @@
 //! The scenes that are timed, at full size.
 
-use gouge_kernel::laws::{CundallStrackTruncated, HaffWerner};
-use gouge_kernel::model::{ContactTangential, Model};
-use gouge_kernel::{Start, World};
-use gouge_validation::error::Error;
-use gouge_validation::run::{Kind, prepared, recorded};
-use gouge_validation::scene::{Scene, builtin};
+use gouge_dem::laws::{CundallStrackTruncated, HaffWerner};
+use gouge_dem::model::{ContactTangential, Model};
+use gouge_dem::{Start, World};
+use gouge_runner::error::Error;
+use gouge_runner::run::{Kind, prepared, recorded};
+use gouge_runner::scene::{Scene, builtin};
 use std::path::Path;
 use std::time::Instant;
 

@@ -1,8 +1,8 @@
 //! `gouge verify`: the register is run, a line printed a check, and the reports are written.
 
 use crate::checks::{Check, Effort, Topic, register};
-use crate::error::Error;
 use crate::report::{self, Entry, Record};
+use gouge_runner::error::Error;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::collections::BTreeMap;
 use std::path::Path;

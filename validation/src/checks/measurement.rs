@@ -1,8 +1,8 @@
 //! What a check finds, and how far off that may be.
 
 use super::Exhibit;
-use crate::error::{Error, SceneError};
-use gouge_kernel::{ModelError, StepError};
+use gouge_dem::{ModelError, StepError};
+use gouge_runner::error::{Error, SceneError};
 use serde::Serialize;
 use thiserror::Error;
 

@@ -2,27 +2,11 @@
 //!
 //! The gate (`cargo test`) and the report (`gouge verify`) run the same register.
 
-mod beams;
-mod benchmarks;
-mod calibration;
-mod closure;
-mod economy;
-mod estimators;
+pub mod dem;
 mod exhibit;
 mod extrapolation;
-mod extremes;
-mod identities;
-mod laws;
 mod measurement;
-mod order;
-mod pairs;
 mod random;
-mod references;
-mod remembered;
-pub mod scenes;
-mod strength;
-mod time_step;
-pub mod work_precision;
 
 pub use exhibit::{Axis, Curve, Exhibit, Plot, Style, Table};
 pub use measurement::{
@@ -78,21 +62,5 @@ pub struct Topic {
 
 /// All topics, in the order of the report.
 pub fn register() -> Vec<Topic> {
-    vec![
-        identities::topic(),
-        laws::topic(),
-        pairs::topic(),
-        calibration::topic(),
-        benchmarks::topic(),
-        beams::topic(),
-        strength::topic(),
-        time_step::topic(),
-        order::topic(),
-        closure::topic(),
-        extremes::topic(),
-        estimators::topic(),
-        references::topic(),
-        economy::topic(),
-        work_precision::topic(),
-    ]
+    dem::topics()
 }

@@ -12,8 +12,8 @@ pub use pictures::{Picture, pictures};
 pub use record::Record;
 
 use crate::checks::{Exhibit, Topic};
-use crate::error::Error;
-use crate::run::write_whole;
+use gouge_runner::error::Error;
+use gouge_runner::run::write_whole;
 use serde::Serialize;
 use std::path::Path;
 

@@ -1,8 +1,8 @@
 //! Pictures of the built-in scenes.
 
-use crate::error::Error;
-use crate::run::{advance, document, prepared};
-use crate::scene::{Scene, builtin};
+use gouge_runner::error::Error;
+use gouge_runner::run::{advance, document, prepared};
+use gouge_runner::scene::{Scene, builtin};
 use maud::{Markup, PreEscaped, html};
 use rayon::prelude::*;
 

@@ -1,8 +1,9 @@
 //! Double-double precision.
 
 use super::forward_arithmetic;
-use gouge_kernel::Number;
-use gouge_kernel::scalar::Real;
+use gouge_common::lanes::Lanes;
+use gouge_common::scalar::Real;
+use gouge_dem::Number;
 use xprec::Df64;
 
 /// The unevaluated sum of two doubles: 106 bits, about 32 decimal digits.
@@ -19,6 +20,7 @@ impl Default for DoubleDouble {
 
 forward_arithmetic!(DoubleDouble, core::convert::identity);
 
+impl Lanes for DoubleDouble {}
 impl Number for DoubleDouble {}
 
 impl Real for DoubleDouble {

@@ -2,8 +2,9 @@
 
 use super::forward_arithmetic;
 use core::cmp::Ordering;
-use gouge_kernel::Number;
-use gouge_kernel::scalar::Real;
+use gouge_common::lanes::Lanes;
+use gouge_common::scalar::Real;
+use gouge_dem::Number;
 use num_dual::{Dual64, DualNum};
 
 /// A number and its derivative: a law in this type gives its own slope, exact to rounding.
@@ -49,6 +50,7 @@ impl PartialOrd for Dual {
 
 forward_arithmetic!(Dual, core::convert::identity);
 
+impl Lanes for Dual {}
 impl Number for Dual {}
 
 impl Real for Dual {

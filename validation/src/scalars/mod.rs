@@ -1,7 +1,7 @@
 //! Number types for the kernel besides `f64`: what the laws give in less and in more precision, and
 //! what they give as derivatives.
 //!
-//! Each wraps a type of a library, because the kernel's [`Real`](gouge_kernel::scalar::Real) can be
+//! Each wraps a type of a library, because the kernel's [`Real`](gouge_common::scalar::Real) can be
 //! implemented only for types of this crate.
 
 mod double_double;

@@ -1,8 +1,9 @@
 //! Single precision.
 
 use super::forward_arithmetic;
-use gouge_kernel::Number;
-use gouge_kernel::scalar::Real;
+use gouge_common::lanes::Lanes;
+use gouge_common::scalar::Real;
+use gouge_dem::Number;
 
 /// A number of 24 bits, and all arithmetic in them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -14,6 +15,7 @@ fn narrow(factor: f64) -> f32 {
 
 forward_arithmetic!(Single, narrow);
 
+impl Lanes for Single {}
 impl Number for Single {}
 
 impl Real for Single {

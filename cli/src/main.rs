@@ -1,0 +1,117 @@
+//! The `gouge` command: arguments and printing.
+
+mod verify;
+
+use clap::{Parser, Subcommand};
+use gouge_runner::error::Error;
+use gouge_runner::machine::{self, Caller};
+use gouge_runner::scene::Scene;
+use gouge_runner::{commands, run};
+use mimalloc::MiMalloc;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Puts the columns of large worlds at lines of the cache and into huge pages.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
+
+/// A verified discrete element model of shearing brittle surfaces.
+#[derive(Parser)]
+#[command(version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a scene and write its outputs
+    Run {
+        /// A scene file, or the name of a built-in scene
+        scene: String,
+        /// Folder for the outputs
+        #[arg(long)]
+        out: PathBuf,
+        /// Continue a run that was stopped
+        #[arg(long)]
+        resume: bool,
+        /// Show no progress
+        #[arg(long, short)]
+        quiet: bool,
+        /// Wall time between checkpoints, in seconds
+        #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds)]
+        checkpoint_interval: f64,
+    },
+    /// Print every pair that interacts at t = 0, as CSV
+    Links {
+        /// A scene file, or the name of a built-in scene
+        scene: String,
+    },
+    /// Print the time-step bounds of a scene, as JSON
+    Stability {
+        /// A scene file, or the name of a built-in scene
+        scene: String,
+    },
+    /// Run the checks and write report.html and report.json
+    Verify {
+        /// Only checks whose identifier contains this
+        #[arg(long)]
+        only: Option<String>,
+        /// Folder for the reports
+        #[arg(long, default_value = "out/verify")]
+        out: PathBuf,
+    },
+    /// List the built-in scenes, or print one
+    Scenes {
+        /// Name of a built-in scene
+        name: Option<String>,
+    },
+}
+
+/// A number of seconds.
+fn seconds(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok();
+    let number = number.filter(|number: &f64| number.is_finite() && *number >= 0.0);
+    number.ok_or_else(|| "must be a finite number of seconds, zero or greater".to_owned())
+}
+
+fn execute(command: Command) -> Result<(), Error> {
+    machine::start(match command {
+        Command::Run { .. } => Caller::Steps,
+        _ => Caller::Waits,
+    })?;
+    let text = match command {
+        Command::Run {
+            scene,
+            out,
+            resume,
+            quiet,
+            checkpoint_interval,
+        } => {
+            let manner = run::Manner {
+                resume,
+                quiet,
+                checkpoint_interval,
+            };
+            return run::run(&Scene::load(&scene)?, &out, manner);
+        }
+        Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
+        Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,
+        Command::Stability { scene } => commands::stability(&Scene::load(&scene)?)?,
+        Command::Scenes { name } => commands::scenes(name.as_deref())?,
+    };
+    // A closed pipe is how `head` says that it has seen enough.
+    let _ = std::io::stdout().write_all(text.as_bytes());
+    Ok(())
+}
+
+fn main() -> ExitCode {
+    match execute(Arguments::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("gouge: {error}");
+            ExitCode::from(error.status())
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Estimators that need no model: points, radii, or a network of contacts.
+
+mod fragments;
+mod network;
+mod packing;
+mod radial;
+mod stress;
+
+pub use fragments::{Fragments, connected};
+pub use network::{ContactNetwork, NetworkContact};
+pub use packing::packing_fraction;
+pub use radial::{RadialDistribution, Region, radial_distribution, visible_fraction};

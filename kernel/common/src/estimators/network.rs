@@ -1,0 +1,40 @@
+//! The network of contacts that a model shows to estimators.
+
+use crate::estimators::{Fragments, connected};
+use crate::geometry::Vec2;
+use crate::pair::Pair;
+
+/// A contact or bond of any model, as estimators see it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NetworkContact {
+    /// The pair.
+    pub pair: Pair,
+    /// Branch vector from the centre of i to that of j, in m.
+    pub branch: Vec2,
+    /// Force of j on i, in N.
+    pub force: Vec2,
+}
+
+/// All contacts of a state.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ContactNetwork {
+    /// Number of particles.
+    pub particles: usize,
+    /// The contacts, in a fixed order.
+    pub contacts: Vec<NetworkContact>,
+}
+
+impl ContactNetwork {
+    /// Mean number of contacts per particle; zero without particles.
+    ///
+    /// Each contact counts for both of its particles.
+    pub fn coordination_number(&self) -> f64 {
+        2.0 * self.contacts.len() as f64 / self.particles.max(1) as f64
+    }
+
+    /// The connected components of the network.
+    pub fn fragments(&self) -> Fragments {
+        let pairs = self.contacts.iter().map(|contact| contact.pair.indices());
+        connected(self.particles, pairs)
+    }
+}

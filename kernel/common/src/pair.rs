@@ -1,0 +1,60 @@
+//! Pairs of particles and their order.
+
+use core::cmp::Ordering;
+
+/// A pair of particles, the smaller index first.
+///
+/// Pairs are in the order of their second particles, and of the first where these are the same. A particle's links
+/// then come in the order of its neighbours, and those to earlier particles are its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Pair {
+    /// First particle.
+    pub i: u32,
+    /// Second particle.
+    pub j: u32,
+}
+
+impl Pair {
+    /// The pair of two particles, in order.
+    pub fn new(a: usize, b: usize) -> Self {
+        let (i, j) = if a < b { (a, b) } else { (b, a) };
+        Self {
+            i: i as u32,
+            j: j as u32,
+        }
+    }
+    /// With the greater index first.
+    pub fn reversed(self) -> Self {
+        Self {
+            i: self.j,
+            j: self.i,
+        }
+    }
+    /// With the smaller index first.
+    pub fn in_order(self) -> Self {
+        let (i, j) = self.indices();
+        Self::new(i, j)
+    }
+    /// Both indices.
+    #[inline(always)]
+    pub fn indices(self) -> (usize, usize) {
+        (self.i as usize, self.j as usize)
+    }
+}
+
+impl Ord for Pair {
+    fn cmp(&self, other: &Self) -> Ordering {
+        (self.j, self.i).cmp(&(other.j, other.i))
+    }
+}
+
+impl PartialOrd for Pair {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// Number of pairs, in order, whose second particle comes before the given one.
+pub fn pairs_before(pairs: &[Pair], particle: usize) -> usize {
+    pairs.partition_point(|pair| (pair.j as usize) < particle)
+}

@@ -1,0 +1,82 @@
+//! Heat and work: sums over the history, thesis eqs. (74), (78)-(79).
+
+use super::Energy;
+use crate::forces::Tally;
+use gouge_common::scalar::Real;
+
+/// The terms of the balance that depend on the history, in J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ledger<S> {
+    pub(crate) initial: S,
+    pub(crate) ambient: S,
+    pub(crate) friction: S,
+    pub(crate) breaking: S,
+    pub(crate) bonding: S,
+    pub(crate) driving: S,
+}
+
+impl<S: Real> Ledger<S> {
+    /// An empty ledger that measures from the given energy.
+    pub(crate) fn starting_from(energy: &Energy<S>) -> Self {
+        Self {
+            initial: energy.mechanical(),
+            ..Self::default()
+        }
+    }
+
+    /// Book what appeared at once in an evaluation.
+    pub(crate) fn book(&mut self, tally: &Tally<S>) {
+        self.friction += tally.friction;
+        self.breaking += tally.breaking;
+        self.bonding += tally.bonding;
+    }
+
+    /// Book powers over one step, by the trapezoidal rule between its ends; methods that do not evaluate
+    /// at the end pass the powers at the beginning twice (erratum E53 of the thesis).
+    pub(crate) fn advance(&mut self, before: &Tally<S>, after: &Tally<S>, step: f64) {
+        let work = |before: S, after: S| (before + after) * (0.5 * step);
+        self.friction += work(before.friction_rate, after.friction_rate);
+        self.ambient += work(before.ambient_rate, after.ambient_rate);
+        self.driving += work(before.driving_rate, after.driving_rate);
+    }
+
+    /// All terms of the balance, given those of the state.
+    pub(crate) fn balance(&self, state: Energy<S>) -> Energy<S> {
+        let left = state.mechanical() - self.initial + self.ambient + self.friction + self.breaking;
+        Energy {
+            ambient: self.ambient,
+            friction: self.friction,
+            breaking: self.breaking,
+            bonding: self.bonding,
+            driving: self.driving,
+            residual: left - self.bonding - self.driving,
+            ..state
+        }
+    }
+}
+
+impl Ledger<f64> {
+    /// All entries, for a record of the state.
+    pub(crate) fn numbers(&self) -> [f64; 6] {
+        [
+            self.initial,
+            self.ambient,
+            self.friction,
+            self.breaking,
+            self.bonding,
+            self.driving,
+        ]
+    }
+    /// The ledger with the given entries.
+    pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
+        let [initial, ambient, friction, breaking, bonding, driving] = numbers;
+        Self {
+            initial,
+            ambient,
+            friction,
+            breaking,
+            bonding,
+            driving,
+        }
+    }
+}

@@ -1,0 +1,404 @@
+//! Strong links: made once, broken, never made again.
+
+use crate::error::ModelError;
+use crate::geometry::{PairFrame, angle_of, reversed, wrapped};
+use crate::laws::weakest_section;
+use crate::particles::{Particles, Role};
+use core::ops::{Deref, Range};
+use gouge_common::columns as twin;
+use gouge_common::geometry::{Metric, Vec2};
+use gouge_common::pair::Pair;
+use gouge_common::scalar::Real;
+use prefetch_index::prefetch_index;
+
+/// Tells the successive lists of contacts or bonds of a world apart: a rebuild finds pairs anew, and between two
+/// rebuilds pairs only join (those of broken bonds, among contacts) or only leave (among bonds).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Edition {
+    pub rebuilds: u64,
+    pub pairs: usize,
+}
+
+/// What a scene says of a bond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BondStart {
+    /// The two particles.
+    pub between: [usize; 2],
+    /// Strength factor of thesis eq. (50).
+    pub strength_factor: f64,
+    /// Distance when the bond began in m; that of the initial state if not given.
+    pub initial_distance: Option<f64>,
+    /// Angles of both ends in the pair frame when the bond began, thesis eq. (30), in rad.
+    pub initial_angles: Option<[f64; 2]>,
+}
+
+/// A bond between two particles.
+#[doc(alias = "bond")]
+#[doc(alias = "beam")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bond<S> {
+    /// The pair.
+    pub pair: Pair,
+    /// What the bond keeps of its beginning.
+    pub rest: Rest<S>,
+    /// Strength factor; infinite where the bond never breaks.
+    pub strength_factor: S,
+}
+
+/// The unstrained state of a bond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest<S> {
+    /// Direction of the pair frame from which its turn is measured.
+    pub reference: Vec2<S>,
+    /// Angles of both particles at which the ends are unbent, while the frame points along `reference`.
+    pub angles: [S; 2],
+    /// Distance when the bond began, in m.
+    pub distance: S,
+}
+
+/// All bonds, in the order of their pairs, as columns of equal length.
+#[derive(Clone, Debug)]
+pub struct Bonds<S> {
+    pub(crate) pairs: Vec<Pair>,
+    references: [Vec<S>; 2],
+    angles: [Vec<S>; 2],
+    distances: Vec<S>,
+    strength_factors: Vec<S>,
+    /// Sections that carry the forces of bonds when they break, in m^2.
+    sections: Vec<S>,
+    /// Radii of both ends in m: they never change, and so are not gathered anew in each step.
+    radii: [Vec<S>; 2],
+    /// Positions of the links that broke in the latest evaluation, before they are removed.
+    pub(crate) broken: Vec<u32>,
+}
+
+/// Consecutive bonds, of which the rest may be changed.
+pub(crate) struct BondColumns<'a, S> {
+    /// Position of the first among all.
+    pub first: usize,
+    pub pairs: &'a [Pair],
+    pub references: [&'a mut [S]; 2],
+    pub angles: [&'a mut [S]; 2],
+    pub distances: &'a [S],
+    pub sections: &'a [S],
+    pub radii: [&'a [S]; 2],
+}
+
+impl<S: Real> BondColumns<'_, S> {
+    /// Prefetch the bonds from a position on, a line of each column.
+    #[inline(always)]
+    pub fn prefetch(&self, position: usize) {
+        twin::prefetch(&self.references, position);
+        twin::prefetch(&self.angles, position);
+        prefetch_index(self.distances, position);
+        prefetch_index(self.sections, position);
+        twin::prefetch(&self.radii, position);
+    }
+    pub fn split_at(self, at: usize) -> (Self, Self) {
+        let (pairs, other_pairs) = self.pairs.split_at(at);
+        let (references, other_references) = twin::split_mut(self.references, at);
+        let (angles, other_angles) = twin::split_mut(self.angles, at);
+        let (distances, other_distances) = self.distances.split_at(at);
+        let (sections, other_sections) = self.sections.split_at(at);
+        let (radii, other_radii) = twin::split(self.radii, at);
+        (
+            Self {
+                first: self.first,
+                pairs,
+                references,
+                angles,
+                distances,
+                sections,
+                radii,
+            },
+            Self {
+                first: self.first + at,
+                pairs: other_pairs,
+                references: other_references,
+                angles: other_angles,
+                distances: other_distances,
+                sections: other_sections,
+                radii: other_radii,
+            },
+        )
+    }
+    /// Those at some positions.
+    #[inline(always)]
+    pub fn part(&mut self, positions: Range<usize>) -> BondColumns<'_, S> {
+        BondColumns {
+            first: self.first + positions.start,
+            pairs: &self.pairs[positions.clone()],
+            references: twin::part_mut(&mut self.references, positions.clone()),
+            angles: twin::part_mut(&mut self.angles, positions.clone()),
+            distances: &self.distances[positions.clone()],
+            sections: &self.sections[positions.clone()],
+            radii: self.radii.map(|radii| &radii[positions.clone()]),
+        }
+    }
+    /// The unstrained state at a position.
+    #[inline(always)]
+    pub fn rest(&self, position: usize) -> Rest<S> {
+        rest_at(&self.references, &self.angles, self.distances, position)
+    }
+    /// Replace what the unstrained state at a position is measured against.
+    pub fn refer(&mut self, position: usize, rest: &Rest<S>) {
+        let reference = [rest.reference.x, rest.reference.y];
+        twin::put(&mut self.references, position, reference);
+        twin::put(&mut self.angles, position, rest.angles);
+    }
+}
+
+impl<S: Real> Bonds<S> {
+    /// Make the bonds of a scene.
+    ///
+    /// # Errors
+    /// Pairs that do not exist, repeat, or are longer than half the period.
+    pub fn new<M: Metric>(
+        metric: M,
+        particles: &Particles<S>,
+        starts: &[BondStart],
+        unbreakable_edges: bool,
+        period: Option<f64>,
+    ) -> Result<Self, ModelError> {
+        check_pairs(particles.len(), starts.iter().map(|start| start.between))?;
+        let mut links = Vec::with_capacity(starts.len());
+        for (position, start) in starts.iter().enumerate() {
+            let length = frame_of(metric, particles, start).distance.to_f64();
+            if let Some(width) = period
+                && length > 0.5 * width
+            {
+                return Err(ModelError::LongBond {
+                    link: position,
+                    length,
+                    width,
+                });
+            }
+            links.push(begin(metric, particles, start));
+        }
+        links.sort_by_key(|link| link.pair);
+        let mut links = Self::from_links(&links, particles);
+        if unbreakable_edges {
+            links.strengthen_edges(particles);
+        }
+        Ok(links)
+    }
+
+    /// Links as they were recorded, in the order of their pairs, between particles that exist.
+    pub(crate) fn from_links(links: &[Bond<S>], particles: &Particles<S>) -> Self {
+        let radii = |link: &Bond<S>| {
+            let (i, j) = link.pair.indices();
+            [particles.radius[i], particles.radius[j]]
+        };
+        let zeros = vec![S::zero(); links.len()];
+        let mut kept = Self {
+            pairs: links.iter().map(|link| link.pair).collect(),
+            references: twin::collect(links, |Bond { rest, .. }| {
+                [rest.reference.x, rest.reference.y]
+            }),
+            angles: twin::collect(links, |link| link.rest.angles),
+            distances: links.iter().map(|link| link.rest.distance).collect(),
+            strength_factors: zeros.clone(),
+            sections: zeros,
+            radii: twin::collect(links, radii),
+            broken: Vec::with_capacity(links.len()),
+        };
+        for (position, link) in links.iter().enumerate() {
+            kept.set_strength_factor(position, link.strength_factor);
+        }
+        kept
+    }
+
+    fn set_strength_factor(&mut self, position: usize, factor: S) {
+        self.strength_factors[position] = factor;
+        self.sections[position] = weakest_section(twin::at(&self.radii, position), factor);
+    }
+
+    /// Make the bonds of driven and fixed particles unbreakable.
+    pub(crate) fn strengthen_edges(&mut self, particles: &Particles<S>) {
+        for position in 0..self.len() {
+            let (i, j) = self.pairs[position].indices();
+            if [i, j].iter().any(|&end| particles.role[end] != Role::Free) {
+                self.set_strength_factor(position, S::from_f64(f64::INFINITY));
+            }
+        }
+    }
+
+    /// All of them, for a pass.
+    pub(crate) fn columns(&mut self) -> BondColumns<'_, S> {
+        BondColumns {
+            first: 0,
+            pairs: &self.pairs,
+            references: twin::slices_mut(&mut self.references),
+            angles: twin::slices_mut(&mut self.angles),
+            distances: &self.distances,
+            sections: &self.sections,
+            radii: twin::slices(&self.radii),
+        }
+    }
+
+    /// Number of bonds that hold.
+    pub fn len(&self) -> usize {
+        self.pairs.len()
+    }
+    /// Which list of bonds this is.
+    pub(crate) fn edition(&self) -> Edition {
+        Edition {
+            rebuilds: 0,
+            pairs: self.len(),
+        }
+    }
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty()
+    }
+    /// The pairs that are bonded.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+    /// The bond at a position.
+    #[inline(always)]
+    pub(crate) fn get(&self, position: usize) -> Bond<S> {
+        let (references, angles) = (&self.references, &self.angles);
+        Bond {
+            pair: self.pairs[position],
+            rest: rest_at(references, angles, &self.distances, position),
+            strength_factor: self.strength_factors[position],
+        }
+    }
+    /// The bonds that hold.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Bond<S>> + Clone {
+        (0..self.len()).map(|position| self.get(position))
+    }
+
+    /// Whether the pair is bonded.
+    pub fn contains(&self, pair: Pair) -> bool {
+        self.pairs.binary_search(&pair).is_ok()
+    }
+
+    /// Whether the bond of the pair broke in the latest evaluation.
+    pub(crate) fn breaks_now(&self, pair: Pair) -> bool {
+        self.broken
+            .binary_search_by_key(&pair, |&position| self.pairs[position as usize])
+            .is_ok()
+    }
+
+    /// Remove the links that broke.
+    pub(crate) fn remove_broken(&mut self) {
+        fn remove<T>(column: &mut Vec<T>, broken: &[u32]) {
+            let mut broken = broken.iter().copied().peekable();
+            let mut position = 0;
+            column.retain(|_| {
+                let breaks = broken.next_if_eq(&position).is_some();
+                position += 1;
+                !breaks
+            });
+        }
+        let Self {
+            pairs,
+            references,
+            angles,
+            distances,
+            strength_factors,
+            sections,
+            radii,
+            broken,
+        } = self;
+        remove(pairs, broken);
+        for column in references.iter_mut().chain(angles).chain(radii) {
+            remove(column, broken);
+        }
+        remove(distances, broken);
+        remove(strength_factors, broken);
+        remove(sections, broken);
+        broken.clear();
+    }
+}
+
+/// The unstrained state at a position of columns.
+#[inline(always)]
+fn rest_at<S: Real, C: Deref<Target = [S]>>(
+    references: &[C; 2],
+    angles: &[C; 2],
+    distances: &[S],
+    position: usize,
+) -> Rest<S> {
+    let [x, y] = twin::at(references, position);
+    Rest {
+        reference: Vec2::new(x, y),
+        angles: twin::at(angles, position),
+        distance: distances[position],
+    }
+}
+
+fn frame_of<S: Real, M: Metric>(
+    metric: M,
+    particles: &Particles<S>,
+    start: &BondStart,
+) -> PairFrame<S> {
+    let (i, j) = Pair::new(start.between[0], start.between[1]).indices();
+    PairFrame::new(metric.displacement(particles.position[i], particles.position[j]))
+}
+
+fn begin<S: Real, M: Metric>(metric: M, particles: &Particles<S>, start: &BondStart) -> Bond<S> {
+    let pair = Pair::new(start.between[0], start.between[1]);
+    let (i, j) = pair.indices();
+    let frame = frame_of(metric, particles, start);
+    let angles = start.initial_angles.map(|a| {
+        if start.between[0] == i {
+            a
+        } else {
+            [a[1], a[0]]
+        }
+    });
+    Bond {
+        pair,
+        rest: Rest {
+            reference: frame.normal,
+            angles: rest_angles(&frame, [particles.angle[i], particles.angle[j]], angles),
+            distance: start.initial_distance.map_or(frame.distance, S::from_f64),
+        },
+        strength_factor: S::from_f64(start.strength_factor),
+    }
+}
+
+/// Angles of the particles at which a link is unbent in the present frame: the present ones, or, if the
+/// link began earlier with the given angles in its frame, those by which it has turned since.
+pub(crate) fn rest_angles<S: Real>(
+    frame: &PairFrame<S>,
+    angles: [S; 2],
+    initial: Option<[f64; 2]>,
+) -> [S; 2] {
+    let Some(initial) = initial else {
+        return angles;
+    };
+    let lambda = angle_of(frame.normal);
+    let frames = [lambda, reversed(lambda)];
+    [0, 1].map(|end| {
+        let psi = angles[end] - frames[end];
+        angles[end] - wrapped(psi - S::from_f64(initial[end]))
+    })
+}
+
+/// Check that every pair exists and none repeats.
+pub(crate) fn check_pairs(
+    particles: usize,
+    pairs: impl Iterator<Item = [usize; 2]>,
+) -> Result<(), ModelError> {
+    let mut seen = std::collections::HashSet::new();
+    for (link, [i, j]) in pairs.enumerate() {
+        if let Some(particle) = [i, j].into_iter().find(|&p| p >= particles) {
+            return Err(ModelError::NoSuchParticle {
+                link,
+                particle,
+                particles,
+            });
+        }
+        if i == j {
+            return Err(ModelError::SelfLink { link, particle: i });
+        }
+        if !seen.insert(Pair::new(i, j)) {
+            return Err(ModelError::DuplicateLink { link, i, j });
+        }
+    }
+    Ok(())
+}

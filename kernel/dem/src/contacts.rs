@@ -1,0 +1,409 @@
+//! Weak links: contacts that begin and end with overlap, and what they remember.
+
+use crate::bonds::Edition;
+use crate::bonds::{Bonds, check_pairs, rest_angles};
+use crate::error::ModelError;
+use crate::geometry::PairFrame;
+use crate::particles::Particles;
+use core::ops::{Deref, Range};
+use gouge_common::columns as twin;
+use gouge_common::geometry::{Metric, Vec2};
+use gouge_common::neighbors::Neighbors;
+use gouge_common::pair::Pair;
+use gouge_common::parts::halves;
+use gouge_common::scalar::Real;
+use prefetch_index::prefetch_index;
+
+/// What a scene says of a contact that began before its initial state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactStart {
+    /// The two particles.
+    pub between: [usize; 2],
+    /// Angles of both ends in the pair frame when the contact began, thesis eq. (30), in rad.
+    pub initial_angles: [f64; 2],
+}
+
+/// What a contact remembers of its beginning.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ContactMemory<S> {
+    /// Whether the pair touches; the rest has no meaning otherwise.
+    pub touches: bool,
+    /// Direction of the pair frame from which its turn is measured.
+    pub reference: Vec2<S>,
+    /// Angles of both particles at which the tangential displacement is zero, while the frame points
+    /// along `reference`; for arms that accumulate, the displacements of both ends so far, in m.
+    pub ends: [S; 2],
+    /// The number that the tangential law remembers.
+    pub state: S,
+}
+
+impl<S: Real> ContactMemory<S> {
+    /// A contact that begins in the given frame, with the given entries of both ends.
+    #[inline]
+    pub(crate) fn begin(frame: &PairFrame<S>, ends: [S; 2]) -> Self {
+        Self {
+            touches: true,
+            reference: frame.normal,
+            ends,
+            state: S::zero(),
+        }
+    }
+}
+
+/// Memories of contacts, one a pair, as columns of equal length.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Memories<S> {
+    pub touches: Vec<bool>,
+    pub references: [Vec<S>; 2],
+    pub ends: [Vec<S>; 2],
+    pub states: Vec<S>,
+}
+
+/// Memories of consecutive pairs.
+pub(crate) struct MemoryColumns<'a, S> {
+    pub touches: &'a mut [bool],
+    pub references: [&'a mut [S]; 2],
+    pub ends: [&'a mut [S]; 2],
+    pub states: &'a mut [S],
+}
+
+impl<S: Real> MemoryColumns<'_, S> {
+    pub fn split_at(self, at: usize) -> (Self, Self) {
+        let (touches, other_touches) = halves(self.touches, at);
+        let (references, other_references) = twin::split_mut(self.references, at);
+        let (ends, other_ends) = twin::split_mut(self.ends, at);
+        let (states, other_states) = halves(self.states, at);
+        (
+            Self {
+                touches,
+                references,
+                ends,
+                states,
+            },
+            Self {
+                touches: other_touches,
+                references: other_references,
+                ends: other_ends,
+                states: other_states,
+            },
+        )
+    }
+    /// Those at some positions.
+    #[inline(always)]
+    pub fn part(&mut self, positions: Range<usize>) -> MemoryColumns<'_, S> {
+        MemoryColumns {
+            touches: &mut self.touches[positions.clone()],
+            references: twin::part_mut(&mut self.references, positions.clone()),
+            ends: twin::part_mut(&mut self.ends, positions.clone()),
+            states: &mut self.states[positions],
+        }
+    }
+    /// Prefetch the memories from a position on, a line of each column.
+    #[inline(always)]
+    pub fn prefetch(&self, position: usize) {
+        prefetch_index(&*self.touches, position);
+        twin::prefetch(&self.references, position);
+        twin::prefetch(&self.ends, position);
+        prefetch_index(&*self.states, position);
+    }
+    /// The memory at a position.
+    #[inline(always)]
+    pub fn get(&self, position: usize) -> ContactMemory<S> {
+        let touches = self.touches[position];
+        memory_at(touches, &self.references, &self.ends, self.states, position)
+    }
+    /// Replace the memory at a position.
+    #[inline(always)]
+    pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
+        self.touches[position] = memory.touches;
+        let reference = [memory.reference.x, memory.reference.y];
+        twin::put(&mut self.references, position, reference);
+        twin::put(&mut self.ends, position, memory.ends);
+        self.states[position] = memory.state;
+    }
+}
+
+impl<S: Real> Memories<S> {
+    fn make_room(&mut self, room: usize) {
+        fit(&mut self.touches, room);
+        for column in self.numbers() {
+            fit(column, room);
+        }
+    }
+    /// The memory at a position.
+    pub fn get(&self, position: usize) -> ContactMemory<S> {
+        let touches = self.touches[position];
+        memory_at(
+            touches,
+            &self.references,
+            &self.ends,
+            &self.states,
+            position,
+        )
+    }
+    /// All of them, to be changed; none where nothing is remembered.
+    pub fn columns(&mut self) -> MemoryColumns<'_, S> {
+        MemoryColumns {
+            touches: &mut self.touches,
+            references: twin::slices_mut(&mut self.references),
+            ends: twin::slices_mut(&mut self.ends),
+            states: &mut self.states,
+        }
+    }
+    fn set(&mut self, position: usize, memory: ContactMemory<S>) {
+        self.columns().set(position, memory);
+    }
+    fn insert(&mut self, position: usize, memory: ContactMemory<S>) {
+        self.touches.insert(position, memory.touches);
+        for column in self.numbers() {
+            column.insert(position, S::zero());
+        }
+        self.set(position, memory);
+    }
+    fn resize(&mut self, number: usize) {
+        self.touches.resize(number, false);
+        for column in self.numbers() {
+            column.resize(number, S::zero());
+        }
+    }
+    fn numbers(&mut self) -> impl Iterator<Item = &mut Vec<S>> {
+        let pairs = self.references.iter_mut().chain(&mut self.ends);
+        pairs.chain([&mut self.states])
+    }
+}
+
+/// The memory at a position of columns, of a pair that touches or does not.
+#[inline(always)]
+fn memory_at<S: Real, C: Deref<Target = [S]>>(
+    touches: bool,
+    references: &[C; 2],
+    ends: &[C; 2],
+    states: &[S],
+    position: usize,
+) -> ContactMemory<S> {
+    let [x, y] = twin::at(references, position);
+    ContactMemory {
+        touches,
+        reference: Vec2::new(x, y),
+        ends: twin::at(ends, position),
+        state: states[position],
+    }
+}
+
+/// Room for so many pairs, bonded ones included, and a few more, so that lists grow rarely.
+fn roomy(near: usize) -> usize {
+    near + near / 128 + 64
+}
+
+/// Give a column exactly so much room.
+fn fit<T>(column: &mut Vec<T>, room: usize) {
+    column.shrink_to(room);
+    column.reserve_exact(room.saturating_sub(column.len()));
+}
+
+/// The pairs that may touch, in order, and their memory where a law asks for it.
+#[derive(Clone, Debug)]
+pub struct Contacts<S> {
+    /// Pairs near enough to touch before the next rebuild, without the bonded ones.
+    pub pairs: Vec<Pair>,
+    pub(crate) memories: Memories<S>,
+    remembers: bool,
+    neighbors: Neighbors<S>,
+    /// For how many pairs there is room.
+    room: usize,
+}
+
+impl<S: Real> Contacts<S> {
+    /// An empty list, to be filled by the first [`rebuild`](Self::rebuild).
+    pub fn new(neighbors: Neighbors<S>, remembers: bool) -> Self {
+        Self {
+            pairs: Vec::new(),
+            memories: Memories::default(),
+            remembers,
+            neighbors,
+            room: 0,
+        }
+    }
+
+    /// The neighbour list behind the pairs.
+    pub fn neighbors(&self) -> &Neighbors<S> {
+        &self.neighbors
+    }
+
+    /// Which list of pairs this is.
+    pub(crate) fn edition(&self) -> Edition {
+        Edition {
+            rebuilds: self.neighbors.rebuilds(),
+            pairs: self.pairs.len(),
+        }
+    }
+
+    /// For how many pairs there is room to remember.
+    pub fn memory_capacity(&self) -> usize {
+        self.memories.states.capacity()
+    }
+
+    /// What the pair at a position remembers, if it touches and anything is remembered.
+    #[inline]
+    pub(crate) fn memory_at(&self, position: usize) -> Option<ContactMemory<S>> {
+        let touches = self.memories.touches.get(position).copied();
+        touches
+            .unwrap_or_default()
+            .then(|| self.memories.get(position))
+    }
+
+    /// Find the pairs anew; memories of touching pairs are kept.
+    ///
+    /// Allocates only where more pairs are near than ever before.
+    pub fn rebuild<M: Metric>(
+        &mut self,
+        metric: M,
+        particles: &Particles<S>,
+        strong: Option<&Bonds<S>>,
+    ) {
+        let touching = self.gather_touching();
+        self.neighbors.append_new(
+            metric,
+            particles.reaching(),
+            |i, j| particles.may_interact(i, j),
+            &mut self.pairs,
+        );
+        self.make_room();
+        self.mark_and_sort(touching);
+        if let Some(strong) = strong {
+            remove_bonded(&mut self.pairs, strong);
+        }
+        self.spread_touching(touching);
+    }
+
+    /// Room for what all near pairs remember, also for the bonded ones, whose bonds may break.
+    fn make_room(&mut self) {
+        if self.pairs.len() <= self.room {
+            return;
+        }
+        self.room = roomy(self.pairs.len());
+        fit(&mut self.pairs, self.room);
+        if self.remembers {
+            self.memories.make_room(self.room);
+        }
+    }
+
+    /// Keep only the pairs that touch and their memories; how many there are. They stay even if they have left the
+    /// margin, so that their end is seen whenever the list happens to be rebuilt.
+    fn gather_touching(&mut self) -> usize {
+        let mut touching = 0;
+        for position in 0..self.memories.touches.len() {
+            if let Some(memory) = self.memory_at(position) {
+                self.memories.set(touching, memory);
+                self.pairs[touching] = self.pairs[position];
+                touching += 1;
+            }
+        }
+        self.pairs.truncate(touching);
+        touching
+    }
+
+    /// Sort the pairs, the first of which touch: these are turned round, so that they are known afterwards.
+    fn mark_and_sort(&mut self, touching: usize) {
+        for pair in &mut self.pairs[..touching] {
+            *pair = pair.reversed();
+        }
+        self.pairs.sort_unstable_by_key(|pair| pair.in_order());
+    }
+
+    /// Give the pairs that are turned round the memories at the front, and turn them back.
+    fn spread_touching(&mut self, mut touching: usize) {
+        if !self.remembers {
+            return;
+        }
+        self.memories.resize(self.pairs.len());
+        // From behind: a memory never moves forward, so none is overwritten before it has moved.
+        for position in (0..self.pairs.len()).rev() {
+            let pair = self.pairs[position];
+            let touches = pair != pair.in_order();
+            if touches {
+                touching -= 1;
+                self.pairs[position] = pair.in_order();
+                let memory = self.memories.get(touching);
+                self.memories.set(position, memory);
+            }
+            self.memories.touches[position] = touches;
+        }
+    }
+
+    /// Let the pairs of broken bonds touch.
+    pub(crate) fn admit_broken(&mut self, strong: &Bonds<S>) {
+        for &position in &strong.broken {
+            let pair = strong.pairs[position as usize];
+            if let Err(at) = self.pairs.binary_search(&pair) {
+                self.pairs.insert(at, pair);
+                if self.remembers {
+                    self.memories.insert(at, ContactMemory::default());
+                }
+            }
+        }
+    }
+
+    /// Give contacts the memory that the scene states.
+    ///
+    /// # Errors
+    /// Pairs that do not exist, repeat, or do not overlap.
+    pub fn remember<M: Metric>(
+        &mut self,
+        metric: M,
+        particles: &Particles<S>,
+        starts: &[ContactStart],
+    ) -> Result<(), ModelError> {
+        check_pairs(particles.len(), starts.iter().map(|start| start.between))?;
+        for (link, start) in starts.iter().enumerate() {
+            let pair = Pair::new(start.between[0], start.between[1]);
+            let (i, j) = pair.indices();
+            let displacement = metric.displacement(particles.position[i], particles.position[j]);
+            let reach = particles.radius[i] + particles.radius[j];
+            let found = self.pairs.binary_search(&pair);
+            let (Ok(at), true) = (found, displacement.norm_squared() < reach * reach) else {
+                return Err(ModelError::NoOverlap { link, i, j });
+            };
+            if self.remembers {
+                let given = start.initial_angles;
+                let initial = if start.between[0] == i {
+                    given
+                } else {
+                    [given[1], given[0]]
+                };
+                let frame = PairFrame::new(displacement);
+                let angles = [particles.angle[i], particles.angle[j]];
+                let rest = rest_angles(&frame, angles, Some(initial));
+                self.memories.set(at, ContactMemory::begin(&frame, rest));
+            }
+        }
+        Ok(())
+    }
+
+    /// The contacts that remember, with their memory.
+    pub fn remembered(&self) -> impl Iterator<Item = (Pair, ContactMemory<S>)> {
+        let pairs = self.pairs.iter().enumerate();
+        pairs.filter_map(|(position, &pair)| Some((pair, self.memory_at(position)?)))
+    }
+
+    /// Restore memories, in the order of [`remembered`](Self::remembered), as a checkpoint holds them.
+    pub fn restore(&mut self, memories: &[(Pair, ContactMemory<S>)]) {
+        if self.remembers {
+            self.pairs.clear();
+            self.memories.resize(memories.len());
+            for (position, &(pair, memory)) in memories.iter().enumerate() {
+                self.pairs.push(pair);
+                self.memories.set(position, memory);
+            }
+        }
+    }
+}
+
+/// Remove from sorted pairs those that are bonded; pairs that touch, turned round, are not.
+fn remove_bonded<S: Real>(pairs: &mut Vec<Pair>, strong: &Bonds<S>) {
+    let mut bonded = strong.pairs.iter().copied().peekable();
+    pairs.retain(|&pair| {
+        while bonded.next_if(|&other| other < pair.in_order()).is_some() {}
+        bonded.peek() != Some(&pair)
+    });
+}

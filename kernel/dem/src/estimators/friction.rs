@@ -1,0 +1,26 @@
+//! Coefficient of dry friction, thesis eqs. (85)-(86).
+
+use crate::world::Drive;
+use gouge_common::scalar::Real;
+use gouge_equations::rendered;
+
+/// Coefficient of friction from the load, dimensionless.
+///
+/// $$ \mu = -\frac{\sum_i F_i^{driv\,x}}{\sum_i F_i^{driv\,y}} $$
+///
+/// Thesis eq. (85) as a ratio of sums, with the sign that makes friction against a motion towards
+/// positive x under compression positive (erratum E23 of the thesis). Undefined without a load.
+#[rendered]
+pub fn friction_load<S: Real>(drive: &Drive<S>) -> f64 {
+    -drive.applied.x.to_f64() / drive.applied.y.to_f64()
+}
+
+/// Coefficient of friction from the reaction, dimensionless.
+///
+/// $$ \mu = -\frac{\sum_i (F_i^x - F_i^{driv\,x})}{\sum_i (F_i^y - F_i^{driv\,y})} $$
+///
+/// Thesis eq. (86), as [`friction_load`].
+#[rendered]
+pub fn friction_feedback<S: Real>(drive: &Drive<S>) -> f64 {
+    -drive.reaction.x.to_f64() / drive.reaction.y.to_f64()
+}

@@ -1,0 +1,54 @@
+//! The pass of the driving force.
+
+use super::{Forces, Tally};
+use crate::laws::Driven;
+use crate::particles::Particles;
+use gouge_common::geometry::Vec2;
+use gouge_common::scalar::Real;
+
+/// What the controller needs to know of the driven particles, before the driving force is added.
+#[inline(never)]
+pub(crate) fn measure<S: Real>(
+    particles: &Particles<S>,
+    driven: &[u32],
+    forces: &Forces<S>,
+) -> Driven<S> {
+    let mut sums = Driven {
+        number: S::from_f64(driven.len() as f64),
+        velocity: S::zero(),
+        known_velocity: S::zero(),
+        haste: 1.0,
+        reaction: Vec2::zero(),
+        inverse_mass: S::zero(),
+        acceleration: S::zero(),
+    };
+    for &i in driven {
+        let i = i as usize;
+        let inverse_mass = S::from_f64(1.0) / particles.mass[i];
+        sums.velocity += particles.velocity[i].x;
+        sums.reaction += forces.force[i];
+        sums.inverse_mass += inverse_mass;
+        sums.acceleration += forces.force[i].x * inverse_mass;
+    }
+    sums
+}
+
+/// Add an equal share of the total driving force to every driven particle.
+#[inline(never)]
+pub(crate) fn driving<S: Real, const LEDGER: bool>(
+    total: Vec2<S>,
+    particles: &Particles<S>,
+    driven: &[u32],
+    forces: &mut Forces<S>,
+    tally: &mut Tally<S>,
+) {
+    let number = S::from_f64(driven.len() as f64);
+    let share = Vec2::new(total.x / number, total.y / number);
+    for &i in driven {
+        let i = i as usize;
+        forces.force[i] += share;
+        if LEDGER {
+            tally.driving_rate += share.dot(particles.velocity[i]);
+        }
+    }
+}

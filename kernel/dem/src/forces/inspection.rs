@@ -1,0 +1,138 @@
+//! Every link of a state with its kinematics and forces, for inspection.
+
+use super::block::Columns;
+use super::{BondPass, ContactPass};
+use crate::bonds::{Bond, Bonds};
+use crate::contacts::Contacts;
+use crate::geometry::{Arm, PairFrame, overlap_factor};
+use crate::laws::{BeamLaw, NormalLaw, TangentialLaw, YieldLaw};
+use crate::particles::Particles;
+use gouge_common::geometry::{Metric, Vec2};
+use gouge_common::lanes::Lanes;
+use gouge_common::pair::Pair;
+use gouge_common::scalar::Real;
+
+/// Kind of a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InteractionKind {
+    /// A contact.
+    Weak,
+    /// A bond.
+    Strong,
+}
+
+/// A link in the present state, signs as in the thesis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interaction {
+    /// The pair.
+    pub pair: Pair,
+    /// Contact or bond.
+    pub kind: InteractionKind,
+    /// Overlap factor of i.
+    pub overlap_factor: f64,
+    /// Focal point in m.
+    pub focal_point: Vec2,
+    /// Normal from i to j.
+    pub normal: Vec2,
+    /// Distance of the centres in m.
+    pub distance: f64,
+    /// Normal displacement in m.
+    pub normal_displacement: f64,
+    /// Adjusted normal displacement of a bond in m; zero for a contact.
+    pub adjusted_normal_displacement: f64,
+    /// Tangential displacements of both ends in m.
+    pub tangential_displacement: [f64; 2],
+    /// Rate of the normal displacement in m/s.
+    pub normal_velocity: f64,
+    /// Tangential velocities of both ends in m/s.
+    pub tangential_velocity: [f64; 2],
+    /// Normal force in N.
+    pub normal_force: f64,
+    /// Tangential force in N.
+    pub tangential_force: f64,
+    /// Torques on both ends in N m.
+    pub torque: [f64; 2],
+}
+
+fn doubles<S: Lanes>(pair: [S; 2]) -> [f64; 2] {
+    pair.map(Real::to_f64)
+}
+
+/// The parts of a link state that both kinds share.
+fn common<S: Lanes>(
+    kind: InteractionKind,
+    pair: Pair,
+    particles: &Particles<S>,
+    frame: &PairFrame<S>,
+) -> Interaction {
+    let (i, j) = pair.indices();
+    let radii = [particles.radius[i], particles.radius[j]];
+    let factor = overlap_factor(radii, frame.distance);
+    let focal_point = particles.position[i] + frame.normal * (frame.distance * factor);
+    let double = |v: Vec2<S>| Vec2::new(v.x.to_f64(), v.y.to_f64());
+    Interaction {
+        pair,
+        kind,
+        overlap_factor: factor.to_f64(),
+        focal_point: double(focal_point),
+        normal: double(frame.normal),
+        distance: frame.distance.to_f64(),
+        normal_displacement: frame.normal_displacement(radii).to_f64(),
+        adjusted_normal_displacement: 0.0,
+        tangential_displacement: [0.0; 2],
+        normal_velocity: 0.0,
+        tangential_velocity: [0.0; 2],
+        normal_force: 0.0,
+        tangential_force: 0.0,
+        torque: [0.0; 2],
+    }
+}
+
+/// The contacts of a state.
+pub(crate) fn weak<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+    pass: ContactPass<M, A, N, T>,
+    particles: &Particles<S>,
+    weak: &Contacts<S>,
+) -> Vec<Interaction> {
+    let columns = Columns::of(particles);
+    let state = |(position, &pair): (usize, &Pair)| {
+        let ends = columns.ends(pair);
+        if !pass.touch(&ends) {
+            return None;
+        }
+        let mut memory = pass.memory_at(weak, position, &ends);
+        let state = pass.any(&ends, &mut memory);
+        Some(Interaction {
+            tangential_displacement: doubles(state.zeta),
+            normal_velocity: state.motion.normal_velocity.to_f64(),
+            tangential_velocity: doubles(state.d_zeta),
+            normal_force: state.normal_force.to_f64(),
+            tangential_force: state.tangential_force.to_f64(),
+            torque: doubles(state.torques),
+            ..common(InteractionKind::Weak, pair, particles, &state.frame)
+        })
+    };
+    weak.pairs.iter().enumerate().filter_map(state).collect()
+}
+
+/// The bonds of a state.
+pub(crate) fn strong<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw>(
+    pass: BondPass<M, B, Y>,
+    particles: &Particles<S>,
+    strong: &Bonds<S>,
+) -> Vec<Interaction> {
+    let state = |link: Bond<S>| {
+        let state = pass.state_of(particles, link.pair, link.rest);
+        Interaction {
+            adjusted_normal_displacement: state.xi_adjusted.to_f64(),
+            tangential_displacement: doubles(state.zeta),
+            normal_velocity: state.motion.normal_velocity.to_f64(),
+            tangential_velocity: doubles(state.d_zeta),
+            normal_force: state.normal_force.to_f64(),
+            tangential_force: state.tangential_force.to_f64(),
+            torque: doubles(state.torques),
+            ..common(InteractionKind::Strong, link.pair, particles, &state.frame)
+        }
+    };
+    strong.iter().map(state).collect()
+}

@@ -1,0 +1,195 @@
+//! Normal forces of weak and strong links, thesis eqs. (35)-(40) and (43).
+
+use crate::material::Elastic;
+use gouge_common::scalar::Real;
+use gouge_equations::rendered;
+
+/// Normal force of a weak link.
+pub trait NormalLaw: Copy + Send + Sync {
+    /// Force in N along the normal, never positive: weak links only repel.
+    ///
+    /// `xi` is the normal displacement in m, `d_xi` its rate in m/s, `radii` those of the pair in m.
+    fn force<S: Real>(self, radii: [S; 2], xi: S, d_xi: S) -> S;
+    /// The part of the force that derives from [`stored_energy`](Self::stored_energy), in N.
+    fn elastic_force<S: Real>(self, radii: [S; 2], xi: S) -> S;
+    /// Stored energy in J, zero without overlap.
+    fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S;
+}
+
+/// Truncated Kelvin-Voigt normal force of a weak link.
+///
+/// $$ F^n = \min\{0, -(k \xi + \gamma\, \partial_t \xi)\}, \qquad \xi \ge 0 $$
+///
+/// Thesis eqs. (35)-(36). Stored energy: half of k times the squared displacement, eq. (75).
+///
+/// # Domain
+/// Zero for negative displacement: without that condition an approaching, still separate pair would
+/// be pushed apart (erratum E14 of the thesis). Where the bracket changes sign a dual number returns
+/// the derivative of the branch taken.
+///
+/// # Example
+/// ```
+/// use gouge_dem::laws::{KelvinVoigt, NormalLaw};
+/// let law = KelvinVoigt { stiffness: 1000.0, damping: 2.0 };
+/// assert_eq!(law.force([1.0, 1.0], 0.01, 3.0), -16.0);
+/// assert_eq!(law.force([1.0, 1.0], 0.01, -6.0), 0.0);
+/// ```
+#[rendered]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KelvinVoigt {
+    /// Stiffness k in kg/s^2.
+    pub stiffness: f64,
+    /// Damping coefficient in kg/s.
+    pub damping: f64,
+}
+
+impl NormalLaw for KelvinVoigt {
+    #[inline(always)]
+    fn force<S: Real>(self, _: [S; 2], xi: S, d_xi: S) -> S {
+        let force = S::zero().min(-(xi * self.stiffness + d_xi * self.damping));
+        // Chosen at the end, so that many contacts are looked at together.
+        if xi < S::zero() { S::zero() } else { force }
+    }
+    #[inline(always)]
+    fn elastic_force<S: Real>(self, _: [S; 2], xi: S) -> S {
+        -(xi.max(S::zero()) * self.stiffness)
+    }
+    #[inline(always)]
+    fn stored_energy<S: Real>(self, _: [S; 2], xi: S) -> S {
+        let xi = xi.max(S::zero());
+        xi * xi * (0.5 * self.stiffness)
+    }
+}
+
+/// Brilliantov-Spahn-Hertzsch-Poeschel force of viscoelastic spheres.
+///
+/// $$ F^n = \min\{0, -P (\xi \sqrt{\xi} + \Lambda \sqrt{\xi}\, \partial_t \xi)\}, \qquad P = \frac{2 G \sqrt2}{3 (1 - \nu)} \sqrt{\frac{2}{1/r_i + 1/r_j}} $$
+///
+/// Thesis eqs. (37) and (40), with G = Y / (2 (1 + nu)) of (39). Stored energy: 2/5 of P times the
+/// displacement to the power 5/2, eq. (75).
+///
+/// # Errata
+/// The dissipative constant is the coefficient in (37), in s. The constant A of the source is two
+/// thirds of it, so that (38) has to be multiplied by 3/2 (E1).
+#[rendered]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bshp {
+    /// Young's modulus Y in Pa.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio, dimensionless, in (-1, 1/2).
+    pub poissons_ratio: f64,
+    /// Dissipative constant in s.
+    pub dissipative_constant: f64,
+}
+
+#[rendered]
+impl Bshp {
+    /// The factor P of the force, in N/m^(3/2).
+    ///
+    /// $$ P = \frac{2 Y}{3 (1 - \nu^2)} \sqrt{\frac{r_i r_j}{r_i + r_j}} $$
+    ///
+    /// # Example
+    /// Granite spheres of 1 mm: the reduced radius is 0.5 mm.
+    /// ```
+    /// let granite = gouge_dem::laws::Bshp {
+    ///     youngs_modulus: 50e9, poissons_ratio: 0.22, dissipative_constant: 0.0,
+    /// };
+    /// assert!((granite.prefactor([1e-3, 1e-3]) / 7.832660703e8 - 1.0_f64).abs() < 1e-9);
+    /// ```
+    #[inline(always)]
+    pub fn prefactor<S: Real>(self, radii: [S; 2]) -> S {
+        let reduced_radius = radii[0] * radii[1] / (radii[0] + radii[1]);
+        let modulus = self.youngs_modulus / (1.0 - self.poissons_ratio * self.poissons_ratio);
+        reduced_radius.sqrt() * (2.0 / 3.0 * modulus)
+    }
+}
+
+impl NormalLaw for Bshp {
+    #[inline(always)]
+    fn force<S: Real>(self, radii: [S; 2], xi: S, d_xi: S) -> S {
+        let rate = xi + d_xi * self.dissipative_constant;
+        let root = xi.max(S::zero()).sqrt();
+        let force = S::zero().min(-(self.prefactor(radii) * root * rate));
+        if xi < S::zero() { S::zero() } else { force }
+    }
+    #[inline(always)]
+    fn elastic_force<S: Real>(self, radii: [S; 2], xi: S) -> S {
+        let xi = xi.max(S::zero());
+        -(self.prefactor(radii) * xi * xi.sqrt())
+    }
+    #[inline(always)]
+    fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S {
+        let xi = xi.max(S::zero());
+        self.prefactor(radii) * xi * xi * xi.sqrt() * 0.4
+    }
+}
+
+/// Dissipative constant of viscoelastic spheres from their viscosities, in s.
+///
+/// $$ A = \frac{1}{Y} \frac{1 + \nu}{1 - \nu} \left( \tfrac43 \eta_G (1 - \nu + \nu^2) + \eta_K (1 - 2 \nu)^2 \right), \qquad \Lambda = \tfrac32 A $$
+///
+/// Shear and bulk viscosity in Pa s. This replaces thesis eq. (38), whose constant vanishes at
+/// 3 eta_K = eta_G and fails the test of proportional viscosities; the derivation is E2 of
+/// `docs/errata.md`. The printed form is [`dissipative_constant_printed`].
+#[rendered]
+pub fn dissipative_constant(elastic: Elastic, shear_viscosity: f64, bulk_viscosity: f64) -> f64 {
+    let nu = elastic.poissons_ratio;
+    let viscosity = 4.0 / 3.0 * shear_viscosity * (1.0 - nu + nu * nu)
+        + bulk_viscosity * (1.0 - 2.0 * nu) * (1.0 - 2.0 * nu);
+    1.5 * (1.0 + nu) / (1.0 - nu) * viscosity / elastic.youngs_modulus
+}
+
+/// Thesis eq. (38) as printed, in s; see [`dissipative_constant`] for the form to use.
+///
+/// $$ \Lambda = \frac{1}{3 M} \left( \frac{1 - \nu}{\nu} \right)^2 \frac{(3 \eta_K - \eta_G)^2}{3 \eta_K + 2 \eta_G} $$
+#[rendered]
+pub fn dissipative_constant_printed(
+    elastic: Elastic,
+    shear_viscosity: f64,
+    bulk_viscosity: f64,
+) -> f64 {
+    let shape = (1.0 - elastic.poissons_ratio) / elastic.poissons_ratio;
+    let difference = 3.0 * bulk_viscosity - shear_viscosity;
+    let total = 3.0 * bulk_viscosity + 2.0 * shear_viscosity;
+    shape * shape * difference * difference / (3.0 * elastic.p_wave_modulus() * total)
+}
+
+/// Kelvin-Voigt normal force of a strong link, measured from its initial length.
+///
+/// $$ F^n = -(\bar k\, \Xi + \bar\gamma\, \partial_t \Xi), \qquad \Xi = D(t^{init}) - D $$
+///
+/// Thesis eqs. (33) and (43); attracts and repels. Stored energy as in (77). The displacement is taken
+/// from the distance D at the beginning of the link, not from the sum of contact distances that (33)
+/// prints, which equals it only for focal distances (erratum E12 of the thesis).
+///
+/// # Example
+/// ```
+/// let law = gouge_dem::laws::AdjustedKelvinVoigt { stiffness: 100.0, damping: 3.0 };
+/// assert_eq!(law.force(0.5, -1.0), -47.0);
+/// ```
+#[rendered]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AdjustedKelvinVoigt {
+    /// Stiffness in kg/s^2.
+    pub stiffness: f64,
+    /// Damping coefficient in kg/s.
+    pub damping: f64,
+}
+
+impl AdjustedKelvinVoigt {
+    /// Force in N along the normal; positive attracts.
+    #[inline(always)]
+    pub fn force<S: Real>(self, xi_adjusted: S, d_xi: S) -> S {
+        -(xi_adjusted * self.stiffness + d_xi * self.damping)
+    }
+    /// Stored energy in J.
+    #[inline(always)]
+    pub fn stored_energy<S: Real>(self, xi_adjusted: S) -> S {
+        xi_adjusted * xi_adjusted * (0.5 * self.stiffness)
+    }
+    /// Power turned into heat in W, never negative.
+    #[inline(always)]
+    pub fn heat_rate<S: Real>(self, d_xi: S) -> S {
+        d_xi * d_xi * self.damping
+    }
+}

@@ -1,0 +1,150 @@
+//! Stops a run whose state has become senseless, and says why.
+
+use super::{Number, World};
+use crate::error::StepError;
+use crate::integrators::{Oscillator, critical_step};
+use crate::model::{ContactNormal, ContactTangential, Model};
+
+/// Check every particle; see [`World::check`].
+pub(super) fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
+    let p = &world.particles;
+    let step = world.model.time_step;
+    let cell = farthest(world);
+    for i in 0..p.len() {
+        let is_finite = p.position[i].is_finite()
+            && p.velocity[i].is_finite()
+            && p.angle[i].is_finite()
+            && p.angular_velocity[i].is_finite();
+        if !is_finite {
+            return Err(StepError::NotFinite {
+                particle: i,
+                link: most_strained_link(world, i),
+                time: world.time(),
+                steps: world.steps,
+                time_step: step,
+                bound: stable_step_estimate(world),
+            });
+        }
+        let distance = p.velocity[i].norm().to_f64() * step;
+        if distance > cell {
+            return Err(StepError::TooFast {
+                particle: i,
+                link: most_strained_link(world, i),
+                distance,
+                cell,
+                time: world.time(),
+                time_step: step,
+                bound: stable_step_estimate(world),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// How far a particle may move in one step in m: a cell, where there are contacts; with bonds alone
+/// the largest diameter, which no bond survives; without links any distance.
+fn farthest<S: Number>(world: &World<S>) -> f64 {
+    match (&world.weak, &world.strong) {
+        (Some(weak), _) => weak.neighbors().cell_side(),
+        (None, Some(_)) => 2.0 * world.particles.largest_radius(),
+        (None, None) => f64::INFINITY,
+    }
+}
+
+/// The link of a particle with the largest force, or one whose force is not even finite.
+fn most_strained_link<S: Number>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
+    let strain = |link: &crate::forces::Interaction| {
+        let force = link.normal_force.abs() + link.tangential_force.abs();
+        if force.is_finite() {
+            force
+        } else {
+            f64::INFINITY
+        }
+    };
+    let links = world.links();
+    let touching = links.iter().filter(|link| {
+        let (i, j) = link.pair.indices();
+        i == particle || j == particle
+    });
+    let worst = touching.max_by(|a, b| strain(a).total_cmp(&strain(b)))?;
+    let (i, j) = worst.pair.indices();
+    Some([i, j])
+}
+
+/// Estimate of the largest stable step of a world in s, on the safe side for linear forces and methods
+/// whose bound falls with damping: symplectic Euler and velocity Verlet. The others need damping in every
+/// mode to be stable at all, which a bound from above does not see.
+///
+/// By Gershgorin's theorem no mode is stiffer than twice the sum of the stiffnesses on one particle
+/// over its inertia; the same holds for damping. The largest of both are taken together. Contacts count
+/// as if every pair near enough to touch did.
+pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
+    let number = world.particles.len();
+    let mut stiffness = vec![0.0; number];
+    let mut damping = vec![0.0; number];
+    let mut add = |(i, j): (usize, usize), k: f64, c: f64| {
+        for particle in [i, j] {
+            stiffness[particle] += k;
+            damping[particle] += c;
+        }
+    };
+    if let (Some(strong), Some((k, c))) = (&world.strong, bond_constants(&world.model)) {
+        strong
+            .pairs
+            .iter()
+            .for_each(|pair| add(pair.indices(), k, c));
+    }
+    if let (Some(weak), Some(contact)) = (&world.weak, world.model.contact) {
+        for pair in &weak.pairs {
+            let (i, j) = pair.indices();
+            let radii = [
+                world.particles.radius[i].to_f64(),
+                world.particles.radius[j].to_f64(),
+            ];
+            let (k, c) = contact_constants(&contact.normal, &contact.tangential, radii);
+            add((i, j), k, c);
+        }
+    }
+    let largest = |sums: &[f64]| {
+        let per_mass = sums
+            .iter()
+            .zip(&world.inverse_mass)
+            .map(|(sum, m)| 2.0 * sum * m.to_f64());
+        per_mass.fold(0.0, f64::max)
+    };
+    let stiffest = Oscillator {
+        stiffness: largest(&stiffness),
+        damping: largest(&damping),
+    };
+    critical_step(world.model.integrator, stiffest)
+}
+
+/// How much stiffer than k the tangential spring of a contact acts on a pair: its mode of rolling has
+/// the squared frequency 7 k / m, its normal mode 2 k / m.
+const ROLLING: f64 = 3.5;
+/// The same for a beam, whose ends are springs of their own: at most 9/2 k / m for any ratio of radii
+/// (7/2 for equal ones).
+const SHEARING: f64 = 2.25;
+
+/// The larger of normal and tangential constants of a bond, for the mass of a particle.
+fn bond_constants(model: &Model) -> Option<(f64, f64)> {
+    let bond = model.bond?;
+    let (k, c) = bond
+        .tangential
+        .map_or((0.0, 0.0), |beam| (beam.stiffness, beam.damping));
+    Some((
+        bond.normal.stiffness.max(SHEARING * k),
+        bond.normal.damping.max(SHEARING * c),
+    ))
+}
+
+/// The larger of normal and tangential constants of a contact, for the mass of a particle.
+fn contact_constants(
+    normal: &ContactNormal,
+    tangential: &Option<ContactTangential>,
+    radii: [f64; 2],
+) -> (f64, f64) {
+    let [k_n, c_n] = normal.constants(radii);
+    let [k_t, c_t] = tangential.map_or([0.0; 2], |law| law.constants());
+    (k_n.max(ROLLING * k_t), c_n.max(ROLLING * c_t))
+}

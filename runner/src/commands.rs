@@ -1,0 +1,226 @@
+//! The commands of the program, apart from reading arguments.
+
+use crate::error::Error;
+use crate::references;
+use crate::scene::{Scene, builtin, integrator_name};
+use gouge_dem::forces::InteractionKind;
+use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
+use gouge_dem::material::Elastic;
+use gouge_dem::model::ContactNormal;
+use gouge_dem::{World, stable_step_estimate};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Characteristic Mach number of cracks in thesis section 4.2.
+const MACH_NUMBER: f64 = 15.0;
+
+/// The world of a scene at t = 0. Scenes with a set-up show it at the beginning of its first phase.
+fn world_of(scene: &Scene) -> Result<World, Error> {
+    Ok(crate::run::enter(
+        scene,
+        &crate::run::phases(scene),
+        0,
+        None,
+    )?)
+}
+
+/// Every pair that interacts at t = 0, as CSV.
+///
+/// # Errors
+/// Scenes that the kernel refuses.
+pub fn links(scene: &Scene) -> Result<String, Error> {
+    let mut text = String::from(
+        "i,j,kind,overlap_factor,focal_x,focal_y,normal_x,normal_y,normal_displacement,\
+         adjusted_normal_displacement,tangential_displacement_i,tangential_displacement_j,\
+         normal_velocity,tangential_velocity_i,tangential_velocity_j,normal_force,\
+         tangential_force,torque_i,torque_j\n",
+    );
+    let mut links = world_of(scene)?.links();
+    links.sort_by_key(|link| link.pair.indices());
+    for link in links {
+        let kind = match link.kind {
+            InteractionKind::Weak => "weak",
+            InteractionKind::Strong => "strong",
+        };
+        let numbers = [
+            link.overlap_factor,
+            link.focal_point.x,
+            link.focal_point.y,
+            link.normal.x,
+            link.normal.y,
+            link.normal_displacement,
+            link.adjusted_normal_displacement,
+            link.tangential_displacement[0],
+            link.tangential_displacement[1],
+            link.normal_velocity,
+            link.tangential_velocity[0],
+            link.tangential_velocity[1],
+            link.normal_force,
+            link.tangential_force,
+            link.torque[0],
+            link.torque[1],
+        ];
+        let _ = write!(text, "{},{},{kind}", link.pair.i, link.pair.j);
+        numbers.iter().for_each(|number| {
+            let _ = write!(text, ",{number:?}");
+        });
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+/// The time-step bounds of a scene and its integrator, as JSON.
+///
+/// # Errors
+/// Scenes that the kernel refuses.
+pub fn stability(scene: &Scene) -> Result<String, Error> {
+    let world = world_of(scene)?;
+    let mut bounds = pair_bounds(scene, &world);
+    bounds.extend(wave_bounds(scene, &world));
+    let estimate = stable_step_estimate(&world);
+    bounds.push(json!({
+        "name": "network",
+        "meaning": "no mode of the linked particles can be stiffer (Gershgorin), so smaller steps are stable",
+        "step": finite(estimate),
+        "satisfied": scene.step <= estimate,
+    }));
+    let steps = bounds.iter().filter_map(|bound| bound["step"].as_f64());
+    let smallest = steps.fold(f64::INFINITY, f64::min);
+    let text = serde_json::to_string_pretty(&json!({
+        "integrator": integrator_name(scene.integrator),
+        "time_step": scene.step,
+        "smallest_bound": finite(smallest),
+        "satisfied": scene.step <= smallest,
+        "bounds": bounds,
+    }));
+    Ok(text.unwrap_or_default() + "\n")
+}
+
+/// JSON has no infinity: no bound is null.
+fn finite(number: f64) -> Value {
+    if number.is_finite() {
+        json!(number)
+    } else {
+        Value::Null
+    }
+}
+
+/// Bounds of the oscillations of a pair of the lightest particles.
+fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
+    let p = world.particles();
+    let lightest = p.mass.iter().copied().fold(f64::INFINITY, f64::min);
+    let smallest = p.radius.iter().copied().fold(f64::INFINITY, f64::min);
+    // Reduced mass of two equal particles; rolling adds the inertia: 7/2 for spheres.
+    let (push, roll) = (2.0 / lightest, 7.0 / lightest);
+    let bound = |name: &str, meaning: &str, k: f64, c: f64| {
+        let step = critical_step(
+            scene.integrator,
+            Oscillator {
+                stiffness: k,
+                damping: c,
+            },
+        );
+        json!({
+            "name": name,
+            "meaning": meaning,
+            "angular_frequency": k.sqrt(),
+            "damping_ratio": finite(c / (2.0 * k.sqrt())),
+            "step": finite(step),
+            "satisfied": scene.step <= step,
+        })
+    };
+    let mut bounds = Vec::new();
+    if let Some(contact) = &scene.contact {
+        let [k, c] = contact.normal.constants([smallest; 2]);
+        bounds.push(bound(
+            "contact normal",
+            "collision of the two lightest particles",
+            push * k,
+            push * c,
+        ));
+        if let Some(law) = contact.tangential {
+            let [k, c] = law.constants();
+            bounds.push(bound(
+                "contact tangential",
+                "sticking or viscous slip of the same pair",
+                roll * k,
+                roll * c,
+            ));
+        }
+    }
+    if let Some(bond) = &scene.bond {
+        let law = bond.normal;
+        bounds.push(bound(
+            "bond axial",
+            "stretching of a two-particle beam",
+            push * law.stiffness,
+            push * law.damping,
+        ));
+        if let Some(beam) = bond.tangential {
+            // Alike 7/2 k / m, oppositely 5/2 k / m, for equal spheres in touch.
+            let (shear, turn) = (3.5 / lightest, 2.5 / lightest);
+            bounds.push(bound(
+                "bond shear",
+                "both ends turning alike",
+                shear * beam.stiffness,
+                shear * beam.damping,
+            ));
+            bounds.push(bound(
+                "bond bending",
+                "both ends turning oppositely",
+                turn * beam.stiffness,
+                turn * beam.damping,
+            ));
+        }
+    }
+    bounds
+}
+
+/// Bounds (61) and (62), where the scene knows the elastic constants.
+fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
+    let Some(ContactNormal::Bshp(law)) = scene.contact.map(|contact| contact.normal) else {
+        return Vec::new();
+    };
+    let elastic = Elastic {
+        youngs_modulus: law.youngs_modulus,
+        poissons_ratio: law.poissons_ratio,
+    };
+    let radius = world
+        .particles()
+        .radius
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    let bound = |name: &str, meaning: &str, step: f64| json!({ "name": name, "meaning": meaning, "step": finite(step), "satisfied": scene.step <= step });
+    vec![
+        bound(
+            "wave",
+            "a primary wave crosses the smallest particle (61)",
+            wave_bound(elastic, scene.density, radius),
+        ),
+        bound(
+            "crack",
+            "a crack at Mach 15 crosses the smallest particle (62)",
+            crack_bound(elastic, scene.density, radius, MACH_NUMBER),
+        ),
+    ]
+}
+
+/// The built-in scenes, or the text of one.
+///
+/// # Errors
+/// Names that are not built in.
+pub fn scenes(name: Option<&str>) -> Result<String, Error> {
+    let Some(name) = name else {
+        let line = |(name, purpose, _): &(&str, &str, &str)| format!("{name:22} {purpose}\n");
+        let lines: String = builtin::SCENES.iter().map(line).collect();
+        return Ok(lines
+            + "lammps/..., yade/...   ENGINE/CASE/RUN: a run stored in references, e.g. lammps/kelvin-voigt/thesis\n");
+    };
+    let text = builtin::text(name).map(str::to_owned);
+    let text = text.or_else(|| references::scene_text(name));
+    text.ok_or_else(|| {
+        let names = builtin::names().join(", ");
+        Error::Argument(format!("'{name}' is no built-in scene; there are: {names}"))
+    })
+}

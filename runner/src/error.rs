@@ -1,0 +1,132 @@
+//! What can go wrong outside the kernel, worded for the user.
+
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// A scene file that cannot be used: file, line, key, value and what is accepted.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub struct SceneError {
+    /// The file.
+    pub file: String,
+    /// The line, counted from one; zero where no single line is at fault.
+    pub line: usize,
+    /// The key, as a dotted path.
+    pub key: String,
+    /// The value found.
+    pub value: String,
+    /// What would be accepted.
+    pub accepted: String,
+}
+
+impl std::fmt::Display for SceneError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [file, key, value, accepted] =
+            [&self.file, &self.key, &self.value, &self.accepted].map(|text| printable(text));
+        write!(f, "{file}")?;
+        if self.line > 0 {
+            write!(f, ":{}", self.line)?;
+        }
+        match (key.is_empty(), value.is_empty()) {
+            (true, true) => {}
+            (true, false) => write!(f, ": {value}")?,
+            (false, true) => write!(f, ": {key}")?,
+            (false, false) => write!(f, ": {key} = {value}")?,
+        }
+        write!(f, ": {accepted}")
+    }
+}
+
+/// A text in which every character that a terminal would obey or not show is escaped.
+fn printable(text: &str) -> String {
+    let mut result = String::new();
+    for character in text.chars() {
+        match character {
+            '"' | '\'' | '\\' => result.push(character),
+            _ => result.extend(character.escape_debug()),
+        }
+    }
+    result
+}
+
+/// Any failure of a command.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// The input is unusable.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+    /// An argument of the command is unusable.
+    #[error("{0}")]
+    Argument(String),
+    /// A file cannot be read or written.
+    #[error("cannot {action} {}: {source}", path.display())]
+    File {
+        /// What was tried.
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// Why it failed.
+        source: std::io::Error,
+    },
+    /// A checkpoint is not one of this scene, or is damaged.
+    #[error("cannot resume from {}: {reason}", path.display())]
+    Checkpoint {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The run stopped.
+    #[error("the run stopped in phase '{phase}': {source}")]
+    Step {
+        /// The phase of the run.
+        phase: String,
+        /// Why.
+        source: gouge_dem::StepError,
+    },
+    /// The energies of a state left the range of numbers before the state itself did.
+    #[error(
+        "the run stopped in phase '{phase}': the {name} energy is not finite at {time} s; likely \
+             cause: the time step is above the stability bound (`gouge stability` tells)"
+    )]
+    Energy {
+        /// The phase of the run.
+        phase: String,
+        /// Which energy.
+        name: &'static str,
+        /// Time in s.
+        time: f64,
+    },
+    /// The model refused a state that the set-up made.
+    #[error("the set-up made an impossible state: {0}")]
+    Setup(#[from] gouge_dem::ModelError),
+    /// Some checks failed.
+    #[error("{0} of {1} checks failed")]
+    Checks(usize, usize),
+}
+
+impl Error {
+    /// Whether the state of the run was at fault, so that it makes no sense to continue it.
+    pub fn is_of_state(&self) -> bool {
+        matches!(
+            self,
+            Self::Step { .. } | Self::Energy { .. } | Self::Setup(_)
+        )
+    }
+
+    /// Exit status: 2 where the input was unusable, 1 otherwise.
+    pub fn status(&self) -> u8 {
+        match self {
+            Self::Scene(_) | Self::Argument(_) => 2,
+            _ => 1,
+        }
+    }
+
+    /// A failure to handle a file.
+    pub fn file(action: &'static str, path: &std::path::Path, source: std::io::Error) -> Self {
+        Self::File {
+            action,
+            path: path.to_owned(),
+            source,
+        }
+    }
+}

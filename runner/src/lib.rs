@@ -1,0 +1,8 @@
+//! Scenes in, outputs out: scene files, built-in scenes, runs, checkpoints, pictures.
+
+pub mod commands;
+pub mod error;
+pub mod machine;
+pub mod references;
+pub mod run;
+pub mod scene;

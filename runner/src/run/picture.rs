@@ -1,0 +1,142 @@
+//! One picture of the final state, fragments coloured, after thesis figure 11.
+
+use super::checkpoint::write_whole;
+use super::output::unbroken_lines;
+use crate::error::Error;
+use crate::scene::Scene;
+use gouge_dem::World;
+use gouge_dem::estimators::fragments;
+use gouge_dem::particles::{Particles, Role};
+use std::path::Path;
+use svg::Document;
+use svg::node::element::{Circle, Group, Line, Rectangle};
+
+/// Side of the longer edge in pixels.
+const SIZE: f64 = 1000.0;
+/// Hue that separates consecutive fragments best: the golden angle.
+const HUE: f64 = 137.507_764;
+
+/// The part of the plane that the picture shows.
+struct View {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl View {
+    fn of(scene: &Scene, particles: &Particles) -> Self {
+        let mut view = Self {
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+        };
+        for (x, &r) in particles.position.iter().zip(&particles.radius) {
+            for (axis, x) in [x.x, x.y].into_iter().enumerate() {
+                view.low[axis] = view.low[axis].min(x - r);
+                view.high[axis] = view.high[axis].max(x + r);
+            }
+        }
+        if let Some(width) = scene.domain.period() {
+            (view.low[0], view.high[0]) = (0.0, width);
+        }
+        view
+    }
+    fn scale(&self) -> f64 {
+        SIZE / (self.high[0] - self.low[0]).max(self.high[1] - self.low[1])
+    }
+    fn at(&self, x: f64, y: f64) -> [f64; 2] {
+        let scale = self.scale();
+        [(x - self.low[0]) * scale, (self.high[1] - y) * scale]
+    }
+}
+
+/// Write `picture.svg`.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn write(folder: &Path, scene: &Scene, world: &World) -> Result<(), Error> {
+    let text = document(scene, world).to_string();
+    write_whole(&folder.join("picture.svg"), text.as_bytes())
+}
+
+/// The state of a scene as a picture.
+pub fn document(scene: &Scene, world: &World) -> Document {
+    let view = View::of(scene, world.particles());
+    let [width, height] = view.at(view.high[0], view.low[1]);
+    Document::new()
+        .set("viewBox", (0.0, 0.0, width.round(), height.round()))
+        .set("width", width.round())
+        .set("height", height.round())
+        .add(svg::node::element::Title::new(format!(
+            "{}, t = {:.6e} s",
+            scene.title,
+            world.time()
+        )))
+        .add(
+            Rectangle::new()
+                .set("width", "100%")
+                .set("height", "100%")
+                .set("fill", "white"),
+        )
+        .add(grains(&view, world))
+        .add(bonds(&view, scene, world))
+}
+
+fn grains(view: &View, world: &World) -> Group {
+    let p = world.particles();
+    let fragments = fragments(world);
+    let mut sizes = vec![0_usize; fragments.number];
+    fragments.label.iter().for_each(|&label| sizes[label] += 1);
+    let mut group = Group::new().set("stroke", "#222").set("stroke-width", 0.4);
+    for i in 0..p.len() {
+        let [x, y] = view.at(p.position[i].x, p.position[i].y);
+        let label = fragments.label[i];
+        let circle = Circle::new()
+            .set("cx", rounded(x))
+            .set("cy", rounded(y))
+            .set("r", rounded(p.radius[i] * view.scale()))
+            .set("fill", colour(label, sizes[label], p.role[i]));
+        group = group.add(circle);
+    }
+    group
+}
+
+/// Grey edges, white single grains, and a colour for each larger fragment.
+fn colour(label: usize, size: usize, role: Role) -> String {
+    match role {
+        Role::Fixed => "#777".to_owned(),
+        Role::Driven => "#aaa".to_owned(),
+        Role::Free if size == 1 => "#fff".to_owned(),
+        Role::Free => pastel((label as f64 * HUE) % 360.0),
+    }
+}
+
+/// A light colour of the given hue in degrees, as six digits, which every viewer understands.
+fn pastel(hue: f64) -> String {
+    let channel = |offset: f64| {
+        let place = (hue / 60.0 + offset) % 6.0;
+        let share = (2.0 - (place - 3.0).abs()).clamp(0.0, 1.0);
+        (255.0 * (0.91 - 0.42 * share)).round()
+    };
+    let [red, green, blue] = [0.0, 4.0, 2.0].map(channel);
+    format!("#{:02x}{:02x}{:02x}", red as u8, green as u8, blue as u8)
+}
+
+fn bonds(view: &View, scene: &Scene, world: &World) -> Group {
+    let mut group = Group::new().set("stroke", "#222").set("stroke-width", 0.8);
+    let p = world.particles();
+    for (i, j) in unbroken_lines(scene, world) {
+        let (a, b) = (p.position[i], p.position[j]);
+        let ([x1, y1], [x2, y2]) = (view.at(a.x, a.y), view.at(b.x, b.y));
+        let line = Line::new()
+            .set("x1", rounded(x1))
+            .set("y1", rounded(y1))
+            .set("x2", rounded(x2))
+            .set("y2", rounded(y2));
+        group = group.add(line);
+    }
+    group
+}
+
+/// Two decimals are enough for a picture.
+fn rounded(x: f64) -> f64 {
+    (x * 100.0).round() / 100.0
+}

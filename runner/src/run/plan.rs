@@ -1,0 +1,337 @@
+//! The phases of a run: those of the set-up, then the scene proper.
+
+use crate::error::Error;
+use crate::machine::equipped;
+use crate::scene::{Amount, PhaseTable, Scene, Setup, steps_for, wrap};
+use gouge_common::geometry::Vec2;
+use gouge_dem::bonds::BondStart;
+use gouge_dem::model::{BondLaws, ContactLaws, Model};
+use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::setup::{Fault, Lattice, bonds_within, is_above, strength_factors};
+use gouge_dem::{ModelError, Start, World};
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+/// What happens in a phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Loose grains settle, without friction.
+    Settle(PhaseTable),
+    /// The bonded and cut block relaxes.
+    Relax(PhaseTable),
+    /// The driven particles press.
+    Press(PhaseTable),
+    /// The scene proper.
+    Main,
+}
+
+/// A phase of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phase {
+    /// Name for progress and errors.
+    pub name: String,
+    /// What happens.
+    pub kind: Kind,
+    /// Number of steps.
+    pub steps: u64,
+}
+
+/// All phases of a scene, the scene proper last.
+pub fn phases(scene: &Scene) -> Vec<Phase> {
+    let mut phases = Vec::new();
+    let mut add = |name: &str, tables: &[PhaseTable], kind: fn(PhaseTable) -> Kind| {
+        for (i, &table) in tables.iter().enumerate() {
+            phases.push(Phase {
+                name: if tables.len() > 1 {
+                    format!("{name} {}", i + 1)
+                } else {
+                    name.to_owned()
+                },
+                kind: kind(table),
+                steps: steps_for(table.duration, table.step),
+            });
+        }
+    };
+    if let Some(setup) = &scene.setup {
+        add("settle", &setup.settle, Kind::Settle);
+        add("relax", &setup.relax, Kind::Relax);
+        add("press", &setup.press, Kind::Press);
+    }
+    phases.push(Phase {
+        name: "run".to_owned(),
+        kind: Kind::Main,
+        steps: scene.steps(),
+    });
+    phases
+}
+
+/// The model of a phase.
+pub fn model(scene: &Scene, kind: Kind, radii: &[f64]) -> Model {
+    let full = scene.model(radii);
+    let quiet = |table: PhaseTable| Model {
+        time_step: table.step,
+        ambient: table.ambient,
+        external: table.external,
+        driving: None,
+        ledger: false,
+        bond: full.bond.map(|bond| BondLaws {
+            yielding: None,
+            ..bond
+        }),
+        ..full
+    };
+    match kind {
+        Kind::Main => full,
+        Kind::Relax(table) => quiet(table),
+        Kind::Press(table) => {
+            let mut driving = full.driving;
+            if let Some(driving) = &mut driving {
+                driving.speed = table.speed;
+            }
+            Model {
+                driving,
+                ..quiet(table)
+            }
+        }
+        Kind::Settle(table) => Model {
+            bond: None,
+            contact: full.contact.map(|contact| ContactLaws {
+                tangential: None,
+                ..contact
+            }),
+            ..quiet(table)
+        },
+    }
+}
+
+/// The world at the beginning of a phase, from that at the end of the phase before.
+///
+/// # Errors
+/// States that the kernel refuses.
+pub fn enter(
+    scene: &Scene,
+    phases: &[Phase],
+    index: usize,
+    before: Option<World>,
+) -> Result<World, ModelError> {
+    let Some(setup) = &scene.setup else {
+        return scene.initial_world();
+    };
+    let kind = phases[index].kind;
+    let world = match before {
+        None => loose(scene, setup, kind)?,
+        Some(world) => world,
+    };
+    let made_before = index > 0 && !matches!(phases[index - 1].kind, Kind::Settle(_));
+    let world = if matches!(kind, Kind::Settle(_)) || made_before {
+        world
+    } else {
+        block(scene, setup, world, kind)?
+    };
+    let radii = world.particles().radius.clone();
+    let had_roles = index > 0 && matches!(phases[index - 1].kind, Kind::Press(_));
+    let gets_roles = matches!(kind, Kind::Press(_) | Kind::Main) && !had_roles;
+    let roles = gets_roles.then(|| roles(scene, setup, world.particles()));
+    world.continue_with(model(scene, kind, &radii), roles)
+}
+
+/// The world at t = 0 of the scene proper, after all phases of its set-up, without any output.
+///
+/// # Errors
+/// States that the kernel refuses or that become senseless.
+pub fn prepared(scene: &Scene) -> Result<World, Error> {
+    let phases = phases(scene);
+    let mut world = enter(scene, &phases, 0, None)?;
+    for (index, phase) in phases.iter().enumerate().take(phases.len() - 1) {
+        advance(&mut world, phase.steps, &phase.name)?;
+        world = enter(scene, &phases, index + 1, Some(world))?;
+    }
+    Ok(world)
+}
+
+/// Advance a world by some steps of a phase of the given name.
+///
+/// # Errors
+/// A state that becomes senseless.
+pub fn advance(world: &mut World, steps: u64, phase: &str) -> Result<(), Error> {
+    for _ in 0..steps {
+        world.step().map_err(|source| Error::Step {
+            phase: phase.to_owned(),
+            source,
+        })?;
+    }
+    Ok(())
+}
+
+/// Streams of random numbers, one a purpose, so that none depends on how much another used.
+fn random(setup: &Setup, purpose: u128) -> impl FnMut() -> f64 {
+    let mut source = Pcg64::new(u128::from(setup.seed), purpose);
+    move || source.random::<f64>()
+}
+
+/// Grains on the lattice, beside the particles that the scene lists.
+fn loose(scene: &Scene, setup: &Setup, kind: Kind) -> Result<World, ModelError> {
+    let (mut sizes, mut places) = (random(setup, 1), random(setup, 2));
+    let table = setup.lattice;
+    let lattice = Lattice {
+        arrangement: table.arrangement,
+        pitch: table.pitch,
+        columns: table.columns,
+        origin: Vec2::new(table.origin[0], table.origin[1]),
+    };
+    let mut particles = Particles::default();
+    let mut covered = 0.0;
+    while wants_more(
+        &table.amount,
+        table.columns,
+        scene,
+        particles.len(),
+        covered,
+    ) {
+        let radius = setup.sizes.at(sizes());
+        covered += core::f64::consts::PI * radius * radius;
+        particles.push(&Particle {
+            position: lattice.perturbed_point(particles.len(), table.perturbation, &mut places),
+            velocity: Vec2::zero(),
+            angle: 0.0,
+            angular_velocity: 0.0,
+            radius,
+            density: scene.density,
+            role: Role::Free,
+        });
+    }
+    if matches!(table.amount, Amount::Filling(_)) {
+        centre(scene, &mut particles);
+    }
+    scene
+        .particles
+        .iter()
+        .for_each(|particle| particles.push(particle));
+    wrap(&scene.domain, &mut particles);
+    let start = Start {
+        drive_force: scene.initial_force(),
+        ..Start::default()
+    };
+    let radii = particles.radius.clone();
+    let model = Model {
+        driving: None,
+        ledger: false,
+        ..model(scene, kind, &radii)
+    };
+    World::new(model, particles, &start).map(equipped)
+}
+
+fn wants_more(amount: &Amount, columns: usize, scene: &Scene, number: usize, covered: f64) -> bool {
+    match *amount {
+        Amount::Rows(rows) => number < rows * columns,
+        Amount::Filling(fraction) => {
+            let area = scene.domain.width.unwrap_or(0.0) * scene.domain.height.unwrap_or(0.0);
+            covered < fraction * area
+        }
+    }
+}
+
+/// Move the grains so that the mean of their heights is that of the box.
+fn centre(scene: &Scene, particles: &mut Particles) {
+    let mean = particles.position.iter().map(|x| x.y).sum::<f64>() / particles.len() as f64;
+    let shift = 0.5 * scene.domain.height.unwrap_or(0.0) - mean;
+    particles.position.iter_mut().for_each(|x| x.y += shift);
+}
+
+/// Clip, bond, correct the density and cut: thesis sections 3.7.3-3.7.6.
+fn block(scene: &Scene, setup: &Setup, world: World, kind: Kind) -> Result<World, ModelError> {
+    let drive_force = world.drive().force;
+    let listed = scene.particles.len();
+    let mut all = world.into_particles();
+    let made = all.len() - listed;
+    let (width, height) = (
+        scene.domain.width.unwrap_or(0.0),
+        scene.domain.height.unwrap_or(0.0),
+    );
+    let mut number = made;
+    if setup.clip {
+        let inside = |i: usize| i >= made || (0.0..height).contains(&all.position[i].y);
+        let kept: Vec<usize> = (0..all.len()).filter(|&i| inside(i)).collect();
+        number = kept.iter().filter(|&&i| i < made).count();
+        all = all.select(&kept);
+    }
+    let grains = all.select(&(0..number).collect::<Vec<usize>>());
+    let bonds = bonds(scene, setup, &grains);
+    if setup.correct_density {
+        let covered: f64 = grains
+            .radius
+            .iter()
+            .map(|r| core::f64::consts::PI * r * r)
+            .sum();
+        all.scale_mass(number, width * height / covered);
+    }
+    let start = Start {
+        bonds,
+        drive_force,
+        ..Start::default()
+    };
+    let radii = all.radius.clone();
+    let model = Model {
+        driving: None,
+        ledger: false,
+        ..model(scene, kind, &radii)
+    };
+    World::new(model, all, &start).map(equipped)
+}
+
+/// Bonds between neighbouring grains, without those that the fault cuts.
+fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
+    let Some(bonding) = setup.bonding else {
+        return Vec::new();
+    };
+    let pairs = bonds_within(grains, &scene.domain, bonding.reach);
+    let factors = strength_factors(pairs.len(), bonding.strength_spread, random(setup, 3));
+    let side = |i: usize| match setup.fault {
+        Some(table) => {
+            let width = scene.domain.width.unwrap_or(1.0);
+            let (level, height, jags) = (table.level, table.height, table.jags);
+            is_above(
+                &Fault {
+                    level,
+                    height,
+                    jags,
+                    width,
+                },
+                grains.position[i],
+            )
+        }
+        None => true,
+    };
+    let whole = pairs.iter().zip(factors).filter(|(pair, _)| {
+        let (i, j) = pair.indices();
+        side(i) == side(j)
+    });
+    let start = |(pair, strength_factor): (&gouge_common::pair::Pair, f64)| BondStart {
+        between: [pair.i as usize, pair.j as usize],
+        strength_factor,
+        initial_distance: None,
+        initial_angles: None,
+    };
+    whole.map(start).collect()
+}
+
+/// Roles of all particles; those that the scene lists keep theirs.
+fn roles(scene: &Scene, setup: &Setup, particles: &Particles) -> Vec<Role> {
+    let made = particles.len() - scene.particles.len();
+    let rules = setup.roles.unwrap_or_default();
+    let role = |i: usize| {
+        let x = particles.position[i];
+        if i >= made {
+            particles.role[i]
+        } else if rules.fixed_below.is_some_and(|y| x.y < y)
+            || rules.fixed_left_of.is_some_and(|left| x.x < left)
+        {
+            Role::Fixed
+        } else if rules.driven_above.is_some_and(|y| x.y > y) {
+            Role::Driven
+        } else {
+            Role::Free
+        }
+    };
+    (0..particles.len()).map(role).collect()
+}

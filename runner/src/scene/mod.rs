@@ -1,0 +1,368 @@
+//! Scene files: what a user says, checked to the last key.
+
+pub mod builtin;
+mod check;
+mod laws;
+mod particles;
+mod setup;
+mod table;
+mod text;
+
+pub use laws::DrivingTable;
+pub use particles::{Place, Placed, role_name};
+pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
+pub use text::hex;
+
+use crate::error::{Error, SceneError};
+use crate::machine::equipped;
+use crate::references;
+use gouge_common::geometry::Domain;
+use gouge_common::geometry::Vec2;
+use gouge_common::scalar::Real;
+use gouge_dem::bonds::BondStart;
+use gouge_dem::contacts::ContactStart;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::characteristic_length;
+use gouge_dem::model::{Ambient, BondLaws, ContactLaws, External, Model, Reading};
+use gouge_dem::particles::{Particle, Particles};
+use gouge_dem::{ModelError, Number, Start, World};
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+use table::{Range, Source, Table};
+use text::{syntax_error, text_of};
+use toml::de::DeTable;
+
+type Result<T> = std::result::Result<T, SceneError>;
+
+/// A scene, complete and consistent.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Title.
+    pub title: String,
+    /// Form of the disputed equations.
+    pub reading: Reading,
+    /// Integration method.
+    pub integrator: Integrator,
+    /// Time step in s.
+    pub step: f64,
+    /// Last time in s.
+    pub end: f64,
+    /// The box.
+    pub domain: Domain,
+    /// Density of the particles in kg/m^3, where they have none of their own.
+    pub density: f64,
+    /// Weak links.
+    pub contact: Option<ContactLaws>,
+    /// Strong links.
+    pub bond: Option<BondLaws>,
+    /// Drag.
+    pub ambient: Option<Ambient>,
+    /// External potential.
+    pub external: Option<External>,
+    /// Driving.
+    pub driving: Option<DrivingTable>,
+    /// Particles that the scene lists.
+    pub particles: Vec<Particle>,
+    /// Bonds that the scene lists.
+    pub bonds: Placed<BondStart>,
+    /// Contacts that began before t = 0.
+    pub contacts: Placed<ContactStart>,
+    /// Protocol that makes more particles.
+    pub setup: Option<Setup>,
+    /// What a run writes.
+    pub output: Output,
+    /// Name of the file.
+    pub file: String,
+    /// All files that were read: the scene and those beside it.
+    pub files: Vec<PathBuf>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+}
+
+/// `[output]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Output {
+    /// Time between samples in s.
+    pub interval: f64,
+    /// Frames of the trajectory.
+    pub trajectory: Trajectory,
+    /// Whether energies are booked and written.
+    pub energy: bool,
+}
+
+/// Format of the trajectory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trajectory {
+    /// No frames.
+    None,
+    /// Legacy VTK files.
+    Vtk,
+    /// Extended XYZ files.
+    Extxyz,
+}
+
+const KEYS: [&str; 18] = [
+    "title",
+    "reading",
+    "time",
+    "box",
+    "material",
+    "contact",
+    "bond",
+    "ambient",
+    "external",
+    "driving",
+    "particles",
+    "particles_file",
+    "bonds",
+    "bonds_file",
+    "contacts",
+    "contacts_file",
+    "setup",
+    "output",
+];
+
+/// Names of the integrators that a scene may sensibly choose.
+pub const INTEGRATORS: [(&str, Integrator); 5] = [
+    ("euler", Integrator::Euler),
+    ("symplectic-euler", Integrator::SymplecticEuler),
+    ("taylor", Integrator::Taylor),
+    ("velocity-verlet", Integrator::VelocityVerlet),
+    ("beeman", Integrator::Beeman),
+];
+
+/// Name of the integrator that only serves comparisons with other programs.
+const HALF_STEP: (&str, Integrator) = (
+    "velocity-verlet-half-step",
+    Integrator::VelocityVerletHalfStep,
+);
+
+/// Name of an integrator.
+pub fn integrator_name(integrator: Integrator) -> &'static str {
+    let named = |one: &&(&str, Integrator)| one.1 == integrator;
+    INTEGRATORS.iter().find(named).unwrap_or(&HALF_STEP).0
+}
+
+impl Scene {
+    /// Read a scene file, or a built-in scene by its name.
+    ///
+    /// # Errors
+    /// Unreadable files and every mistake in them.
+    pub fn load(name: &str) -> std::result::Result<Self, Error> {
+        if let Some(text) = builtin::text(name) {
+            return Ok(Self::parse(name, text.as_bytes(), Path::new("."))?);
+        }
+        if let Some(text) = references::scene_text(name) {
+            return Ok(Self::parse(name, text.as_bytes(), Path::new("."))?);
+        }
+        let path = Path::new(name);
+        let bytes = std::fs::read(path).map_err(|error| SceneError {
+            file: name.to_owned(),
+            line: 0,
+            key: String::new(),
+            value: String::new(),
+            accepted: format!(
+                "must be a readable scene file or one of the built-in scenes {}: {error}",
+                builtin::names().join(", ")
+            ),
+        })?;
+        let folder = path.parent().unwrap_or(Path::new("."));
+        Ok(Self::parse(name, &bytes, folder)?)
+    }
+
+    /// Read a scene from the bytes of a file; side files are sought in `folder`.
+    ///
+    /// # Errors
+    /// Every mistake in it.
+    pub fn parse(file: &str, bytes: &[u8], folder: &Path) -> Result<Self> {
+        let text = text_of(file, bytes)?;
+        let source = Source { file, text };
+        let table = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
+        let root = Table::root(source, table.get_ref());
+        let mut scene = Self::from_table(&root, folder)?;
+        scene.sha256 = hex(&Sha256::digest(bytes));
+        scene.check(&root)?;
+        Ok(scene)
+    }
+
+    fn from_table(root: &Table, folder: &Path) -> Result<Self> {
+        root.allow(&KEYS)?;
+        let readings = [
+            ("corrected", Reading::Corrected),
+            ("thesis", Reading::Thesis),
+        ];
+        let reading = root
+            .optional_choice("reading", &readings)?
+            .unwrap_or(Reading::Corrected);
+        let domain = domain(root)?;
+        let time = root.table("time")?;
+        time.allow(&["step", "end", "integrator"])?;
+        let (end, step) = time.duration_and_step("end")?;
+        let density = density(root)?;
+        Ok(Self {
+            title: root.optional_text("title")?.unwrap_or_default().to_owned(),
+            reading,
+            integrator: time.choice("integrator", &[&INTEGRATORS[..], &[HALF_STEP]].concat())?,
+            step,
+            end,
+            contact: laws::contact(root, reading)?,
+            bond: laws::bond(root)?,
+            ambient: laws::ambient(root, reading)?,
+            external: laws::external(root, &domain)?,
+            driving: laws::driving(root)?,
+            particles: particles::particles(root, folder, density)?,
+            bonds: particles::bonds(root, folder)?,
+            contacts: particles::contacts(root, folder)?,
+            setup: setup::setup(root, &domain, reading, density)?,
+            output: output(root, end)?,
+            domain,
+            density,
+            file: root.source().file.to_owned(),
+            files: files(root, folder)?,
+            sha256: String::new(),
+        })
+    }
+
+    /// The model of the scene proper, for particles of the given radii.
+    pub fn model(&self, radii: &[f64]) -> Model {
+        let width = self.domain.width.unwrap_or(0.0);
+        Model {
+            reading: self.reading,
+            integrator: self.integrator,
+            time_step: self.step,
+            domain: self.domain,
+            contact: self.contact,
+            bond: self.bond,
+            ambient: self.ambient,
+            external: self.external,
+            driving: self
+                .driving
+                .map(|table| table.law(width, characteristic_length(radii))),
+            ledger: self.output.energy,
+        }
+    }
+
+    /// The world at t = 0 of a scene without set-up.
+    ///
+    /// # Errors
+    /// States that the kernel refuses.
+    pub fn initial_world(&self) -> std::result::Result<World, ModelError> {
+        self.initial_world_in()
+    }
+
+    /// The same in another number type.
+    ///
+    /// # Errors
+    /// States that the kernel refuses.
+    pub fn initial_world_in<S: Number>(&self) -> std::result::Result<World<S>, ModelError> {
+        let mut particles: Particles<S> = self.particles.iter().copied().collect();
+        wrap(&self.domain, &mut particles);
+        let radii: Vec<f64> = self.particles.iter().map(|one| one.radius).collect();
+        let model = self.model(&radii);
+        let start = Start {
+            bonds: self.bonds.iter().map(|(bond, _)| *bond).collect(),
+            contacts: self.contacts.iter().map(|(contact, _)| *contact).collect(),
+            drive_force: self.initial_force(),
+        };
+        World::new(model, particles, &start).map(equipped)
+    }
+
+    /// Total driving force at t = 0 in N.
+    pub fn initial_force(&self) -> Vec2 {
+        self.driving.map_or(Vec2::zero(), |driving| {
+            Vec2::new(driving.initial_force[0], driving.initial_force[1])
+        })
+    }
+
+    /// Number of steps to the end.
+    pub fn steps(&self) -> u64 {
+        steps_for(self.end, self.step)
+    }
+}
+
+/// Number of steps that cover a duration: the nearest whole number where that is meant, or the next.
+pub fn steps_for(duration: f64, step: f64) -> u64 {
+    let exact = duration / step;
+    let nearest = exact.round();
+    let steps = if (exact - nearest).abs() < 1e-6 {
+        nearest
+    } else {
+        exact.ceil()
+    };
+    steps as u64
+}
+
+/// Represent all particles of a periodic box in it.
+pub fn wrap<S: Real>(domain: &Domain, particles: &mut Particles<S>) {
+    use gouge_common::geometry::{Metric, PeriodicX};
+    if let Some(length) = domain.period() {
+        particles
+            .position
+            .iter_mut()
+            .for_each(|x| *x = PeriodicX { length }.wrap(*x));
+    }
+}
+
+fn domain(root: &Table) -> Result<Domain> {
+    let Some(table) = root.optional_table("box")? else {
+        return Ok(Domain {
+            width: None,
+            height: None,
+            periodic: false,
+        });
+    };
+    table.allow(&["width", "height", "boundary"])?;
+    let width = table.optional_number("width", Range::Positive)?;
+    let boundaries = [("open", false), ("periodic-x", true)];
+    let periodic = table
+        .optional_choice("boundary", &boundaries)?
+        .unwrap_or(false);
+    if periodic && width.is_none() {
+        return Err(table.error("width", "missing; a periodic box needs its width in m"));
+    }
+    Ok(Domain {
+        width,
+        height: table.optional_number("height", Range::Positive)?,
+        periodic,
+    })
+}
+
+fn density(root: &Table) -> Result<f64> {
+    let table = root.table("material")?;
+    table.allow(&["density"])?;
+    table.number("density", Range::Positive)
+}
+
+fn output(root: &Table, end: f64) -> Result<Output> {
+    let default = if end > 0.0 { end / 200.0 } else { 1.0 };
+    let Some(table) = root.optional_table("output")? else {
+        return Ok(Output {
+            interval: default,
+            trajectory: Trajectory::None,
+            energy: true,
+        });
+    };
+    table.allow(&["interval", "trajectory", "energy"])?;
+    let formats = [
+        ("none", Trajectory::None),
+        ("vtk", Trajectory::Vtk),
+        ("extxyz", Trajectory::Extxyz),
+    ];
+    Ok(Output {
+        interval: table
+            .optional_number("interval", Range::Positive)?
+            .unwrap_or(default),
+        trajectory: table
+            .optional_choice("trajectory", &formats)?
+            .unwrap_or(Trajectory::None),
+        energy: table.optional_truth("energy")?.unwrap_or(true),
+    })
+}
+
+fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = vec![PathBuf::from(root.source().file)];
+    for key in ["particles_file", "bonds_file", "contacts_file"] {
+        files.extend(root.optional_text(key)?.map(|name| folder.join(name)));
+    }
+    Ok(files)
+}

@@ -1,0 +1,442 @@
+//! Particles, bonds and contacts of a scene, in the file or beside it.
+
+use super::table::{Range, Source, Table, shortened};
+use crate::error::SceneError;
+use gouge_common::geometry::Vec2;
+use gouge_dem::bonds::BondStart;
+use gouge_dem::contacts::ContactStart;
+use gouge_dem::particles::{Particle, Role, sphere_mass, sphere_moment_of_inertia};
+use std::path::Path;
+
+type Result<T> = std::result::Result<T, SceneError>;
+
+/// Names of roles.
+pub const ROLES: [(&str, Role); 3] = [
+    ("free", Role::Free),
+    ("driven", Role::Driven),
+    ("fixed", Role::Fixed),
+];
+
+/// Name of a role.
+pub fn role_name(role: Role) -> &'static str {
+    ROLES
+        .iter()
+        .find(|(_, r)| *r == role)
+        .map_or("free", |(name, _)| name)
+}
+
+/// Where a particle or link stands, for errors found later.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The file.
+    pub file: String,
+    /// The line.
+    pub line: usize,
+    /// The key.
+    pub key: String,
+}
+
+impl Place {
+    /// An error at this place.
+    pub fn error(&self, value: String, accepted: String) -> SceneError {
+        SceneError {
+            file: self.file.clone(),
+            line: self.line,
+            key: self.key.clone(),
+            value,
+            accepted,
+        }
+    }
+}
+
+/// Items with their places.
+pub type Placed<T> = Vec<(T, Place)>;
+
+const FIXED_MOVES: &str = "a fixed particle never moves, so this must be zero or absent";
+
+/// What is wrong with the mass of a sphere, if its numbers leave the range of a computer.
+pub fn mass_problem(density: f64, radius: f64) -> Option<String> {
+    let mass = sphere_mass(density, radius);
+    let inertia = sphere_moment_of_inertia(mass, radius);
+    let is_usable = |number: f64| number.is_normal() && number.recip().is_normal();
+    (!is_usable(mass) || !is_usable(inertia)).then(|| {
+        format!(
+            "must give a mass and a moment of inertia within the range of numbers, but with the \
+             density {density:?} they are {mass:?} kg and {inertia:?} kg m^2"
+        )
+    })
+}
+
+/// `[[particles]]` or `particles_file`.
+pub fn particles(root: &Table, folder: &Path, density: f64) -> Result<Vec<Particle>> {
+    if let Some(rows) = side_file(root, "particles", folder)? {
+        return rows.read(
+            &["x", "y", "radius"],
+            &["vx", "vy", "angle", "angular_velocity", "density", "role"],
+            |row| particle_row(row, density),
+        );
+    }
+    root.tables("particles")?
+        .iter()
+        .map(|table| particle(table, density))
+        .collect()
+}
+
+fn particle(table: &Table, density: f64) -> Result<Particle> {
+    table.allow(&[
+        "position",
+        "velocity",
+        "angle",
+        "angular_velocity",
+        "radius",
+        "density",
+        "role",
+    ])?;
+    let role = table.optional_choice("role", &ROLES)?.unwrap_or(Role::Free);
+    let velocity = table.optional_pair("velocity")?.unwrap_or([0.0; 2]);
+    let angular_velocity = table
+        .optional_number("angular_velocity", Range::Finite)?
+        .unwrap_or(0.0);
+    if role == Role::Fixed && velocity != [0.0; 2] {
+        return Err(table.error("velocity", FIXED_MOVES));
+    }
+    if role == Role::Fixed && angular_velocity != 0.0 {
+        return Err(table.error("angular_velocity", FIXED_MOVES));
+    }
+    let [x, y] = table.pair("position")?;
+    let particle = Particle {
+        position: Vec2::new(x, y),
+        velocity: Vec2::new(velocity[0], velocity[1]),
+        angle: table
+            .optional_number("angle", Range::Finite)?
+            .unwrap_or(0.0),
+        angular_velocity,
+        radius: table.number("radius", Range::Positive)?,
+        density: table
+            .optional_number("density", Range::Positive)?
+            .unwrap_or(density),
+        role,
+    };
+    match mass_problem(particle.density, particle.radius) {
+        Some(problem) => Err(table.error("radius", &problem)),
+        None => Ok(particle),
+    }
+}
+
+fn particle_row(row: &Row, density: f64) -> Result<Particle> {
+    let number = |key: &str, range, default| row.optional_number(key, range, default);
+    let role = row.role()?;
+    let velocity = Vec2::new(
+        number("vx", Range::Finite, 0.0)?,
+        number("vy", Range::Finite, 0.0)?,
+    );
+    let angular_velocity = number("angular_velocity", Range::Finite, 0.0)?;
+    let moving = [
+        ("vx", velocity.x),
+        ("vy", velocity.y),
+        ("angular_velocity", angular_velocity),
+    ];
+    if role == Role::Fixed
+        && let Some((key, _)) = moving.iter().find(|(_, value)| *value != 0.0)
+    {
+        return Err(row.error(key, FIXED_MOVES));
+    }
+    let particle = Particle {
+        position: Vec2::new(
+            row.number("x", Range::Finite)?,
+            row.number("y", Range::Finite)?,
+        ),
+        velocity,
+        angle: number("angle", Range::Finite, 0.0)?,
+        angular_velocity,
+        radius: row.number("radius", Range::Positive)?,
+        density: number("density", Range::Positive, density)?,
+        role,
+    };
+    match mass_problem(particle.density, particle.radius) {
+        Some(problem) => Err(row.error("radius", &problem)),
+        None => Ok(particle),
+    }
+}
+
+/// `[[bonds]]` or `bonds_file`.
+pub fn bonds(root: &Table, folder: &Path) -> Result<Placed<BondStart>> {
+    if let Some(rows) = side_file(root, "bonds", folder)? {
+        let optional = [
+            "strength_factor",
+            "initial_distance",
+            "initial_angle_i",
+            "initial_angle_j",
+        ];
+        return rows.read(&["i", "j"], &optional, |row| {
+            Ok((bond_row(row)?, row.place()))
+        });
+    }
+    let read = |table: &Table| {
+        table.allow(&[
+            "between",
+            "strength_factor",
+            "initial_distance",
+            "initial_angles",
+        ])?;
+        let start = BondStart {
+            between: table.index_pair("between")?,
+            strength_factor: table
+                .optional_number("strength_factor", Range::Positive)?
+                .unwrap_or(1.0),
+            initial_distance: table.optional_number("initial_distance", Range::Positive)?,
+            initial_angles: table.optional_pair("initial_angles")?,
+        };
+        Ok((start, place(table)))
+    };
+    root.tables("bonds")?.iter().map(read).collect()
+}
+
+fn bond_row(row: &Row) -> Result<BondStart> {
+    let angles = [row.cell("initial_angle_i"), row.cell("initial_angle_j")];
+    let initial_angles = match angles {
+        [None, None] => None,
+        _ => Some([
+            row.number("initial_angle_i", Range::Finite)?,
+            row.number("initial_angle_j", Range::Finite)?,
+        ]),
+    };
+    let initial_distance = match row.cell("initial_distance") {
+        None => None,
+        Some(_) => Some(row.number("initial_distance", Range::Positive)?),
+    };
+    Ok(BondStart {
+        between: row.pair()?,
+        strength_factor: row.optional_number("strength_factor", Range::Positive, 1.0)?,
+        initial_distance,
+        initial_angles,
+    })
+}
+
+/// `[[contacts]]` or `contacts_file`.
+pub fn contacts(root: &Table, folder: &Path) -> Result<Placed<ContactStart>> {
+    if let Some(rows) = side_file(root, "contacts", folder)? {
+        return rows.read(
+            &["i", "j", "initial_angle_i", "initial_angle_j"],
+            &[],
+            |row| {
+                let initial_angles = [
+                    row.number("initial_angle_i", Range::Finite)?,
+                    row.number("initial_angle_j", Range::Finite)?,
+                ];
+                Ok((
+                    ContactStart {
+                        between: row.pair()?,
+                        initial_angles,
+                    },
+                    row.place(),
+                ))
+            },
+        );
+    }
+    let read = |table: &Table| {
+        table.allow(&["between", "initial_angles"])?;
+        let start = ContactStart {
+            between: table.index_pair("between")?,
+            initial_angles: table.pair("initial_angles")?,
+        };
+        Ok((start, place(table)))
+    };
+    root.tables("contacts")?.iter().map(read).collect()
+}
+
+fn place(table: &Table) -> Place {
+    let error = table.error("between", "");
+    Place {
+        file: error.file,
+        line: error.line,
+        key: error.key,
+    }
+}
+
+/// The file that stands instead of a list, if the scene names one.
+fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>> {
+    let key = format!("{list}_file");
+    let Some(name) = root.optional_text(&key)? else {
+        return Ok(None);
+    };
+    if root.has(list) {
+        let accepted = format!("stands instead of [[{list}]]; only one of them may be given");
+        return Err(root.error(&key, &accepted));
+    }
+    let path = folder.join(name);
+    match std::fs::read(&path) {
+        Ok(bytes) => Ok(Some(Rows {
+            file: path.display().to_string(),
+            bytes,
+        })),
+        Err(error) => Err(root.error(
+            &key,
+            &format!("must be the name of a readable CSV file: {error}"),
+        )),
+    }
+}
+
+/// A CSV file.
+struct Rows {
+    file: String,
+    bytes: Vec<u8>,
+}
+
+/// A row of a CSV file.
+struct Row<'a> {
+    file: &'a str,
+    line: usize,
+    header: &'a csv::StringRecord,
+    record: &'a csv::StringRecord,
+}
+
+impl Rows {
+    fn read<T>(
+        &self,
+        required: &[&str],
+        optional: &[&str],
+        read: impl Fn(&Row) -> Result<T>,
+    ) -> Result<Vec<T>> {
+        let mut reader = csv::ReaderBuilder::new()
+            .trim(csv::Trim::All)
+            .from_reader(&self.bytes[..]);
+        let header = reader
+            .headers()
+            .map_err(|error| self.broken(&error))?
+            .clone();
+        self.check_header(&header, required, optional)?;
+        let mut items = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(|error| self.broken(&error))?;
+            let line = record.position().map_or(0, |position| self.line(position));
+            items.push(read(&Row {
+                file: &self.file,
+                line,
+                header: &header,
+                record: &record,
+            })?);
+        }
+        Ok(items)
+    }
+
+    fn check_header(
+        &self,
+        header: &csv::StringRecord,
+        required: &[&str],
+        optional: &[&str],
+    ) -> Result<()> {
+        let source = Source {
+            file: &self.file,
+            text: "",
+        };
+        let known = [required, optional].concat().join(", ");
+        let accepted = format!("must be one of the columns: {known}");
+        let mut seen = std::collections::HashSet::new();
+        for name in header {
+            if !required.contains(&name) && !optional.contains(&name) {
+                return Err(source.error(0, "column", &shortened(name), &accepted));
+            }
+            if !seen.insert(name) {
+                return Err(source.error(0, "column", name, "stands twice in the first line"));
+            }
+        }
+        match required.iter().find(|name| !seen.contains(*name)) {
+            Some(name) => {
+                let accepted = format!("missing column; the first line must name: {known}");
+                Err(source.error(0, name, "", &accepted))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Line of a row, after the blank lines that are counted to it.
+    fn line(&self, position: &csv::Position) -> usize {
+        let rest = self
+            .bytes
+            .get(position.byte() as usize..)
+            .unwrap_or_default();
+        let blank = rest.iter().take_while(|byte| matches!(byte, b'\n' | b'\r'));
+        position.line() as usize + blank.filter(|&&byte| byte == b'\n').count()
+    }
+
+    fn broken(&self, error: &csv::Error) -> SceneError {
+        let (value, accepted) = match error.kind() {
+            csv::ErrorKind::UnequalLengths {
+                expected_len, len, ..
+            } => (
+                format!("{len} cells"),
+                format!("must be {expected_len} cells, as many as the first line has"),
+            ),
+            csv::ErrorKind::Utf8 { .. } => (String::new(), "must be text in UTF-8".to_owned()),
+            _ => (String::new(), format!("must be a CSV file: {error}")),
+        };
+        SceneError {
+            file: self.file.clone(),
+            line: error.position().map_or(1, |position| self.line(position)),
+            key: String::new(),
+            value,
+            accepted,
+        }
+    }
+}
+
+impl Row<'_> {
+    fn cell(&self, key: &str) -> Option<&str> {
+        let column = self.header.iter().position(|name| name == key)?;
+        self.record.get(column).filter(|cell| !cell.is_empty())
+    }
+
+    fn place(&self) -> Place {
+        Place {
+            file: self.file.to_owned(),
+            line: self.line,
+            key: "i,j".to_owned(),
+        }
+    }
+
+    fn error(&self, key: &str, accepted: &str) -> SceneError {
+        SceneError {
+            file: self.file.to_owned(),
+            line: self.line,
+            key: key.to_owned(),
+            value: shortened(self.cell(key).unwrap_or_default()),
+            accepted: accepted.to_owned(),
+        }
+    }
+
+    fn number(&self, key: &str, range: Range) -> Result<f64> {
+        let accepted = range.text();
+        let number = self.cell(key).and_then(|cell| cell.parse::<f64>().ok());
+        number
+            .filter(|&number| range.contains(number))
+            .ok_or_else(|| self.error(key, &accepted))
+    }
+
+    fn optional_number(&self, key: &str, range: Range, default: f64) -> Result<f64> {
+        if self.cell(key).is_none() {
+            Ok(default)
+        } else {
+            self.number(key, range)
+        }
+    }
+
+    fn index(&self, key: &str) -> Result<usize> {
+        let number = self.cell(key).and_then(|cell| cell.parse().ok());
+        number.ok_or_else(|| self.error(key, "must be a particle index, counted from 0"))
+    }
+
+    fn pair(&self) -> Result<[usize; 2]> {
+        Ok([self.index("i")?, self.index("j")?])
+    }
+
+    fn role(&self) -> Result<Role> {
+        let Some(cell) = self.cell("role") else {
+            return Ok(Role::Free);
+        };
+        let found = ROLES.iter().find(|(name, _)| *name == cell);
+        found
+            .map(|(_, role)| *role)
+            .ok_or_else(|| self.error("role", "must be one of: free, driven, fixed"))
+    }
+}

@@ -1,0 +1,390 @@
+//! `[setup]`: the protocol that makes the particles of a scene, thesis section 3.7.
+
+use super::laws;
+use super::particles::mass_problem;
+use super::table::{Range, Table};
+use crate::error::SceneError;
+use gouge_common::geometry::Domain;
+use gouge_dem::model::{Ambient, External, Reading};
+use gouge_dem::setup::{Arrangement, REACH, SizeRange};
+
+type Result<T> = std::result::Result<T, SceneError>;
+
+/// The protocol: sizes on a lattice, settle, clip, bond, correct the density, cut, relax, press.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// Seed of every random choice.
+    pub seed: u64,
+    /// Interval of radii.
+    pub sizes: SizeRange,
+    /// Where the particles begin.
+    pub lattice: LatticeTable,
+    /// Phases before the particles are bonded; without friction.
+    pub settle: Vec<PhaseTable>,
+    /// Whether particles outside the box are removed after settling.
+    pub clip: bool,
+    /// Bonds between neighbours.
+    pub bonding: Option<Bonding>,
+    /// Whether masses are raised so that the packing has the material's density.
+    pub correct_density: bool,
+    /// Cut through the bonds.
+    pub fault: Option<FaultTable>,
+    /// Phases in which the block relaxes.
+    pub relax: Vec<PhaseTable>,
+    /// Heights that decide on roles, given after relaxing.
+    pub roles: Option<Roles>,
+    /// Phases in which the driven particles press.
+    pub press: Vec<PhaseTable>,
+}
+
+/// `[setup.lattice]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LatticeTable {
+    /// How rows lie on each other.
+    pub arrangement: Arrangement,
+    /// Distance of neighbours in m.
+    pub pitch: f64,
+    /// Largest displacement of a particle from its point in m.
+    pub perturbation: f64,
+    /// Points in a row.
+    pub columns: usize,
+    /// How many particles.
+    pub amount: Amount,
+    /// First point in m.
+    pub origin: [f64; 2],
+}
+
+/// How many particles a lattice gets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Amount {
+    /// So many rows.
+    Rows(usize),
+    /// As many as cover this fraction of the box.
+    Filling(f64),
+}
+
+/// One phase of the set-up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhaseTable {
+    /// Duration in s.
+    pub duration: f64,
+    /// Time step in s.
+    pub step: f64,
+    /// Drag.
+    pub ambient: Option<Ambient>,
+    /// External potential.
+    pub external: Option<External>,
+    /// Target speed in m/s, pressing only.
+    pub speed: f64,
+}
+
+/// `[setup.bonding]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bonding {
+    /// Reach in sums of radii.
+    pub reach: f64,
+    /// Half-width of the interval of strength factors around one.
+    pub strength_spread: f64,
+}
+
+/// `[setup.fault]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FaultTable {
+    /// Mean height in m.
+    pub level: f64,
+    /// Height of the jags in m.
+    pub height: f64,
+    /// Number of jags.
+    pub jags: f64,
+}
+
+/// `[setup.roles]`: half-planes of fixed and driven particles.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Roles {
+    /// Particles below this y are fixed.
+    pub fixed_below: Option<f64>,
+    /// Particles left of this x are fixed.
+    pub fixed_left_of: Option<f64>,
+    /// Particles above this y are driven.
+    pub driven_above: Option<f64>,
+}
+
+const KEYS: [&str; 11] = [
+    "seed",
+    "sizes",
+    "lattice",
+    "settle",
+    "clip",
+    "bonding",
+    "correct_density",
+    "fault",
+    "relax",
+    "roles",
+    "press",
+];
+
+/// Largest number of particles that a lattice may get.
+const MOST: f64 = 1e7;
+
+/// `[setup]`.
+pub fn setup(
+    root: &Table,
+    domain: &Domain,
+    reading: Reading,
+    density: f64,
+) -> Result<Option<Setup>> {
+    let Some(table) = root.optional_table("setup")? else {
+        return Ok(None);
+    };
+    table.allow(&KEYS)?;
+    let sizes = sizes(&table.table("sizes")?, density)?;
+    let phases = |key: &str, presses: bool| phases(&table, key, presses, domain, reading);
+    let needs_box = domain.width.zip(domain.height);
+    let (clip, correct_density) = (
+        table.optional_truth("clip")?.unwrap_or(false),
+        table.optional_truth("correct_density")?.unwrap_or(false),
+    );
+    for (key, asked) in [("clip", clip), ("correct_density", correct_density)] {
+        if asked && needs_box.is_none() {
+            return Err(table.error(key, "needs box.width and box.height"));
+        }
+    }
+    check_company(root, &table)?;
+    Ok(Some(Setup {
+        seed: table.optional_whole("seed")?.ok_or_else(|| {
+            table.error("seed", "missing; must be a whole number, zero or greater")
+        })?,
+        lattice: lattice(&table.table("lattice")?, sizes, domain)?,
+        sizes,
+        settle: phases("settle", false)?,
+        clip,
+        bonding: bonding(&table)?,
+        correct_density,
+        fault: fault(&table, domain)?,
+        relax: phases("relax", false)?,
+        roles: roles(&table)?,
+        press: phases("press", true)?,
+    }))
+}
+
+/// Parts that would do nothing without another one.
+fn check_company(root: &Table, setup: &Table) -> Result<()> {
+    if setup.has("fault") && !setup.has("bonding") {
+        return Err(setup.error("fault", "needs [setup.bonding], whose bonds it cuts"));
+    }
+    if setup.has("press") && !root.has("driving") {
+        return Err(setup.error("press", "needs [driving], whose pressure it builds up"));
+    }
+    Ok(())
+}
+
+fn sizes(table: &Table, density: f64) -> Result<SizeRange> {
+    let sizes = size_range(table)?;
+    for (key, radius) in [("minimum", sizes.minimum), ("maximum", sizes.maximum)] {
+        if let Some(problem) = mass_problem(density, radius) {
+            let key = if table.has("mean") { "mean" } else { key };
+            return Err(table.error(key, &problem));
+        }
+    }
+    Ok(sizes)
+}
+
+fn size_range(table: &Table) -> Result<SizeRange> {
+    if table.has("mean") {
+        table.allow(&["mean"])?;
+        let mean = table.number("mean", Range::Positive)?;
+        return Ok(SizeRange::around(mean));
+    }
+    table.allow(&["mean", "minimum", "maximum"])?;
+    let minimum = table.number("minimum", Range::Positive)?;
+    let maximum = table.number("maximum", Range::Positive)?;
+    if maximum < minimum {
+        return Err(table.error("maximum", "must not be below the minimum"));
+    }
+    Ok(SizeRange { minimum, maximum })
+}
+
+fn lattice(table: &Table, sizes: SizeRange, domain: &Domain) -> Result<LatticeTable> {
+    let known = [
+        "arrangement",
+        "pitch",
+        "perturbation",
+        "columns",
+        "rows",
+        "filling",
+        "origin",
+    ];
+    table.allow(&known)?;
+    let arrangements = [
+        ("square", Arrangement::Square),
+        ("hexagonal", Arrangement::Hexagonal),
+    ];
+    let arrangement = table
+        .optional_choice("arrangement", &arrangements)?
+        .unwrap_or(Arrangement::Square);
+    let perturbation = table
+        .optional_number("perturbation", Range::NonNegative)?
+        .unwrap_or(0.0);
+    let pitch = table
+        .optional_number("pitch", Range::Positive)?
+        .unwrap_or(2.0 * (sizes.maximum + perturbation));
+    let columns = columns(table, domain, pitch)?;
+    let amount = amount(table, sizes, domain, columns)?;
+    let margin = domain
+        .width
+        .map_or(0.0, |width| 0.5 * (width - pitch * columns as f64));
+    let origin = table
+        .optional_pair("origin")?
+        .unwrap_or([margin.max(0.0) + 0.5 * pitch, 0.5 * pitch]);
+    Ok(LatticeTable {
+        arrangement,
+        pitch,
+        perturbation,
+        columns,
+        amount,
+        origin,
+    })
+}
+
+fn columns(table: &Table, domain: &Domain, pitch: f64) -> Result<usize> {
+    let columns = match (table.optional_whole("columns")?, domain.width) {
+        (Some(columns), _) => columns as usize,
+        (None, Some(width)) if table.has("pitch") && width < pitch => {
+            return Err(table.error("pitch", "must not be above box.width"));
+        }
+        (None, Some(width)) => (width / pitch) as usize,
+        (None, None) => {
+            return Err(table.error("columns", "missing; needed where the box has no width"));
+        }
+    };
+    if (1..=1_000_000).contains(&columns) {
+        return Ok(columns);
+    }
+    let accepted = "must be a whole number from 1 to 1000000";
+    Err(match table.has("columns") {
+        true => table.error("columns", accepted),
+        false => table.error(
+            "columns",
+            &format!("missing; {accepted}, but box.width is {columns} times the pitch"),
+        ),
+    })
+}
+
+fn amount(table: &Table, sizes: SizeRange, domain: &Domain, columns: usize) -> Result<Amount> {
+    let (rows, area) = (
+        table.optional_whole("rows")?,
+        domain.width.zip(domain.height),
+    );
+    let (key, amount, number) = match (rows, table.has("filling"), area) {
+        (Some(rows), false, _) => {
+            if !(1..=1_000_000).contains(&rows) {
+                return Err(table.error("rows", "must be a whole number from 1 to 1000000"));
+            }
+            let number = rows as f64 * columns as f64;
+            ("rows", Amount::Rows(rows as usize), number)
+        }
+        (None, true, Some((width, height))) => {
+            let filling = table.number("filling", Range::Between(0.0, 4.0))?;
+            let smallest = core::f64::consts::PI * sizes.minimum * sizes.minimum;
+            let number = filling * (width / smallest) * height;
+            ("filling", Amount::Filling(filling), number)
+        }
+        (None, true, None) => {
+            return Err(table.error("filling", "needs box.width and box.height"));
+        }
+        _ => return Err(table.error("rows", "exactly one of rows and filling is needed")),
+    };
+    if number > MOST {
+        let accepted = format!("may make {MOST} particles at most, but would make {number:.0}");
+        return Err(table.error(key, &accepted));
+    }
+    Ok(amount)
+}
+
+fn phases(
+    setup: &Table,
+    key: &str,
+    presses: bool,
+    domain: &Domain,
+    reading: Reading,
+) -> Result<Vec<PhaseTable>> {
+    let read = |table: &Table| {
+        let mut known = vec!["duration", "step", "ambient", "external"];
+        if presses {
+            known.push("speed");
+        }
+        table.allow(&known)?;
+        let (duration, step) = table.duration_and_step("duration")?;
+        Ok(PhaseTable {
+            duration,
+            step,
+            ambient: laws::ambient(table, reading)?,
+            external: laws::external(table, domain)?,
+            speed: table
+                .optional_number("speed", Range::Finite)?
+                .unwrap_or(0.0),
+        })
+    };
+    setup.tables(key)?.iter().map(read).collect()
+}
+
+fn bonding(setup: &Table) -> Result<Option<Bonding>> {
+    let Some(table) = setup.optional_table("bonding")? else {
+        return Ok(None);
+    };
+    table.allow(&["reach", "strength_spread"])?;
+    Ok(Some(Bonding {
+        reach: table
+            .optional_number("reach", Range::Positive)?
+            .unwrap_or(REACH),
+        strength_spread: table
+            .optional_number("strength_spread", Range::NonNegative)?
+            .filter(|&spread| spread < 1.0)
+            .map_or_else(
+                || match table.has("strength_spread") {
+                    true => Err(table.error("strength_spread", "must be from 0 to below 1")),
+                    false => Ok(0.0),
+                },
+                Ok,
+            )?,
+    }))
+}
+
+fn fault(setup: &Table, domain: &Domain) -> Result<Option<FaultTable>> {
+    let Some(table) = setup.optional_table("fault")? else {
+        return Ok(None);
+    };
+    table.allow(&["level", "height", "jags"])?;
+    if domain.width.is_none() {
+        return Err(setup.error("fault", "needs box.width"));
+    }
+    let level = match (
+        table.optional_number("level", Range::Finite)?,
+        domain.height,
+    ) {
+        (Some(level), _) => level,
+        (None, Some(height)) => 0.5 * height,
+        (None, None) => return Err(table.error("level", "missing; needed without box.height")),
+    };
+    Ok(Some(FaultTable {
+        level,
+        height: table
+            .optional_number("height", Range::NonNegative)?
+            .unwrap_or(0.0),
+        jags: table
+            .optional_number("jags", Range::NonNegative)?
+            .unwrap_or(0.0),
+    }))
+}
+
+fn roles(setup: &Table) -> Result<Option<Roles>> {
+    let Some(table) = setup.optional_table("roles")? else {
+        return Ok(None);
+    };
+    table.allow(&["fixed_below", "fixed_left_of", "driven_above"])?;
+    Ok(Some(Roles {
+        fixed_below: table.optional_number("fixed_below", Range::Finite)?,
+        fixed_left_of: table.optional_number("fixed_left_of", Range::Finite)?,
+        driven_above: table.optional_number("driven_above", Range::Finite)?,
+    }))
+}

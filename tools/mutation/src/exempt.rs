@@ -1,0 +1,247 @@
+//! Numbers that steer an algorithm and stand in no formula: changing one by a millionth changes no result.
+
+use crate::site::Site;
+
+/// Sites that are left out, with the reason.
+struct Exemption {
+    file: &'static str,
+    /// The function around it, or a part of its line in which «» mark the expression; any if empty.
+    place: &'static str,
+    /// The expression; any if empty.
+    expression: &'static str,
+    reason: &'static str,
+}
+
+const fn exempt(
+    file: &'static str,
+    place: &'static str,
+    expression: &'static str,
+    reason: &'static str,
+) -> Exemption {
+    Exemption {
+        file,
+        place,
+        expression,
+        reason,
+    }
+}
+
+const LIST: &str = "decides when the neighbour list is made anew and what it holds besides contacts; no result depends on it";
+const BISECTION: &str =
+    "where an interval is cut; the bisection goes on until nothing is left of it";
+const SCAN: &str = "how far and how finely the first unstable step is sought";
+const TINY: &str =
+    "a term below 2e-9 wherever it is used, a millionth of which is less than rounding";
+const BRACKET: &str = "brackets the root that the bisection then finds";
+const NORMALISED: &str = "a factor of all pairs; the distribution is divided by its sum afterwards";
+const BEYOND: &str = "which samples and pairs are looked at; those beyond contribute nothing";
+const ROUNDING: &str = "a probability above one by rounding is cut there; exact ones never are";
+
+const EXEMPTIONS: &[Exemption] = &[
+    exempt("kernel/src/links/neighbors.rs", "", "", LIST),
+    exempt("kernel/src/links/cells.rs", "Cells::new", "", LIST),
+    exempt(
+        "kernel/src/setup/bonding.rs",
+        "*r *= «reach»",
+        "reach",
+        "a search for candidates, of which the exact distance then chooses",
+    ),
+    exempt(
+        "kernel/src/geometry/pair_frame.rs",
+        "PairFrame::new",
+        "COINCIDENT",
+        "below which distance centres count as coincident",
+    ),
+    exempt(
+        "kernel/src/geometry/angle.rs",
+        "turn",
+        "NEAR_COSINE",
+        "where a series takes over from an arctangent that agrees with it",
+    ),
+    exempt(
+        "kernel/src/geometry/contact.rs",
+        "mean_distance",
+        "1e-4",
+        "where a series takes over from a function that agrees with it",
+    ),
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "is_stable",
+        "GROWTH",
+        "the growth by rounding that still counts as none",
+    ),
+    exempt(
+        "kernel/src/geometry/contact.rs",
+        "(«1.0» / 6.0)",
+        "1.0",
+        TINY,
+    ),
+    exempt(
+        "kernel/src/geometry/contact.rs",
+        "(1.0 / «6.0»)",
+        "6.0",
+        TINY,
+    ),
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "let mut scale = ",
+        "1.0",
+        "a factor of all coefficients of a polynomial, which moves no root",
+    ),
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "let rate = ",
+        "",
+        SCAN,
+    ),
+    exempt(
+        "kernel/src/laws/tangential.rs",
+        "CundallStrack::friction",
+        "Self::SLIDING",
+        "a mark that is compared with zero",
+    ),
+    exempt(
+        "kernel/src/distributions/uniform.rs",
+        "(sum / self.area()).clamp",
+        "1.0",
+        ROUNDING,
+    ),
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "critical_step",
+        "4.0",
+        SCAN,
+    ),
+    exempt(
+        "kernel/src/integrators/time_step.rs",
+        "critical_step",
+        "0.5",
+        BISECTION,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "damping_ratio_for",
+        "1e150",
+        "where the search for an upper bound gives up",
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "(mut low, mut high)",
+        "1.0",
+        BRACKET,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "while truncated_restitution(high)",
+        "restitution",
+        BRACKET,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "(low, high) = (high",
+        "2.0",
+        BRACKET,
+    ),
+    exempt(
+        "kernel/src/calibration.rs",
+        "let middle = ",
+        "0.5",
+        BISECTION,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "epanechnikov",
+        "0.75",
+        NORMALISED,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "let weight",
+        "1.0",
+        NORMALISED,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "separation > limit",
+        "bandwidth",
+        BEYOND,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "let first =",
+        "bandwidth",
+        BEYOND,
+    ),
+    exempt(
+        "kernel/src/estimators/entropy.rs",
+        "let last =",
+        "bandwidth",
+        BEYOND,
+    ),
+    exempt(
+        "kernel/src/forces/contacts.rs",
+        "stored_in_contacts",
+        "",
+        BEYOND,
+    ),
+    exempt(
+        "kernel/src/forces/driving.rs",
+        "haste: ",
+        "1.0",
+        "a place holder, filled in by the method before it is read",
+    ),
+    exempt(
+        "kernel/src/distributions/uniform.rs",
+        "outside",
+        "x",
+        "tells only on which side of the support a point outside it lies",
+    ),
+    exempt(
+        "kernel/src/distributions/uniform.rs",
+        "(«1.0», join(a.high, b.high))",
+        "1.0",
+        "the sign of a term that would begin where the support ends",
+    ),
+    exempt(
+        "kernel/src/distributions/uniform.rs",
+        "let inside = «x» >",
+        "x",
+        "where the first term begins, which is zero there",
+    ),
+    exempt(
+        "validation/src/checks/strength/sampled.rs",
+        "independent",
+        "REACH",
+        "which neighbours are bonded, of which only the nearest in a row are used",
+    ),
+    exempt(
+        "kernel/src/distributions/strength.rs",
+        "WeakestProduct::cumulative",
+        "1.0",
+        ROUNDING,
+    ),
+];
+
+impl Exemption {
+    fn fits(&self, site: &Site) -> bool {
+        self.file == site.file
+            && (self.place == site.function || site.context.contains(self.place))
+            && (self.expression.is_empty() || self.expression == site.expression)
+    }
+}
+
+/// Why a site is left out, if it is.
+pub fn reason(site: &Site) -> Option<&'static str> {
+    let found = EXEMPTIONS.iter().find(|one| one.fits(site));
+    found.map(|one| one.reason)
+}
+
+/// Exemptions that fit no site: the code has moved on without them.
+pub fn stale(sites: &[Site]) -> Vec<String> {
+    let unused = EXEMPTIONS
+        .iter()
+        .filter(|one| !sites.iter().any(|site| one.fits(site)));
+    unused
+        .map(|one| format!("{} {} {}", one.file, one.place, one.expression))
+        .collect()
+}

@@ -1,0 +1,40 @@
+//! Runs the checks: what `gouge verify` starts.
+
+use clap::Parser;
+use gouge_runner::error::Error;
+use gouge_runner::machine::{self, Caller};
+use gouge_validation::verify::verify;
+use mimalloc::MiMalloc;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Puts the columns of large worlds at cache lines and into huge pages.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
+
+/// Run the checks and write report.html and report.json
+#[derive(Parser)]
+#[command(version)]
+struct Arguments {
+    /// Only checks whose identifier contains this
+    #[arg(long)]
+    only: Option<String>,
+    /// Folder for the reports
+    #[arg(long, default_value = "out/verify")]
+    out: PathBuf,
+}
+
+fn execute(arguments: &Arguments) -> Result<(), Error> {
+    machine::start(Caller::Waits)?;
+    verify(arguments.only.as_deref(), &arguments.out)
+}
+
+fn main() -> ExitCode {
+    match execute(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("gouge: {error}");
+            ExitCode::from(error.status())
+        }
+    }
+}

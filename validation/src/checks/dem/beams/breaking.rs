@@ -1,0 +1,235 @@
+//! Loads under which a bond breaks.
+
+use super::modes::bond;
+use crate::checks::dem::scenes::{head, particle, world};
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+};
+use crate::oracles::beams::Springs;
+use std::f64::consts::{PI, TAU};
+
+/// The checks.
+pub fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "beams.breaking-load",
+            claim: "A bond breaks where its load leaves the ellipse of its strengths over the weakest section, in every direction.",
+            equations: "(33), (43)-(50)",
+            scene: "Bonded pairs in 16 prescribed states of stretch and turn: spheres of 1 mm, of 1 and 0.7 mm, with strength factors 1, 0.9 and 1.1",
+            oracle: "Semi-axes pi (s r_min)^2 times 280 and 168 MPa: 879.645943 N and 527.787566 N for 1 mm, independent of the stiffness",
+            norm: "Load at which the bond breaks, by bisection, relative to the closed form",
+            origin: Origin::Exact,
+            reason: "The state loses four digits: a displacement of 0.09 mm is the difference of distances of 2 mm, so 2^-52 x 2 / 0.09, and forces round a few times: 32 units of that",
+            effort: Effort::Quick,
+            measure: loads,
+        },
+        Check {
+            id: "beams.breaking-time",
+            claim: "A bond pulled apart at constant rates breaks in the first step at whose end its load, viscous part included, is outside the ellipse.",
+            equations: "(33)-(34), (43)-(50)",
+            scene: "Two spheres of 1 mm, so heavy that nothing slows them, drift apart and turn in 16 proportions until their bond breaks, with three steps",
+            oracle: "Root of the condition along the prescribed motion, by bisection",
+            norm: "Number of runs that break in another step",
+            origin: Origin::Exact,
+            reason: "The instant of every run is off a multiple of the step by more than the rounding of its state",
+            effort: Effort::Quick,
+            measure: times,
+        },
+    ]
+}
+
+const SPRINGS: Springs = Springs {
+    normal: 1e7,
+    tangential: 0.9e7,
+};
+const STRENGTHS: [f64; 2] = [280e6, 168e6];
+const DIRECTIONS: usize = 16;
+
+fn direction(number: usize) -> [f64; 2] {
+    // Off the axes by a little, so that no direction is special.
+    let (s, c) = (TAU * number as f64 / DIRECTIONS as f64 + 1e-3).sin_cos();
+    [c, s]
+}
+
+/// Semi-axes of the ellipse of forces in N.
+fn axes(radii: [f64; 2], factor: f64) -> [f64; 2] {
+    let area = PI * (factor * radii[0].min(radii[1])).powi(2);
+    STRENGTHS.map(|strength| strength * area)
+}
+
+fn yielding() -> String {
+    format!(
+        "[bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = {:e}\ntangential_strength = {:e}\n",
+        STRENGTHS[0], STRENGTHS[1]
+    )
+}
+
+/// Whether a bond under the given normal and tangential forces in N breaks.
+///
+/// The forces are set through the state: D = D_0 + F_n / k_n, and both ends turned by the same angle,
+/// F_t = -(r_i^2 + r_j^2) k_t phi / D.
+fn breaks(radii: [f64; 2], factor: f64, load: [f64; 2]) -> Result<bool, Failure> {
+    let rest = radii[0] + radii[1];
+    let distance = rest + load[0] / SPRINGS.normal;
+    let lever = radii[0].powi(2) + radii[1].powi(2);
+    let angle = -load[1] * distance / (lever * SPRINGS.tangential);
+    let turned = format!("angle = {angle:e}\n");
+    let text = head("velocity-verlet", 1e-9)
+        + &bond(
+            SPRINGS,
+            Springs {
+                normal: 10.0,
+                tangential: 10.0,
+            },
+        )
+        + &yielding()
+        + &particle([0.0; 2], [0.0; 2], 0.0, radii[0])
+        + &turned
+        + &particle([distance, 0.0], [0.0; 2], 0.0, radii[1])
+        + &turned
+        + &format!(
+            "[[bonds]]\nbetween = [0, 1]\nstrength_factor = {factor:e}\n\
+             initial_distance = {rest:e}\ninitial_angles = [0.0, {:e}]\n",
+            -PI
+        );
+    let mut world = world(&text)?;
+    world.evaluate_if_pending()?;
+    Ok(world.bonds().is_some_and(|strong| strong.is_empty()))
+}
+
+fn loads() -> Outcome {
+    let cases = [
+        ([1e-3, 1e-3], 1.0),
+        ([1e-3, 0.7e-3], 0.9),
+        ([0.7e-3, 1e-3], 1.1),
+    ];
+    let (mut measured, mut marks) = (Vec::new(), Vec::new());
+    for (radii, factor) in cases {
+        let axes = axes(radii, factor);
+        for number in 0..DIRECTIONS {
+            let [c, s] = direction(number);
+            let at = |scale: f64| [axes[0] * c * scale, axes[1] * s * scale];
+            let (mut whole, mut broken) = (0.5, 1.5);
+            for _ in 0..50 {
+                let middle = 0.5 * (whole + broken);
+                if breaks(radii, factor, at(middle))? {
+                    broken = middle;
+                } else {
+                    whole = middle;
+                }
+            }
+            let strain = axes[0] / SPRINGS.normal / (radii[0] + radii[1]);
+            measured.push(Measurement::relative(
+                1.0,
+                broken,
+                32.0 * f64::EPSILON / strain,
+            ));
+            if factor == 1.0 {
+                marks.push(at(broken));
+            }
+        }
+    }
+    Ok(Measurement::worst(measured).showing([Exhibit::Plot(ellipse(marks))]))
+}
+
+fn ellipse(marks: Vec<[f64; 2]>) -> Plot {
+    let axes = axes([1e-3; 2], 1.0);
+    let point = |n: u32| {
+        let (s, c) = (TAU * f64::from(n) / 120.0).sin_cos();
+        [axes[0] * c, axes[1] * s]
+    };
+    Plot {
+        title: "Bonds of spheres of 1 mm break on the ellipse of their strengths".to_owned(),
+        x: Axis::linear("normal force in N, positive in tension"),
+        y: Axis::linear("tangential force in N"),
+        curves: vec![
+            Curve::line("closed form", (0..=120).map(point)),
+            Curve::marks("kernel", marks),
+        ],
+    }
+}
+
+const RADIUS: f64 = 1e-3;
+const DASHPOTS: Springs = Springs {
+    normal: 10.0,
+    tangential: 7.0,
+};
+/// Time in s in which the elastic load alone would reach the ellipse.
+const DURATION: f64 = 1e-4;
+
+/// Rates of distance in m/s and of both angles in rad/s that load a bond in a direction.
+fn rates(number: usize) -> [f64; 2] {
+    let (axes, [c, s]) = (axes([RADIUS; 2], 1.0), direction(number));
+    let stretch = axes[0] * c / SPRINGS.normal / DURATION;
+    let turn = -axes[1] * s / (RADIUS * SPRINGS.tangential) / DURATION;
+    [stretch, turn]
+}
+
+/// Instant in s at which the load under constant rates leaves the ellipse.
+fn instant([stretch, turn]: [f64; 2]) -> f64 {
+    let axes = axes([RADIUS; 2], 1.0);
+    let outside = |time: f64| {
+        let normal = SPRINGS.normal * stretch * time + DASHPOTS.normal * stretch;
+        let torque = RADIUS * RADIUS * turn * (SPRINGS.tangential * time + DASHPOTS.tangential);
+        let tangential = 2.0 * torque / (2.0 * RADIUS + stretch * time);
+        (normal / axes[0]).hypot(tangential / axes[1]) >= 1.0
+    };
+    let (mut low, mut high) = (0.0, 2.0 * DURATION);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if outside(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    high
+}
+
+/// The step at whose end the bond has broken.
+fn breaking_step([stretch, turn]: [f64; 2], step: f64) -> Result<u64, Failure> {
+    const HEAVY: &str = "density = 1e20\n";
+    let text = head("velocity-verlet", step)
+        + &bond(SPRINGS, DASHPOTS)
+        + &yielding()
+        + &particle([0.0; 2], [-0.5 * stretch, 0.0], turn, RADIUS)
+        + HEAVY
+        + &particle([2.0 * RADIUS, 0.0], [0.5 * stretch, 0.0], turn, RADIUS)
+        + HEAVY
+        + "[[bonds]]\nbetween = [0, 1]\n";
+    let mut world = world(&text)?;
+    while world.bonds().is_some_and(|strong| !strong.is_empty()) {
+        world.step()?;
+        if world.time() > 2.0 * DURATION {
+            return Err(Failure::Oracle("the bond does not break".to_owned()));
+        }
+    }
+    Ok(world.steps())
+}
+
+fn times() -> Outcome {
+    let mut wrong = 0;
+    let mut late: [Vec<[f64; 2]>; 3] = Default::default();
+    for number in 0..DIRECTIONS {
+        let rates = rates(number);
+        let exact = instant(rates);
+        for (steps, late) in [1000.0, 3000.0, 9000.0].into_iter().zip(&mut late) {
+            let step = DURATION / steps;
+            let broken = breaking_step(rates, step)?;
+            wrong += usize::from(broken != (exact / step).ceil() as u64);
+            late.push([
+                number as f64 / DIRECTIONS as f64,
+                broken as f64 * step - exact,
+            ]);
+        }
+    }
+    let names = ["0.1 us", "0.033 us", "0.011 us"];
+    let curve = |(points, name): (Vec<[f64; 2]>, &str)| Curve::marks(name, points);
+    let plot = Plot {
+        title: "A bond breaks at most one step after its load has left the ellipse".to_owned(),
+        x: Axis::linear("direction of the load in turns"),
+        y: Axis::linear("time from the exact instant to the break in s"),
+        curves: late.into_iter().zip(names).map(curve).collect(),
+    };
+    Ok(Measurement::count(wrong).showing([Exhibit::Plot(plot)]))
+}

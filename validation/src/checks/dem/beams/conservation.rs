@@ -1,0 +1,92 @@
+//! Momentum and angular momentum of bonded particles.
+
+use super::modes::bond;
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::{Check, Effort, Measurement, Origin, Outcome};
+use crate::oracles::beams::Springs;
+use gouge_dem::World;
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+/// The checks.
+pub fn checks() -> Vec<Check> {
+    vec![Check {
+        id: "beams.conservation",
+        claim: "Bonds, damped or not, change neither momentum nor angular momentum.",
+        equations: "(7), (26)-(27), (43)-(45)",
+        scene: "A cluster of 16 bonded particles of random radii, thrown with random velocities and spins that bend it by large angles, damped and undamped, 20000 steps of velocity Verlet",
+        oracle: "Both stay as they are",
+        norm: "Change in units of the sums of all absolute contributions",
+        origin: Origin::Exact,
+        reason: "Every step rounds each contribution a few times; errors that all add up would give 20000 x 4 x 2^-52 = 2e-11, those of random sign 1e-13; the tolerance is 1e-12",
+        effort: Effort::Quick,
+        measure: cluster,
+    }]
+}
+
+const SIDE: usize = 4;
+const STEPS: u64 = 20_000;
+
+fn text(damping: f64) -> String {
+    let mut random = Pcg64::new(7, 1);
+    let mut uniform = move || 2.0 * random.random::<f64>() - 1.0;
+    let springs = Springs {
+        normal: 1e7,
+        tangential: 1e7,
+    };
+    let dashpots = Springs {
+        normal: damping,
+        tangential: damping,
+    };
+    let mut text = head("velocity-verlet", 2e-8) + &bond(springs, dashpots);
+    for n in 0..SIDE * SIDE {
+        let (row, column) = (n / SIDE, n % SIDE);
+        let position = [2e-3 * column as f64, 2e-3 * row as f64];
+        let velocity = [3.0 + 20.0 * uniform(), 20.0 * uniform()];
+        text += &particle(position, velocity, 2e4 * uniform(), 1e-3 + 2e-4 * uniform());
+    }
+    for n in 0..SIDE * SIDE {
+        if n % SIDE + 1 < SIDE {
+            text += &format!("[[bonds]]\nbetween = [{n}, {}]\n", n + 1);
+        }
+        if n + SIDE < SIDE * SIDE {
+            text += &format!("[[bonds]]\nbetween = [{n}, {}]\n", n + SIDE);
+        }
+    }
+    text
+}
+
+/// Momentum along x and y and angular momentum, each with the sum of its absolute contributions.
+fn momenta(world: &World) -> [[f64; 2]; 3] {
+    let p = world.particles();
+    let mut sums = [[0.0; 2]; 3];
+    for i in 0..p.len() {
+        let (x, v, m) = (p.position[i], p.velocity[i], p.mass[i]);
+        let parts = [
+            (0, m * v.x),
+            (1, m * v.y),
+            (2, m * x.x * v.y),
+            (2, -m * x.y * v.x),
+            (2, p.moment_of_inertia[i] * p.angular_velocity[i]),
+        ];
+        for (place, part) in parts {
+            sums[place][0] += part;
+            sums[place][1] += part.abs();
+        }
+    }
+    sums
+}
+
+fn cluster() -> Outcome {
+    let mut measured = Vec::new();
+    for damping in [0.0, 10.0] {
+        let mut world = world(&text(damping))?;
+        let before = momenta(&world);
+        advance(&mut world, STEPS)?;
+        let pairs = before.into_iter().zip(momenta(&world));
+        measured.extend(pairs.map(|([start, scale], [end, later])| {
+            Measurement::scaled(start, end, scale.max(later), 1e-12)
+        }));
+    }
+    Ok(Measurement::worst(measured).into())
+}

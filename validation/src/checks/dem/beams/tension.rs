@@ -1,0 +1,209 @@
+//! Elastic moduli of bonded blocks, measured by pulling.
+
+use super::modes::bond;
+use super::stiffness::{Rest, forces, inner};
+use crate::checks::dem::scenes::scene;
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::oracles::beams::waves::{Lattice, technical};
+use crate::oracles::beams::{Sphere, Springs};
+use crate::scalars::DoubleDouble;
+use gouge_common::scalar::Real;
+use gouge_dem::World;
+use gouge_runner::run::prepared;
+use nalgebra::DVector;
+
+/// The checks.
+pub fn checks() -> Vec<Check> {
+    vec![Check {
+        id: "beams.lattice-moduli",
+        claim: "A hexagonal block of spheres of 1 mm with k = 1e7 kg/s^2, taken as a slice of 2 mm, has a Young's modulus of 7.423 GPa and a Poisson's ratio of 1/7 with beams, of 5.774 GPa and 1/3 with bars.",
+        equations: "(33), (43)-(45), (64)",
+        scene: "8 columns and 17 rows in a periodic box, the outer rows held, the upper ones pulled; equilibrium by the slopes of all forces, stresses from the forces of the kernel in double-double",
+        oracle: "Lattice elasticity: C11 = sqrt(3)/4 (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s), k_s = 2 k_t r^2 / D^2",
+        norm: "Relative error of Young's modulus and Poisson's ratio",
+        origin: Origin::Exact,
+        reason: "Positions of the lattice are rounded by 2^-52 of 30 mm, 2e-15 of D; the solution of 360 equations of condition 1e3 loses three digits more",
+        effort: Effort::Quick,
+        measure: moduli,
+    }]
+}
+
+/// Depth of the slice in m, the mean diameter.
+pub const DEPTH: f64 = 2e-3;
+
+/// The lattice of the thesis's spheres with its normal stiffness and the given tangential one.
+pub fn thesis_lattice(tangential: f64) -> Lattice {
+    Lattice {
+        sphere: Sphere {
+            radius: 1e-3,
+            density: 2700.0,
+        },
+        distance: 2e-3,
+        springs: Springs {
+            normal: 1e7,
+            tangential,
+        },
+    }
+}
+
+/// A block on the hexagonal lattice, bonded, periodic along its rows; of bars if not of beams.
+pub fn hexagonal(
+    lattice: &Lattice,
+    columns: usize,
+    rows: usize,
+    beams: bool,
+) -> Result<World, Failure> {
+    let (radius, pitch) = (lattice.sphere.radius, lattice.distance);
+    let whole = bond(
+        lattice.springs,
+        Springs {
+            normal: 0.0,
+            tangential: 0.0,
+        },
+    );
+    let end = if beams {
+        whole.len()
+    } else {
+        whole.find("[bond.tangential]").unwrap_or(0)
+    };
+    let text = format!(
+        "[time]\nstep = 1e-9\nend = 1.0\nintegrator = \"velocity-verlet\"\n\
+         [box]\nwidth = {:e}\nboundary = \"periodic-x\"\n[material]\ndensity = {:e}\n{}\
+         [setup]\nseed = 0\n[setup.sizes]\nminimum = {radius:e}\nmaximum = {radius:e}\n\
+         [setup.lattice]\narrangement = \"hexagonal\"\npitch = {pitch:e}\ncolumns = {columns}\n\
+         rows = {rows}\norigin = [0.0, 0.0]\n[setup.bonding]\nreach = {:e}\n",
+        columns as f64 * pitch,
+        lattice.sphere.density,
+        &whole[..end],
+        0.55 * pitch / radius,
+    );
+    Ok(prepared(&scene(&text)?)?)
+}
+
+/// What a pulled block shows.
+pub struct Pulled {
+    /// Stress over strain along the pull in N/m, without lateral strain.
+    pub modulus: f64,
+    /// Lateral stress over that along the pull.
+    pub lateral: f64,
+    /// Force in N on the lower grip over the displacement of the upper one in m.
+    pub force: f64,
+    /// Which coordinates were held, and where.
+    pub held: Vec<Option<f64>>,
+    /// Displacement of every coordinate where the upper grip moves by one.
+    pub displacement: Vec<f64>,
+}
+
+impl Pulled {
+    /// Young's modulus in Pa of a slice and Poisson's ratio, if isotropic.
+    pub fn technical(&self) -> [f64; 2] {
+        let [young, poisson] = technical([self.modulus, self.lateral * self.modulus]);
+        [young / DEPTH, poisson]
+    }
+}
+
+/// Pull a block of the given width apart: particles below the lower height are held, those above the upper
+/// one lifted. Particles without bonds are held too.
+pub fn pull(rest: &Rest, width: f64, grips: [f64; 2]) -> Result<Pulled, Failure> {
+    let slopes = rest.stiffness()?;
+    let heights: Vec<f64> = rest.particles().position.iter().map(|x| x.y).collect();
+    let hold = |n: usize| {
+        let (height, lifts) = (heights[n / 3], n % 3 == 1);
+        if height > grips[1] {
+            Some(f64::from(u8::from(lifts)))
+        } else {
+            (height < grips[0] || slopes[(n, n)] == 0.0).then_some(0.0)
+        }
+    };
+    let held: Vec<Option<f64>> = (0..rest.coordinates()).map(hold).collect();
+    let free: Vec<usize> = (0..held.len()).filter(|&n| held[n].is_none()).collect();
+    let given = DVector::from_iterator(held.len(), held.iter().map(|u| u.unwrap_or(0.0)));
+    let pushed = -(&slopes * &given);
+    let load = DVector::from_iterator(free.len(), free.iter().map(|&n| pushed[n]));
+    let loose = || Failure::Oracle("the block has no stiffness".to_owned());
+    let solved = inner(&slopes, &free)
+        .cholesky()
+        .ok_or_else(loose)?
+        .solve(&load);
+    let mut displacement: Vec<f64> = given.iter().copied().collect();
+    free.iter()
+        .zip(solved.iter())
+        .for_each(|(&n, &u)| displacement[n] = u);
+    let [force, strain, lateral] = responses(rest, &displacement, grips)?;
+    Ok(Pulled {
+        modulus: force / width / strain,
+        force,
+        lateral,
+        held,
+        displacement,
+    })
+}
+
+/// Displacement in m of the upper grip: small enough for the quadratic terms to be out of sight.
+const LIFT: f64 = 1e-17;
+
+/// Force on the lower grip and strain of the middle half, both over the lift, and the ratio of stresses.
+fn responses(rest: &Rest, displacement: &[f64], grips: [f64; 2]) -> Result<[f64; 3], Failure> {
+    let lifted: Vec<DoubleDouble> = displacement
+        .iter()
+        .map(|&u| DoubleDouble::from_f64(u) * LIFT)
+        .collect();
+    let world = rest.displaced(&lifted)?;
+    let position = &rest.particles().position;
+    let pulls = forces(&world);
+    let below = (0..position.len()).filter(|&i| position[i].y < grips[0]);
+    let force: f64 = below.map(|i| pulls[3 * i + 1].to_f64()).sum::<f64>() / LIFT;
+    let quarter = 0.25 * (grips[1] - grips[0]);
+    let gauge = grips[0] + quarter..grips[1] - quarter;
+    let inside = (0..position.len()).filter(|&i| gauge.contains(&position[i].y));
+    let points = inside
+        .map(|i| [position[i].y, displacement[3 * i + 1]])
+        .collect::<Vec<_>>();
+    let mut stress = [0.0; 2];
+    for link in world.links() {
+        let (i, j) = link.pair.indices();
+        if gauge.contains(&(0.5 * (position[i].y + position[j].y))) {
+            let force = link.normal * link.normal_force
+                + link.normal.perpendicular() * link.tangential_force;
+            stress[0] += force.x * link.normal.x * link.distance;
+            stress[1] += force.y * link.normal.y * link.distance;
+        }
+    }
+    Ok([force, slope(&points), stress[0] / stress[1]])
+}
+
+/// Slope of the line of least squares.
+fn slope(points: &[[f64; 2]]) -> f64 {
+    let count = points.len() as f64;
+    let mean = |n: usize| points.iter().map(|point| point[n]).sum::<f64>() / count;
+    let middle = [mean(0), mean(1)];
+    let sum = |n: usize| {
+        points
+            .iter()
+            .map(move |p| (p[0] - middle[0]) * (p[n] - middle[n]))
+            .sum::<f64>()
+    };
+    sum(1) / sum(0)
+}
+
+/// Young's modulus in Pa and Poisson's ratio of the pulled lattice.
+pub fn pulled_lattice(lattice: &Lattice, beams: bool) -> Result<[f64; 2], Failure> {
+    let (columns, rows) = (8, 17);
+    let rest = Rest::of(&hexagonal(lattice, columns, rows, beams)?);
+    let height = (rows - 1) as f64 * 0.75_f64.sqrt() * lattice.distance;
+    let margin = 0.1 * lattice.distance;
+    let width = columns as f64 * lattice.distance;
+    Ok(pull(&rest, width, [margin, height - margin])?.technical())
+}
+
+fn moduli() -> Outcome {
+    let mut measured = Vec::new();
+    for tangential in [1e7, 0.3e7, 0.0] {
+        let lattice = thesis_lattice(tangential);
+        let [young, poisson] = technical(lattice.hexagonal_moduli());
+        let found = pulled_lattice(&lattice, tangential > 0.0)?;
+        measured.push(Measurement::relative(young / DEPTH, found[0], 1e-12));
+        measured.push(Measurement::relative(poisson, found[1], 1e-12));
+    }
+    Ok(Measurement::worst(measured).into())
+}

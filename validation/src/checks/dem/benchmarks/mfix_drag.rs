@@ -1,0 +1,200 @@
+//! MFiX DEM06: a sphere settles to its terminal speed.
+
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::extrapolation::to_no_step;
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+};
+use crate::oracles::settling::Settling;
+use gouge_dem::World;
+
+/// The checks.
+pub fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "benchmarks.mfix.06-creeping",
+            claim: "DEM06 in creeping flow: speed, way and spin of a settling sphere are exponentials with its relaxation times.",
+            equations: "(17)-(19)",
+            scene: "A sphere of 0.1 mm and 2000 kg/m^3 falls from rest, spinning, for 0.35 s in a medium of 1.8e-5 Pa s; 350 to 2800 steps, extrapolated",
+            oracle: "Closed forms",
+            norm: "Largest error of speed, way and spin in units of terminal speed, its way and the first spin, every 0.05 s",
+            origin: Origin::Convergent,
+            reason: "The error of velocity Verlet is a series in dt from dt^2 on; extrapolation through four steps leaves 1.04e-3 of its term in dt^5, which with dt / tau = 0.054 for spin and the coarsest is 4.8e-10 times a coefficient below a tenth, doubled for higher terms",
+            effort: Effort::Quick,
+            measure: creeping,
+        },
+        Check {
+            id: "benchmarks.mfix.06-terminal",
+            claim: "DEM06 with the correlation: the terminal speed balances drag and weight, with the constant 0.42 and with the printed 1.",
+            equations: "(11)-(13), (16)",
+            scene: "The same sphere in a medium of 1.2 kg/m^3, 4 s",
+            oracle: "Root of the drag coefficient 24 / Re + 3 / sqrt(Re) + c against weight, by bisection",
+            norm: "Relative error of the speed",
+            origin: Origin::Exact,
+            reason: "At rest in the balance the step does not matter; after 65 relaxation times nothing of the approach is left; rounding of a sum that is repeated leaves some hundred units, 2e-14, at most",
+            effort: Effort::Quick,
+            measure: terminal,
+        },
+        Check {
+            id: "benchmarks.mfix.06-approach",
+            claim: "DEM06 with the correlation: the sphere approaches its terminal speed as the drag demands.",
+            equations: "(11)-(13), (16)",
+            scene: "The same sphere, 0.35 s, 7000 steps",
+            oracle: "Integration to high order in the root of the speed",
+            norm: "Largest error of the speed in units of the terminal speed, every 0.05 s",
+            origin: Origin::Convergent,
+            reason: "The rate of change of the drag is at most that at the terminal speed, 1.5 / tau; a step of velocity Verlet errs by a'' dt^3 / 6 at most, and errors are damped: (1.5 dt / tau)^2 / 6 = 2.5e-7",
+            effort: Effort::Quick,
+            measure: approach,
+        },
+    ]
+}
+
+const SPHERE: Settling = Settling {
+    radius: 5e-5,
+    density: 2000.0,
+    medium: 1.2,
+    viscosity: 1.8e-5,
+    gravity: 9.81,
+};
+const SPIN: f64 = 100.0;
+const EVERY: f64 = 0.05;
+const SAMPLES: u64 = 7;
+
+/// The sphere with so many steps in a twentieth of a second.
+fn settling(ambient: &str, reading: &str, steps: u64) -> Result<World, Failure> {
+    let text = format!("reading = \"{reading}\"\n")
+        + &head("velocity-verlet", EVERY / steps as f64)
+        + &particle([0.0; 2], [0.0; 2], SPIN, SPHERE.radius)
+        + &format!("density = {:e}\n[ambient]\n{ambient}", SPHERE.density)
+        + &format!(
+            "viscosity = {:e}\n[external]\nlaw = \"gravity\"\nacceleration = {:e}\n",
+            SPHERE.viscosity, SPHERE.gravity
+        );
+    world(&text)
+}
+
+fn correlation(reading: &str, steps: u64) -> Result<World, Failure> {
+    let law = format!("law = \"correlation\"\ndensity = {:e}\n", SPHERE.medium);
+    settling(&law, reading, steps)
+}
+
+/// Way, speed and spin at every sample.
+fn course(steps: u64) -> Result<Vec<[f64; 3]>, Failure> {
+    let mut world = settling("law = \"creeping\"\n", "corrected", steps)?;
+    let mut rows = Vec::new();
+    for _ in 0..SAMPLES {
+        advance(&mut world, steps)?;
+        let p = world.particles();
+        rows.push([-p.position[0].y, -p.velocity[0].y, p.angular_velocity[0]]);
+    }
+    Ok(rows)
+}
+
+fn creeping() -> Outcome {
+    let steps = [50, 100, 200, 400];
+    let levels = steps
+        .iter()
+        .map(|&steps| course(steps))
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let best = to_no_step(levels, &[2, 3, 4]);
+    let [tau, tau_spin] = SPHERE.relaxation();
+    let fastest = SPHERE.gravity * tau;
+    let mut all = Vec::new();
+    let mut table = Table::new(
+        "Settling in creeping flow, expected and extrapolated from the kernel",
+        &[
+            "time (s)",
+            "speed (m/s)",
+            "kernel",
+            "way (m)",
+            "kernel",
+            "spin (rad/s)",
+            "kernel",
+        ],
+    );
+    for (n, measured) in best.iter().enumerate() {
+        let time = EVERY * (n + 1) as f64;
+        let [way, speed] = SPHERE.creeping(time);
+        let spin = SPIN * (-time / tau_spin).exp();
+        let expected = [way, speed, spin];
+        for (at, scale) in [fastest * tau, fastest, SPIN].into_iter().enumerate() {
+            all.push(Measurement::scaled(
+                expected[at],
+                measured[at],
+                scale,
+                1e-10,
+            ));
+        }
+        table.push([
+            format!("{time:.2}"),
+            format!("{speed:.12}"),
+            format!("{:.12}", measured[1]),
+            format!("{way:.12}"),
+            format!("{:.12}", measured[0]),
+            format!("{spin:.10}"),
+            format!("{:.10}", measured[2]),
+        ]);
+    }
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
+}
+
+const READINGS: [(&str, f64); 2] = [("corrected", 0.42), ("thesis", 1.0)];
+
+fn terminal() -> Outcome {
+    let mut all = Vec::new();
+    let mut table = Table::new(
+        "Terminal speed, by the balance of forces and by the kernel",
+        &["constant of (16)", "expected (m/s)", "kernel (m/s)"],
+    );
+    for (reading, constant) in READINGS {
+        let mut world = correlation(reading, 50)?;
+        advance(&mut world, 80 * 50)?;
+        let measured = -world.particles().velocity[0].y;
+        let expected = SPHERE.terminal(constant);
+        all.push(Measurement::relative(expected, measured, 2e-14));
+        table.push([
+            format!("{constant}"),
+            format!("{expected:.14}"),
+            format!("{measured:.14}"),
+        ]);
+    }
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
+}
+
+fn approach() -> Outcome {
+    let (mut all, mut curves) = (Vec::new(), Vec::new());
+    for (reading, constant) in READINGS {
+        let mut world = correlation(reading, 1000)?;
+        let (mut line, mut marks) = (vec![[0.0, 0.0]], Vec::new());
+        let terminal = SPHERE.terminal(constant);
+        for n in 1..=SAMPLES {
+            advance(&mut world, 1000)?;
+            let time = EVERY * n as f64;
+            let (expected, measured) = (
+                SPHERE.speed(constant, time),
+                -world.particles().velocity[0].y,
+            );
+            all.push(Measurement::scaled(expected, measured, terminal, 2.5e-7));
+            for part in 0..5 {
+                let earlier = time - EVERY * (0.8 - 0.2 * f64::from(part));
+                line.push([earlier, SPHERE.speed(constant, earlier)]);
+            }
+            marks.push([time, measured]);
+        }
+        curves.push(Curve::line(&format!("oracle, constant {constant}"), line));
+        curves.push(Curve::marks(&format!("kernel, constant {constant}"), marks));
+    }
+    let creeping = (0..=35).map(|n| {
+        let time = 0.01 * f64::from(n);
+        [time, SPHERE.creeping(time)[1]]
+    });
+    curves.push(Curve::line("creeping flow, closed form", creeping));
+    let plot = Plot {
+        title: "The sphere of DEM06 settles more slowly than creeping flow would let it".to_owned(),
+        x: Axis::linear("time (s)"),
+        y: Axis::linear("speed (m/s)"),
+        curves,
+    };
+    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+}

@@ -1,0 +1,156 @@
+//! MFiX DEM05: a sphere on linear springs hits a plane obliquely.
+
+use super::literature;
+use super::plane::{Flight, OnPlane, material};
+use super::sweep::step_errors;
+use crate::checks::dem::scenes::{advance, world_in};
+use crate::checks::extrapolation::to_no_step;
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+};
+use crate::oracles::impact::{Normal, Tangential};
+use crate::scalars::DoubleDouble;
+use gouge_common::scalar::Real;
+use std::f64::consts::PI;
+
+/// The checks.
+pub fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "benchmarks.mfix.05-stick",
+            claim: "DEM05: while a linear contact sticks, the contact point comes back with cos(pi sqrt((7/2) k_t / k_n)) of its speed.",
+            equations: "(35)-(36), (42)",
+            scene: "A sphere of aluminium oxide on a plane at 45 degrees, Kelvin-Voigt without damping, truncated Cundall-Strack with mu = 1e15; k_t / k_n = 2/7, 0.8605, 1 and 10; steps with which the contact ends on a step",
+            oracle: "Two springs: half a period of one, sqrt((7/2) k_t / k_n) times as much of the other",
+            norm: "Error of the ratio, extrapolated to no step from 64 to 1024 steps",
+            origin: Origin::Convergent,
+            reason: "With half a period a whole number of steps, of w dt = 2 sin(pi / 2 n), the error is a series in n^-2; extrapolation through five of them leaves 1e-6 of its term in (18.6 / n)^10, 4e-12 with 64 steps, and the contact, kept closed by ending it 1e-13 early, 2e-12; ten times that for coefficients",
+            effort: Effort::Quick,
+            measure: sticking,
+        },
+        Check {
+            id: "benchmarks.mfix.05",
+            claim: "DEM05: the whole curves of oblique impact with linear springs, and 1 - 0.184 cot(theta) where the contact slides.",
+            equations: "(35)-(36), (42)",
+            scene: "A sphere of 5 mm and 4000 kg/m^3 at 3.9 m/s, 5 to 65 degrees, k_n = 1.72e7, k_t = 1.48e7 N/m, mu = 0.092, e = 1; 1500 steps a collision",
+            oracle: "Integration to high order between located events; above 35 degrees the closed form",
+            norm: "Error of normal and tangential velocity and surface speed, in units of the normal speed; the worst for its tolerance",
+            origin: Origin::Convergent,
+            reason: "As in test 4 of Chung and Ooi; where the contact slides the closed form to 1e-8, because without damping half a sine of steps loses no speed but in the step in which it ends, (pi / n)^3 / 6 of it",
+            effort: Effort::Quick,
+            measure: oblique,
+        },
+    ]
+}
+
+const NORMAL: f64 = 1.72e7;
+const TANGENTIAL: f64 = 1.48e7;
+
+fn contact(ratio: f64, friction: f64) -> OnPlane {
+    OnPlane {
+        material: material("aluminium oxide", [3.8e11, 0.23], 4000.0),
+        radius: 0.0025,
+        normal: Normal::Linear([NORMAL, 0.0]),
+        tangential: Tangential::Spring([friction, ratio * NORMAL]),
+    }
+}
+
+/// Slip after half a period over slip before, with so many steps.
+fn stuck(ratio: f64, steps: u64) -> Result<f64, Failure> {
+    let contact = contact(ratio, 1e15);
+    let before = Flight {
+        along: 2.0,
+        normal: 2.0,
+        spin: 0.0,
+    };
+    let phase = 2.0 * (0.5 * PI / steps as f64).sin();
+    let step = phase * (contact.mass() / NORMAL).sqrt() * (1.0 - 1e-13);
+    let mut world = world_in::<DoubleDouble>(&contact.scene_with_step(before, step))?;
+    advance(&mut world, steps)?;
+    let p = world.particles();
+    let slip = p.velocity[0].x.to_f64() + contact.radius * p.angular_velocity[0].to_f64();
+    Ok(slip / before.along)
+}
+
+fn sticking() -> Outcome {
+    let mut table = Table::new(
+        "Slip after a collision without sliding, over slip before",
+        &["k_t / k_n", "expected", "kernel, extrapolated"],
+    );
+    let mut all = Vec::new();
+    for ratio in [2.0 / 7.0, TANGENTIAL / NORMAL, 1.0, 10.0] {
+        let levels = [64, 128, 256, 512, 1024]
+            .iter()
+            .map(|&steps| Ok(vec![[stuck(ratio, steps)?]]))
+            .collect::<Result<Vec<_>, Failure>>()?;
+        let best = to_no_step(levels, &[2, 4, 6, 8])[0][0];
+        let expected = (PI * (3.5 * ratio).sqrt()).cos();
+        all.push(Measurement::absolute(expected, best, 6e-11));
+        table.push([
+            format!("{ratio:.6}"),
+            format!("{expected:.12}"),
+            format!("{:.12}", best),
+        ]);
+    }
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
+}
+
+fn oblique() -> Outcome {
+    const STEPS: u64 = 1500;
+    let contact = contact(TANGENTIAL / NORMAL, 0.092);
+    let (mut all, mut line, mut marks) = (Vec::new(), Vec::new(), Vec::new());
+    let mut table = Table::new(
+        "Tangential restitution of DEM05",
+        &["angle (deg)", "expected", "kernel", "1 - 0.184 cot(theta)"],
+    );
+    for n in 1..=13 {
+        let degrees = 5.0 * f64::from(n);
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let before = Flight {
+            along: 3.9 * sin,
+            normal: 3.9 * cos,
+            spin: 0.0,
+        };
+        let (a, b) = (contact.expected(before)?, contact.measured(before, STEPS)?);
+        let step = contact.duration(before.normal) / STEPS as f64;
+        let [normal, along] = step_errors(&contact.impact(), before.normal, before.along, step);
+        let turning = before.normal / contact.radius;
+        all.push(Measurement::scaled(
+            a.normal,
+            b.normal,
+            before.normal,
+            normal,
+        ));
+        all.push(Measurement::scaled(a.along, b.along, before.normal, along));
+        all.push(Measurement::scaled(a.spin, b.spin, turning, 2.5 * along));
+        let slides = 1.0 - 0.184 / degrees.to_radians().tan();
+        let restitution = b.along / before.along;
+        if degrees > 35.0 {
+            all.push(Measurement::absolute(slides, restitution, 1e-8));
+        }
+        line.push([degrees, a.along / before.along]);
+        marks.push([degrees, restitution]);
+        table.push([
+            format!("{degrees:.0}"),
+            format!("{:.10}", a.along / before.along),
+            format!("{restitution:.10}"),
+            format!("{slides:.10}"),
+        ]);
+    }
+    let measured = literature::OBLIQUE_MEASURED;
+    let plot = Plot {
+        title: "Linear springs miss the dip that the experiment has below the angle of sliding"
+            .to_owned(),
+        x: Axis::linear("angle of impact (deg)"),
+        y: Axis::linear("tangential restitution"),
+        curves: vec![
+            Curve::line("oracle", line),
+            Curve::marks("kernel", marks),
+            Curve::marks(
+                "literature: experiment of Kharaz et al., digitised",
+                measured,
+            ),
+        ],
+    };
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+}

@@ -1,0 +1,136 @@
+//! MFiX DEM03: two spheres pressed between walls.
+
+use super::plane::{fixed, linear};
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::extrapolation::to_no_step;
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+};
+use crate::oracles::bounce::Stack;
+use crate::oracles::impact::damping_ratio;
+use std::f64::consts::PI;
+
+/// The checks.
+pub fn checks() -> Vec<Check> {
+    vec![Check {
+        id: "benchmarks.mfix.03",
+        claim: "DEM03: two spheres pressed between walls oscillate, and come to rest with damping, as the linear system of their contacts does.",
+        equations: "(8)-(10), (26), (35)-(36)",
+        scene: "Spheres of 1 mm, 20000 and 10000 kg/m^3, between walls 1.8 mm apart, k = 1000 N/m, damping for e = 1, 0.8 and 0.5 of the pair, 1 ms; walls are fixed spheres on the same line, which is the same geometry; 4000 to 16000 steps, extrapolated",
+        oracle: "Exponential of the matrix of the linear system",
+        norm: "Largest error of a height in units of the first displacement from rest, at eight times",
+        origin: Origin::Convergent,
+        reason: "No contact opens, so that the error is a series in dt from dt^2 on; extrapolation through three steps leaves 0.018 of its term in dt^4, (w dt)^4 = 8e-10 for the coarsest times at most the phase of 21",
+        effort: Effort::Quick,
+        measure: stack,
+    }]
+}
+
+const GRAVITY: f64 = 9.81;
+
+/// First heights of DEM03 in m.
+const HEIGHTS: [f64; 2] = [0.45e-3, 1.35e-3];
+/// Moments of comparison, equally far apart, in the millisecond.
+const MOMENTS: u64 = 8;
+
+fn stack() -> Outcome {
+    let (mut all, mut curves) = (Vec::new(), Vec::new());
+    let mut table = Table::new(
+        "Heights of the two spheres of DEM03",
+        &[
+            "restitution",
+            "time (ms)",
+            "lower (m)",
+            "kernel",
+            "upper (m)",
+            "kernel",
+        ],
+    );
+    for e in [1.0, 0.8, 0.5] {
+        let stack = pressed(e);
+        let levels = [500, 1000, 2000]
+            .iter()
+            .map(|&steps| stacked(&stack, steps))
+            .collect::<Result<Vec<_>, Failure>>()?;
+        let best = to_no_step(levels, &[2, 3]);
+        for (n, measured) in best.iter().enumerate() {
+            let time = 1e-3 * (n + 1) as f64 / MOMENTS as f64;
+            let expected = stack.state(HEIGHTS, time);
+            for at in 0..2 {
+                all.push(Measurement::scaled(
+                    expected[at],
+                    measured[at],
+                    FIRST_DISPLACEMENT,
+                    3e-10,
+                ));
+            }
+            table.push([
+                format!("{e}"),
+                format!("{:.3}", 1e3 * time),
+                format!("{:.12e}", expected[0]),
+                format!("{:.12e}", measured[0]),
+                format!("{:.12e}", expected[1]),
+                format!("{:.12e}", measured[1]),
+            ]);
+        }
+        for (at, name) in ["lower", "upper"].iter().enumerate() {
+            let line = (0..=100).map(|n| 1e-5 * f64::from(n));
+            curves.push(Curve::line(
+                &format!("oracle: {name}, e = {e}"),
+                line.map(|t| [1e3 * t, 1e3 * stack.state(HEIGHTS, t)[at]]),
+            ));
+            let marks = best.iter().enumerate();
+            curves.push(Curve::marks(
+                &format!("kernel: {name}, e = {e}"),
+                marks.map(|(n, y)| [(n + 1) as f64 / MOMENTS as f64, 1e3 * y[at]]),
+            ));
+        }
+    }
+    let plot = Plot {
+        title: "Two pressed spheres oscillate about rest, and settle with damping".to_owned(),
+        x: Axis::linear("time (ms)"),
+        y: Axis::linear("height (mm)"),
+        curves,
+    };
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+}
+
+/// First distance of the lower sphere from rest in m, about.
+const FIRST_DISPLACEMENT: f64 = 1.7e-5;
+
+/// DEM03 with the damping with which the pair alone would have a restitution.
+fn pressed(e: f64) -> Stack {
+    let volume = 4.0 / 3.0 * PI * 0.5e-3_f64.powi(3);
+    let masses = [2e4 * volume, 1e4 * volume];
+    let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);
+    Stack {
+        masses,
+        radius: 0.5e-3,
+        height: 1.8e-3,
+        stiffness: 1e3,
+        damping: 2.0 * damping_ratio(e) * (1e3 * reduced).sqrt(),
+        gravity: GRAVITY,
+    }
+}
+
+/// Heights by the kernel at every moment of comparison, with so many steps between them.
+fn stacked(stack: &Stack, steps: u64) -> Result<Vec<[f64; 2]>, Failure> {
+    let r = stack.radius;
+    let text = head("velocity-verlet", 1e-3 / (MOMENTS * steps) as f64)
+        + &particle([0.0, HEIGHTS[0]], [0.0; 2], 0.0, r)
+        + "density = 2e4\n"
+        + &particle([0.0, HEIGHTS[1]], [0.0; 2], 0.0, r)
+        + "density = 1e4\n"
+        + &fixed([0.0, -r], r)
+        + &fixed([0.0, stack.height + r], r)
+        + &linear(stack.stiffness, stack.damping)
+        + &format!("[external]\nlaw = \"gravity\"\nacceleration = {GRAVITY:e}\n");
+    let mut world = world(&text)?;
+    let mut rows = Vec::new();
+    for _ in 0..MOMENTS {
+        advance(&mut world, steps)?;
+        let p = world.particles();
+        rows.push([p.position[0].y, p.position[1].y]);
+    }
+    Ok(rows)
+}

@@ -1,0 +1,236 @@
+//! What events leave in the balance: a residual of first order, with a coefficient that theory gives.
+
+use super::heat::{FRICTION, HELD, SPIN, SPRING, SQUEEZE, STIFFNESS, held_at};
+use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+};
+use crate::oracles::sliding::Rubbing;
+use gouge_runner::scene::INTEGRATORS;
+use std::f64::consts::PI;
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "closure.order-at-breaking",
+            claim: "A bond that breaks leaves a residual of first order in every method, with the coefficient of theory.",
+            equations: "(48), (54)-(58), (72)",
+            scene: "Two bonded spheres that fly apart until the undamped bond breaks; five methods, three steps",
+            oracle: "F v / 2 a second of step for velocity Verlet, Beeman and symplectic Euler, with F and v force and speed at breaking from the conservation of energy: the store is lost at the end of a step of which the force has acted half; for Euler w^2 E t, its growth on an oscillator, and for Taylor the mean of both",
+            norm: "Relative error of the residual over the step",
+            origin: Origin::Convergent,
+            reason: "The place of breaking is known to a step, which is 2 k v dt / F of the force; the rest is of the same order and smaller",
+            effort: Effort::Quick,
+            measure: breaking,
+        },
+        Check {
+            id: "closure.order-of-sliding",
+            claim: "Sliding of the truncated law under a changing load leaves a residual of first order even with methods of second order, with the coefficient of theory.",
+            equations: "(42), (72), (78)",
+            scene: "Two spheres meet head on, spin alike and slide on each other until they part; velocity Verlet and Beeman, four steps",
+            oracle: "Half the integral of dL/dt over the slip, L the limit of friction, by extrapolated integration of the motion: heat is booked with the limit at the end of each step",
+            norm: "Relative error of the residual over the step",
+            origin: Origin::Convergent,
+            reason: "The next term is the square of the step: 10 w dt, w the frequency of the collision",
+            effort: Effort::Quick,
+            measure: sliding,
+        },
+        Check {
+            id: "closure.order-of-letting-go",
+            claim: "Where the printed spring lets go, the balance gains half the limit times the distance of one step.",
+            equations: "(42), (76), (78)",
+            scene: "A sphere that spins between two fixed ones, Cundall-Strack as printed; velocity Verlet and Beeman, two steps",
+            oracle: "L v dt / 2 a contact, v the speed of the surface at the end of the sticking oscillation in closed form",
+            norm: "Relative error of the residual over the step",
+            origin: Origin::Convergent,
+            reason: "The moment is known to a step, which is k v dt / L of the limit",
+            effort: Effort::Quick,
+            measure: letting_go,
+        },
+        Check {
+            id: "closure.negative-heat",
+            claim: "The printed Cundall-Strack law makes energy: where a contact that has slid is caught again, half of k zeta^2 appears from nothing, and is booked as negative heat.",
+            equations: "(42), (76), (78)",
+            scene: "Two spheres meet head on, spin alike, slide until friction has stopped the surfaces, and stick when the load has grown enough; velocity Verlet",
+            oracle: "Slide up to the stop by extrapolated integration of the motion",
+            norm: "Relative error of the largest heat that one step books with a negative sign",
+            origin: Origin::Convergent,
+            reason: "10 w dt: the stop is known to a step, and until it is caught the contact trembles within the distance of one",
+            effort: Effort::Quick,
+            measure: negative,
+        },
+    ]
+}
+
+/// Residuals at the end of runs with several steps, against their coefficient.
+fn compare(
+    steps: &[f64],
+    coefficient: f64,
+    relative: f64,
+    run: impl Fn(f64) -> Result<f64, Failure>,
+) -> Result<(Measurement, Vec<[f64; 2]>), Failure> {
+    let (mut all, mut points) = (Vec::new(), Vec::new());
+    for &step in steps {
+        let residual = run(step)?;
+        all.push(Measurement::relative(
+            coefficient,
+            residual / step,
+            relative * step,
+        ));
+        points.push([step, residual.abs()]);
+    }
+    Ok((Measurement::worst(all), points))
+}
+
+/// Measured residuals over lines of theory.
+fn figure(title: &str, curves: Vec<Curve>) -> Exhibit {
+    Exhibit::Plot(Plot {
+        title: title.to_owned(),
+        x: Axis::logarithmic("step in s"),
+        y: Axis::logarithmic("residual in J"),
+        curves,
+    })
+}
+
+fn breaking() -> Outcome {
+    let (k, speed) = (1e7, 80.0);
+    let (force, reduced) = (280e6 * PI * RADIUS * RADIUS, 0.5 * mass(RADIUS));
+    let rate = f64::sqrt(k / reduced);
+    let energy = 0.5 * reduced * (2.0 * speed) * (2.0 * speed);
+    let left = (2.0 * (energy - 0.5 * force * force / k) / reduced).sqrt();
+    let time = (force / k * rate / (2.0 * speed)).asin() / rate;
+    let (jump, growth) = (0.5 * force * left, rate * rate * energy * time);
+    let run = |integrator: &str, step: f64| {
+        let text = head(integrator, step)
+            + &format!(
+                "[bond.normal]\nstiffness = {k:e}\ndamping = 0.0\n[bond.yielding]\n\
+                 law = \"zhang-eckert\"\nnormal_strength = 280e6\ntangential_strength = 168e6\n"
+            )
+            + &particle([-RADIUS, 0.0], [-speed, 0.0], 0.0, RADIUS)
+            + &particle([RADIUS, 0.0], [speed, 0.0], 0.0, RADIUS)
+            + "[[bonds]]\nbetween = [0, 1]\n";
+        let mut world = world(&text)?;
+        advance(&mut world, (2.0 * time / step) as u64)?;
+        Ok(world.energy().residual)
+    };
+    let (mut all, mut curves) = (Vec::new(), Vec::new());
+    let theory = [growth, jump, 0.5 * (growth + jump), jump, jump];
+    for ((integrator, _), coefficient) in INTEGRATORS.iter().zip(theory) {
+        let steps = [1e-3, 3e-4, 1e-4].map(|h| h / rate);
+        let bound = 2.0 * k * left / force;
+        let (one, points) = compare(&steps, coefficient, bound, |step| run(integrator, step))?;
+        all.push(one);
+        let line = steps.map(|step| [step, coefficient * step]);
+        curves.push(Curve::line(&format!("{integrator}, theory"), line));
+        curves.push(Curve::marks(integrator, points));
+    }
+    let plot = figure(
+        "Residual that a breaking bond leaves against the step",
+        curves,
+    );
+    Ok(Measurement::worst(all).showing([plot]))
+}
+
+/// Two spheres that meet head on and spin alike.
+fn rubbing(of: &Rubbing, law: &str, integrator: &str, step: f64) -> String {
+    let just = RADIUS.next_down();
+    head(integrator, step)
+        + &kelvin_voigt(of.stiffness, 0.0)
+        + &friction(law, of.friction, of.spring)
+        + &particle([-just, 0.0], [of.speed, 0.0], of.spin, RADIUS)
+        + &particle([just, 0.0], [-of.speed, 0.0], of.spin, RADIUS)
+}
+
+const RUBBING: Rubbing = Rubbing {
+    radius: RADIUS,
+    density: 2700.0,
+    stiffness: 1e7,
+    friction: 0.3,
+    spring: 2e7,
+    speed: 1.0,
+    spin: 1.2e4,
+};
+
+fn sliding() -> Outcome {
+    let coefficient = RUBBING.lag();
+    let rate = f64::sqrt(2.0 * RUBBING.stiffness / mass(RADIUS));
+    let mut all = Vec::new();
+    let mut curves = Vec::new();
+    let steps = [1e-2, 3e-3, 1e-3, 3e-4].map(|h| h / rate);
+    for integrator in ["velocity-verlet", "beeman"] {
+        let run = |step: f64| {
+            let mut world = world(&rubbing(
+                &RUBBING,
+                "cundall-strack-truncated",
+                integrator,
+                step,
+            ))?;
+            while world.number_of_contacts() > 0 {
+                advance(&mut world, 1)?;
+            }
+            Ok(world.energy().residual)
+        };
+        let (one, points) = compare(&steps, coefficient, 10.0 * rate, run)?;
+        all.push(one);
+        curves.push(Curve::marks(integrator, points));
+    }
+    let line = steps.map(|step| [step, coefficient.abs() * step]);
+    curves.insert(0, Curve::line("theory", line));
+    let title = "Residual that sliding under a changing load leaves against the step";
+    Ok(Measurement::worst(all).showing([figure(title, curves)]))
+}
+
+fn letting_go() -> Outcome {
+    let limit = FRICTION * STIFFNESS * SQUEEZE;
+    // Two springs at the arm r turn the sphere: w^2 = 2 k r^2 / J.
+    let rate = HELD * (2.0 * SPRING / inertia(HELD)).sqrt();
+    let amplitude = HELD * SPIN / rate;
+    let speed = HELD * SPIN * (1.0 - (limit / SPRING / amplitude).powi(2)).sqrt();
+    let mut all = Vec::new();
+    for integrator in ["velocity-verlet", "beeman"] {
+        let run = |step: f64| {
+            let mut world = world(&held_at("cundall-strack", 0, integrator, step))?;
+            advance(&mut world, (2e-5 / step) as u64)?;
+            Ok(world.energy().residual)
+        };
+        let bound = 2.0 * SPRING * speed / limit;
+        all.push(compare(&[1e-8, 2e-9], limit * speed, bound, run)?.0);
+    }
+    Ok(Measurement::worst(all).into())
+}
+
+fn negative() -> Outcome {
+    let caught = Rubbing {
+        spring: 1e8,
+        spin: 70.0,
+        ..RUBBING
+    };
+    let (stop, slide) = caught.stop();
+    let rate = f64::sqrt(2.0 * caught.stiffness / mass(RADIUS));
+    let step = 1e-4 / rate;
+    let text = rubbing(&caught, "cundall-strack", "velocity-verlet", step);
+    let mut world = world(&text)?;
+    let (mut before, mut lowest, mut heat) = (0.0, 0.0_f64, Vec::new());
+    while world.number_of_contacts() > 0 {
+        advance(&mut world, 1)?;
+        let friction = world.energy().friction;
+        lowest = lowest.min(friction - before);
+        before = friction;
+        if world.steps().is_multiple_of(128) {
+            heat.push([world.time(), friction]);
+        }
+    }
+    let expected = -0.5 * caught.spring * slide * slide;
+    let plot = Plot {
+        title: "Heat of a contact with the printed Cundall-Strack law: it makes energy when it is caught"
+            .to_owned(),
+        x: Axis::linear("time in s"),
+        y: Axis::linear("heat of links in J"),
+        curves: vec![
+            Curve::line("booked", heat),
+            Curve::marks("surfaces at rest, theory", [[stop, 0.0]]),
+        ],
+    };
+    Ok(Measurement::relative(expected, lowest, 10.0 * rate * step).showing([Exhibit::Plot(plot)]))
+}

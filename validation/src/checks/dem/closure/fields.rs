@@ -1,0 +1,141 @@
+//! Heat of the medium and work of driving.
+
+use super::text::{RADIUS, inertia, mass};
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::oracles::dissipation::slowed;
+use gouge_dem::World;
+use std::f64::consts::PI;
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "closure.heat-of-drag",
+            claim: "Drag books exactly the kinetic energy, of translation and of spin, that an exact decay loses.",
+            equations: "(11)-(19), (74)",
+            scene: "A free sphere that flies and spins in a medium, creeping and correlation drag, for two time constants in 2e4 steps of velocity Verlet, looked at eight times",
+            oracle: "Exponential decay of speed and spin; for the correlation extrapolated integration of v' = -(a v + b v^(3/2) + c v^2)",
+            norm: "Error of the heat over the kinetic energy at the beginning",
+            origin: Origin::Convergent,
+            reason: "h^2, h the step over the time constant: the method decays by the rate 1 - 5 h^2 / 12, so that energies are off by at most 0.31 h^2, and the trapezoidal sum of powers by as much",
+            effort: Effort::Quick,
+            measure: drag,
+        },
+        Check {
+            id: "closure.work-of-driving",
+            claim: "The driving force books force times path: a constant load, a constant pull against drag, a ramp.",
+            equations: "(20)-(22), (79)",
+            scene: "A driven sphere: pressed down freely; dragged at constant speed through a viscous medium; pulled by a force both components of which grow at a constant rate; 1000 steps of velocity Verlet",
+            oracle: "F^2 t^2 / (2 m); 6 pi eta r v^2 t; R^2 t^4 / (4 m)",
+            norm: "Relative error of the work",
+            origin: Origin::Convergent,
+            reason: "The first two are exact for the method, 4 N roundings of 2^-53; on the ramp powers are taken at predicted velocities, which lack R dt^2 / (2 m), so that the work lacks 2 / N^2 of itself, and the trapezoidal rule adds 2 / N^2",
+            effort: Effort::Quick,
+            measure: driving,
+        },
+    ]
+}
+
+const VISCOSITY: f64 = 0.02;
+const SPEED: f64 = 3.0;
+const SPIN: f64 = 4000.0;
+const FLUID: f64 = 50.0;
+
+/// Look at the heat of the medium over the kinetic energy eight times; the oracle gives the remaining
+/// kinetic energy at a time.
+fn decay(medium: &str, time: f64, left: impl Fn(f64) -> f64) -> Result<Measurement, Failure> {
+    const STEPS: u32 = 20_000;
+    let h = 2.0 / f64::from(STEPS);
+    let step = h * time;
+    let text = head("velocity-verlet", step)
+        + &format!("[ambient]\n{medium}viscosity = {VISCOSITY:e}\n")
+        + &particle([0.0; 2], [0.6 * SPEED, 0.8 * SPEED], SPIN, RADIUS);
+    let mut world = world(&text)?;
+    let whole = left(0.0);
+    let mut all = Vec::new();
+    for look in 1..=8 {
+        advance(&mut world, u64::from(STEPS / 8))?;
+        let lost = whole - left(f64::from(look) / 8.0 * 2.0 * time);
+        let heat = world.energy().ambient;
+        all.push(Measurement::scaled(lost, heat, whole, h * h));
+    }
+    Ok(Measurement::worst(all))
+}
+
+fn drag() -> Outcome {
+    let (m, j) = (mass(RADIUS), inertia(RADIUS));
+    let rate = 6.0 * PI * VISCOSITY * RADIUS / m;
+    let turning = 8.0 * PI * VISCOSITY * RADIUS.powi(3) / j;
+    let spin = |t: f64| 0.5 * j * (SPIN * (-turning * t).exp()).powi(2);
+    let creeping = |t: f64| 0.5 * m * (SPEED * (-rate * t).exp()).powi(2) + spin(t);
+    // Re = 2 rho r v / eta; C Re^2 = 24 Re + 3 Re^(3/2) + 0.42 Re^2; force = pi eta^2 C Re^2 / (8 rho).
+    let reynolds = 2.0 * FLUID * RADIUS / VISCOSITY;
+    let unit = PI * VISCOSITY * VISCOSITY / (8.0 * FLUID) / m;
+    let terms = [
+        24.0 * reynolds * unit,
+        3.0 * reynolds.powf(1.5) * unit,
+        0.42 * reynolds * reynolds * unit,
+    ];
+    let correlation = |t: f64| 0.5 * m * slowed(SPEED, t, terms).powi(2) + spin(t);
+    // The shortest time constants: spin decays 10/3 times as fast as creeping flight.
+    let fastest = turning.max(terms[0] + terms[1] * SPEED.sqrt() + terms[2] * SPEED);
+    let fluid = format!("law = \"correlation\"\ndensity = {FLUID:e}\n");
+    Ok(Measurement::worst([
+        decay("law = \"creeping\"\n", 1.0 / turning, creeping)?,
+        decay(&fluid, 1.0 / fastest, correlation)?,
+    ])
+    .into())
+}
+
+/// A driven sphere with the given velocity.
+fn driven(step: f64, law: &str, speed: f64) -> Result<World, Failure> {
+    let text = head("velocity-verlet", step)
+        + law
+        + &particle([0.0; 2], [speed, 0.0], 0.0, RADIUS)
+        + "role = \"driven\"\n";
+    world(&text)
+}
+
+fn driving() -> Outcome {
+    const STEPS: u32 = 1000;
+    let (step, m, n) = (1e-6, mass(RADIUS), f64::from(STEPS));
+    let time = n * step;
+    let exact = 4.0 * n * 0.5 * f64::EPSILON;
+    let work = |law: &str, speed: f64| -> Result<f64, Failure> {
+        let mut world = driven(step, law, speed)?;
+        advance(&mut world, u64::from(STEPS))?;
+        Ok(world.energy().driving)
+    };
+    let (force, rate) = (0.75, 40.0);
+    let pressed = work(
+        &format!(
+            "[driving]\ncontroller = \"exact\"\nspeed = 0.0\npressure = {force}\narea = 1.0\n"
+        ),
+        0.0,
+    )?;
+    let dragged = work(
+        &format!(
+            "[ambient]\nlaw = \"creeping\"\nviscosity = {VISCOSITY:e}\n\
+             [driving]\ncontroller = \"exact\"\nspeed = {SPEED:e}\npressure = 0.0\narea = 1.0\n"
+        ),
+        SPEED,
+    )?;
+    let pulled = work(
+        &format!(
+            "[driving]\ncontroller = \"rate-limited\"\nspeed = 1e9\npressure = -1e9\narea = 1.0\n\
+             force_rate = {rate:e}\n"
+        ),
+        0.0,
+    )?;
+    let viscous = 6.0 * PI * VISCOSITY * RADIUS * SPEED * SPEED * time;
+    Ok(Measurement::worst([
+        Measurement::relative(force * force * time * time / (2.0 * m), pressed, exact),
+        Measurement::relative(viscous, dragged, exact),
+        Measurement::relative(
+            rate * rate * time.powi(4) / (4.0 * m),
+            pulled,
+            4.0 / (n * n),
+        ),
+    ])
+    .into())
+}

@@ -1,0 +1,169 @@
+//! Heat of contacts.
+
+use super::text::{RADIUS, fixed, friction, head_on, inertia, kelvin_voigt, mass};
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+};
+use crate::oracles::dissipation::viscoelastic_restitution;
+use crate::oracles::oscillator::truncated_restitution;
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "closure.heat-of-collision",
+            claim: "A damped collision books 1 - e^2 of the kinetic energy as heat of links.",
+            equations: "(36), (72), (78)",
+            scene: "Two equal spheres head on, truncated Kelvin-Voigt, damping ratios from 0.01 to 3; velocity Verlet, 5000 steps a unit of time or more",
+            oracle: "Closed form of the truncated oscillator's restitution e",
+            norm: "Heat over kinetic energy, less 1 - e^2",
+            origin: Origin::Convergent,
+            reason: "h^2, h the step in units of the fastest rate: local errors of h^3/12 of the velocity and h^3/6 of the position over a duration of about two units, and a kink of the force at the end of the same order",
+            effort: Effort::Quick,
+            measure: collision,
+        },
+        Check {
+            id: "closure.heat-of-viscoelastic-collision",
+            claim: "A collision of viscoelastic spheres books 1 - e^2 of the kinetic energy as heat of links.",
+            equations: "(37), (40), (72), (78)",
+            scene: "Two equal granite spheres head on, six dissipative constants; velocity Verlet, 1e4 steps a unit of time",
+            oracle: "Restitution e by extrapolated integration of x'' = -sqrt(x) (x + b x')",
+            norm: "Heat over kinetic energy, less 1 - e^2",
+            origin: Origin::Convergent,
+            reason: "2 |Z(-1/2)| b h^(3/2) + h^2, Z(-1/2) = -0.2079 of Riemann's function: the trapezoidal rule at the onset, where the dissipative force is b sqrt(t), makes an error of Z(-1/2) b h^(3/2) of the velocity, and the heat twice that",
+            effort: Effort::Quick,
+            measure: viscoelastic,
+        },
+        Check {
+            id: "closure.heat-of-sliding",
+            claim: "A sphere that spins between two fixed ones under constant load books the limit of friction times the distance slid.",
+            equations: "(41), (42), (78)",
+            scene: "A sphere between two fixed ones that press it with 15 mN each, spinning and sliding for 2000 steps of velocity Verlet; Haff-Werner, Cundall-Strack as printed and truncated",
+            oracle: "mu N times the distance: for Haff-Werner that of a constant deceleration, for the truncated law that of the surface less the stretch mu N / k, for the printed law that of the surface less half the stretch, which the spring had stored when it let go, and half a step more, because power is summed by the trapezoidal rule across the switch",
+            norm: "Relative error of the heat",
+            origin: Origin::Exact,
+            reason: "A rounding of 2^-53 a step at most in each of two sums, 2000 steps; for the printed law k d^2 / 2 of the store besides, d the distance of the step in which it lets go",
+            effort: Effort::Quick,
+            measure: sliding,
+        },
+    ]
+}
+
+/// Heat of links over kinetic energy of a collision, with a step of so many units of time.
+fn heat_share(contact: &str, step: f64, speed: f64) -> Result<f64, Failure> {
+    let mut world = world(&head_on("velocity-verlet", step, contact, speed))?;
+    while world.number_of_contacts() > 0 {
+        advance(&mut world, 64)?;
+    }
+    Ok(world.energy().friction / (mass(RADIUS) * speed * speed))
+}
+
+fn collision() -> Outcome {
+    let (stiffness, h) = (1e7, 2e-4);
+    let rate = (2.0 * stiffness / mass(RADIUS)).sqrt();
+    let (mut all, mut marks) = (Vec::new(), Vec::new());
+    for zeta in [
+        0.01, 0.0616, 0.1, 0.2, 0.35, 0.5, 0.665, 0.8, 0.99, 1.5, 3.0,
+    ] {
+        let damping = zeta * (2.0 * stiffness * mass(RADIUS)).sqrt();
+        let fastest = rate * (1.0_f64).max(2.0 * zeta);
+        let share = heat_share(&kelvin_voigt(stiffness, damping), h / fastest, 0.5)?;
+        let e = truncated_restitution(zeta);
+        all.push(Measurement::absolute(1.0 - e * e, share, h * h));
+        marks.push([zeta, share]);
+    }
+    let line = (0..=120).map(|i| {
+        let zeta = 0.01 * 300.0_f64.powf(f64::from(i) / 120.0);
+        [zeta, 1.0 - truncated_restitution(zeta).powi(2)]
+    });
+    let plot = Plot {
+        title: "Heat of a truncated Kelvin-Voigt collision against the damping ratio".to_owned(),
+        x: Axis::logarithmic("damping ratio"),
+        y: Axis::linear("heat over kinetic energy"),
+        curves: vec![
+            Curve::line("1 - e^2, closed form", line),
+            Curve::marks("heat booked", marks),
+        ],
+    };
+    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+}
+
+fn viscoelastic() -> Outcome {
+    let (modulus, ratio, speed, h) = (50e9, 0.22, 0.5, 1e-4);
+    // Hertz: force = (4/3) E* sqrt(R*) x^(3/2), E* = Y / (2 (1 - nu^2)) and R* = r / 2 for equal spheres.
+    let force = 4.0 / 3.0 * modulus / (2.0 * (1.0 - ratio * ratio)) * (0.5 * RADIUS).sqrt();
+    let kappa: f64 = force / (0.5 * mass(RADIUS));
+    let time = kappa.powf(-0.4) * f64::powf(2.0 * speed, -0.2);
+    let mut all = Vec::new();
+    for b in [0.01, 0.05, 0.17, 0.5, 1.0, 2.0] {
+        let contact = format!(
+            "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {modulus:e}\npoissons_ratio = {ratio}\n\
+             dissipative_constant = {:e}\n",
+            b * time
+        );
+        let share = heat_share(&contact, h * time, speed)?;
+        let e = viscoelastic_restitution(b);
+        let tolerance = 2.0 * 0.207886 * b * h.powf(1.5) + h * h;
+        all.push(Measurement::absolute(1.0 - e * e, share, tolerance));
+    }
+    Ok(Measurement::worst(all).into())
+}
+
+/// Radius, overlap, stiffness and friction of the sphere between two fixed ones; powers of two, so that
+/// lengths and loads are exact.
+pub(super) const HELD: f64 = 0.0009765625;
+pub(super) const SQUEEZE: f64 = 1.52587890625e-5;
+pub(super) const STIFFNESS: f64 = 1e3;
+pub(super) const FRICTION: f64 = 0.5;
+pub(super) const SPIN: f64 = 5000.0;
+const STEP: f64 = 1e-7;
+/// Tangential stiffness of the laws with a spring.
+pub(super) const SPRING: f64 = 1e3;
+
+/// A sphere that spins between two fixed ones, in the given place of the list of particles.
+pub(super) fn held(law: &str, place: usize) -> String {
+    held_at(law, place, "velocity-verlet", STEP)
+}
+
+/// The same, with an integrator and a step.
+pub(super) fn held_at(law: &str, place: usize, integrator: &str, step: f64) -> String {
+    let reach = 2.0 * HELD - SQUEEZE;
+    let parameter = if law == "haff-werner" { 1e3 } else { SPRING };
+    let mut spheres = vec![fixed([-reach, 0.0], HELD), fixed([reach, 0.0], HELD)];
+    spheres.insert(place, particle([0.0; 2], [0.0; 2], SPIN, HELD));
+    head(integrator, step)
+        + &kelvin_voigt(STIFFNESS, 0.0)
+        + &friction(law, FRICTION, parameter)
+        + &spheres.concat()
+}
+
+fn sliding() -> Outcome {
+    const STEPS: u32 = 2000;
+    let limit = FRICTION * STIFFNESS * SQUEEZE;
+    let rounding = 2.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;
+    let mut all = Vec::new();
+    for law in ["haff-werner", "cundall-strack-truncated", "cundall-strack"] {
+        let mut world = world(&held(law, 0))?;
+        advance(&mut world, u64::from(STEPS))?;
+        let time = f64::from(STEPS) * STEP;
+        let deceleration = 2.0 * limit * HELD / inertia(HELD);
+        let surface = HELD * world.particles().angle[0];
+        let step = HELD * SPIN * STEP;
+        let (distance, slack) = match law {
+            "haff-werner" => (HELD * (SPIN * time - 0.5 * deceleration * time * time), 0.0),
+            // What the spring stored is booked when it lets go: half of the limit times its stretch.
+            "cundall-strack" => (
+                surface - 0.5 * limit / SPRING + 0.5 * step,
+                0.5 * SPRING * step * step / (limit * surface),
+            ),
+            _ => (surface - limit / SPRING, 0.0),
+        };
+        let heat = world.energy().friction;
+        all.push(Measurement::relative(
+            2.0 * limit * distance,
+            heat,
+            rounding + slack,
+        ));
+    }
+    Ok(Measurement::worst(all).into())
+}

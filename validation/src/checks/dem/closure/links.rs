@@ -1,0 +1,155 @@
+//! Energy lost with bonds that break and gained with contacts that take their place.
+
+use super::text::{RADIUS, kelvin_voigt};
+use crate::checks::Exhibit;
+use crate::checks::dem::scenes::{head, particle, world};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Table};
+use gouge_dem::balance::Energy;
+use std::f64::consts::{PI, TAU};
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "closure.breaking",
+            claim: "A bond breaks on the ellipse of strength and books what it stored there; in tension a 1 mm granite bond books 3.868884925e-2 J.",
+            equations: "(43)-(50), (77)",
+            scene: "Two bonded spheres strained to 1 -+ 1e-9 of the ellipse at 16 angles, two strength factors, and evaluated once; no contacts",
+            oracle: "N^2 / (2 k) + T^2 / k, with N = 280 MPa pi (s r)^2 cos a and T = 168 MPa pi (s r)^2 sin a: the bond breaks outside and holds inside",
+            norm: "Relative error of the energy booked; a bond on the wrong side counts one",
+            origin: Origin::Exact,
+            reason: "The strain is 1e-9 beyond the ellipse, its energy 2e-9; the distance of the centres is rounded to 2^-53 of 2 mm, 3e-12 of the strain of the weakest angle",
+            effort: Effort::Quick,
+            measure: breaking,
+        },
+        Check {
+            id: "closure.bonding",
+            claim: "A bond that breaks between overlapping grains books the energy of the contact that takes its place, and the balance stays closed to rounding.",
+            equations: "(72), (75), (77)",
+            scene: "Two bonded spheres of 1 and 1.5 mm that overlap by 37 um, while the bond began 90 um longer; evaluated once; Kelvin-Voigt and viscoelastic contacts",
+            oracle: "k xi^2 / 2 and (2/5) (4/3) E* sqrt(R*) xi^(5/2) for the contact, K Xi^2 / 2 for the bond",
+            norm: "Relative error of either booking, and of the residual over the energy booked",
+            origin: Origin::Exact,
+            reason: "Rounding of the distance, 2^-53 of 2.5 mm, is 8e-15 of the overlap and enters five halves times; twenty roundings besides",
+            effort: Effort::Quick,
+            measure: bonding,
+        },
+    ]
+}
+
+const BOND: f64 = 1e7;
+
+/// The balance after one evaluation of two bonded spheres of equal radius: stretched by a length, with
+/// both ends turned by an angle.
+fn strained(stretch: f64, turned: f64, factor: f64) -> Result<Energy, Failure> {
+    let text = head("euler", 1e-9)
+        + &format!(
+            "[bond.normal]\nstiffness = {BOND:e}\ndamping = 0.0\n\
+             [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = {BOND:e}\ndamping = 0.0\n\
+             [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 280e6\n\
+             tangential_strength = 168e6\n"
+        )
+        + &particle([-RADIUS, 0.0], [0.0; 2], 0.0, RADIUS)
+        + &particle([RADIUS, 0.0], [0.0; 2], 0.0, RADIUS)
+        + &format!(
+            "[[bonds]]\nbetween = [0, 1]\nstrength_factor = {factor:e}\n\
+             initial_distance = {:e}\ninitial_angles = [{:e}, {:e}]\n",
+            2.0 * RADIUS - stretch,
+            -turned,
+            -turned - PI
+        );
+    let mut world = world(&text)?;
+    world.evaluate_if_pending()?;
+    Ok(world.energy())
+}
+
+fn breaking() -> Outcome {
+    let (mut all, mut table) = (
+        Vec::new(),
+        Table::new(
+            "Energy booked when a 1 mm granite bond breaks, strength factor one",
+            &[
+                "angle on the ellipse in degrees",
+                "expected in J",
+                "booked in J",
+            ],
+        ),
+    );
+    for factor in [1.0, 0.9] {
+        let area = PI * (factor * RADIUS).powi(2);
+        for place in 0..16 {
+            let angle = TAU * f64::from(place) / 16.0;
+            let (normal, shear) = (280e6 * area * angle.cos(), 168e6 * area * angle.sin());
+            let at = |scale: f64| {
+                // Both ends at zeta shear the bond with 2 K zeta r / D = K zeta.
+                let (stretch, zeta) = (scale * normal / BOND, scale * shear / BOND);
+                strained(stretch, zeta / RADIUS, factor)
+            };
+            let expected = (0.5 * normal * normal + shear * shear) / BOND;
+            let (beyond, within) = (at(1.0 + 1e-9)?, at(1.0 - 1e-9)?);
+            all.push(Measurement::relative(expected, beyond.breaking, 2.1e-9));
+            all.push(Measurement::count(usize::from(within.breaking != 0.0)));
+            if factor == 1.0 {
+                let cells = [22.5 * f64::from(place), expected, beyond.breaking];
+                let [degrees, expected, booked] = cells;
+                table.push([
+                    format!("{degrees}"),
+                    format!("{expected:.9e}"),
+                    format!("{booked:.9e}"),
+                ]);
+            }
+        }
+    }
+    all.push(Measurement::relative(
+        3.868884925e-2,
+        strained(
+            280e6 * PI * RADIUS * RADIUS / BOND * (1.0 + 1e-10),
+            0.0,
+            1.0,
+        )?
+        .breaking,
+        3.3e-10,
+    ));
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
+}
+
+fn bonding() -> Outcome {
+    let (small, large, overlap, longer, bond) = (1e-3, 1.5e-3, 37e-6, 90e-6, 3e7);
+    let (modulus, ratio) = (50e9, 0.22);
+    let viscoelastic = format!(
+        "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {modulus:e}\npoissons_ratio = {ratio}\n\
+         dissipative_constant = 1e-7\n"
+    );
+    let effective = modulus / (2.0 * (1.0 - ratio * ratio));
+    let reduced: f64 = small * large / (small + large);
+    let hertz = 0.4 * 4.0 / 3.0 * effective * reduced.sqrt() * f64::powf(overlap, 2.5);
+    let mut all = Vec::new();
+    for (contact, gained) in [
+        (kelvin_voigt(2e6, 3.0), 0.5 * 2e6 * overlap * overlap),
+        (viscoelastic, hertz),
+    ] {
+        let distance = small + large - overlap;
+        let text = head("euler", 1e-9)
+            + &contact
+            + &format!(
+                "[bond.normal]\nstiffness = {bond:e}\ndamping = 2.0\n[bond.yielding]\n\
+                 law = \"zhang-eckert\"\nnormal_strength = 28e6\ntangential_strength = 16.8e6\n"
+            )
+            + &particle([0.0, 0.0], [0.0; 2], 0.0, small)
+            + &particle([0.6 * distance, 0.8 * distance], [0.0; 2], 0.0, large)
+            + &format!(
+                "[[bonds]]\nbetween = [0, 1]\ninitial_distance = {:e}\n",
+                distance + longer
+            );
+        let mut world = world(&text)?;
+        world.evaluate_if_pending()?;
+        let energy = world.energy();
+        let lost = 0.5 * bond * longer * longer;
+        // Roundings of the distance of the centres, in the two displacements.
+        let unit = 0.5 * f64::EPSILON;
+        let slack = 20.0 * unit + 2.5 * 4.0 * unit * distance / overlap;
+        all.push(Measurement::relative(lost, energy.breaking, slack));
+        all.push(Measurement::relative(gained, energy.bonding, slack));
+        all.push(Measurement::scaled(0.0, energy.residual, lost, 4.0 * unit));
+    }
+    Ok(Measurement::worst(all).into())
+}

@@ -1,0 +1,37 @@
+//! Closure.
+
+mod events;
+mod fields;
+mod heat;
+mod links;
+mod many;
+mod momenta;
+mod printed;
+mod residual;
+mod text;
+
+use crate::checks::Topic;
+
+/// The topic.
+pub fn topic() -> Topic {
+    Topic {
+        id: "closure",
+        title: "Closure",
+        about: "The energy balance (72): every term by itself against an independent value, and the residual \
+                of their sum against the order of the method; momentum and angular momentum; and what the \
+                printed estimators (76)-(79) leave open.",
+        checks: [
+            heat::checks(),
+            fields::checks(),
+            links::checks(),
+            residual::checks(),
+            events::checks(),
+            momenta::checks(),
+            printed::checks(),
+            many::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+    }
+}

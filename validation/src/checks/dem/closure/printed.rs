@@ -1,0 +1,273 @@
+//! What the printed estimators (76), (78) and (79) leave open, and what closes.
+
+use super::heat::{FRICTION, HELD, SPIN, SQUEEZE, STIFFNESS, held};
+use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
+use crate::checks::dem::scenes::{head, particle, scene, world};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::oracles::printed::{Link, Printed};
+use gouge_dem::World;
+use gouge_dem::particles::Role;
+use gouge_runner::scene::builtin;
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![
+        Check {
+            id: "closure.printed-heat",
+            claim: "With the displacement of one end, (78) counts all, half or none of the heat of one and the same sliding, as the particles are numbered.",
+            equations: "(78)",
+            scene: "A sphere that spins between two fixed ones, first, between or last in the list; Haff-Werner at its limit, 2000 steps",
+            oracle: "2, 1 and 0 times mu N over the distance of a constant deceleration; with both ends 2 for every numbering",
+            norm: "Error over the heat",
+            origin: Origin::Exact,
+            reason: "Constant powers of constant forces on a linear speed: a rounding a step in each of two sums, 2000 steps",
+            effort: Effort::Quick,
+            measure: numbered,
+        },
+        Check {
+            id: "closure.printed-store",
+            claim: "With the displacement of one end, (76) stores energy in two spheres that roll on each other like gears, where no force has acted along the tangent.",
+            equations: "(76)",
+            scene: "Two equal spheres of opposite spin that press on each other without sliding; truncated Cundall-Strack",
+            oracle: "k (r w t)^2 / 2 from the displacement of one end; zero from the sum of both",
+            norm: "Error over the printed store",
+            origin: Origin::Exact,
+            reason: "Angles are sums of N equal rotations, N roundings of 2^-53, and enter squared",
+            effort: Effort::Quick,
+            measure: gears,
+        },
+        Check {
+            id: "closure.printed-driving",
+            claim: "By absolute values (79) counts work where none was done: on two driven particles that move against each other.",
+            equations: "(79)",
+            scene: "Two driven spheres without links, of opposite vertical velocities, under a constant load",
+            oracle: "Works of a constant force on a uniformly accelerated mass, each for itself",
+            norm: "Relative error of either sum",
+            origin: Origin::Exact,
+            reason: "Constant acceleration is exact for the method; a rounding a step in each of two sums, 1000 steps, and the cancellation of the works, a factor of ten",
+            effort: Effort::Quick,
+            measure: apart,
+        },
+        Check {
+            id: "closure.printed-balance",
+            claim: "On an oblique impact, a rolling contact and a sheared, breaking fault the ledger's signed terms close the balance; the printed ones do not.",
+            equations: "(72)-(79)",
+            scene: "Built-in scenes oblique, for 8 us, and rolling, for 20 ms; the small granite fault at 15 mm for 20 us, with bonds of a hundredth of the strength",
+            oracle: "Works of all links and of driving from the states of the links along the run, signed and with both ends, by the trapezoidal rule",
+            norm: "Residual of (72) with these works, and that of the ledger, over the work turned over; a printed gap below one per cent counts one",
+            origin: Origin::Convergent,
+            reason: "Contacts that begin or end and bonds that break within a step leave a residual of first order, one step over the shortest duration of a collision, 200 steps: 5e-3",
+            effort: Effort::Thorough,
+            measure: table,
+        },
+    ]
+}
+
+/// The links of a world as the estimators see them.
+fn links(world: &World) -> Vec<Link> {
+    let p = world.particles();
+    let of = |link: &gouge_dem::forces::Interaction| {
+        let (i, j) = link.pair.indices();
+        let frame_rate =
+            (p.velocity[j] - p.velocity[i]).dot(link.normal.perpendicular()) / link.distance;
+        Link {
+            pair: [i, j],
+            normal_force: link.normal_force,
+            normal_rate: link.normal_velocity,
+            tangential_force: link.tangential_force,
+            tangential_rates: link.tangential_velocity,
+            torques: link.torque,
+            turning: [i, j].map(|n| p.angular_velocity[n] - frame_rate),
+        }
+    };
+    let mut all: Vec<Link> = world.links().iter().map(of).collect();
+    all.sort_by_key(|link| link.pair);
+    all
+}
+
+/// Powers of the driving force on the driven particles.
+fn driving(world: &World) -> Vec<f64> {
+    if world.model().driving.is_none() {
+        return Vec::new();
+    }
+    let p = world.particles();
+    let driven: Vec<usize> = p.with_role(Role::Driven).collect();
+    let share = world.drive().force * (1.0 / driven.len() as f64);
+    driven.iter().map(|&i| share.dot(p.velocity[i])).collect()
+}
+
+/// Step a world and keep the accounts.
+fn follow(world: &mut World, steps: u64) -> Result<Printed, Failure> {
+    let mut printed = Printed::default();
+    let step = world.model().time_step;
+    world.evaluate_if_pending()?;
+    printed.look(links(world).into_iter(), driving(world), step);
+    for _ in 0..steps {
+        world.step()?;
+        printed.look(links(world).into_iter(), driving(world), step);
+    }
+    Ok(printed)
+}
+
+/// As printed, the tangential force is that of the law.
+const READING: &str = "reading = \"thesis\"\n";
+
+fn numbered() -> Outcome {
+    const STEPS: u32 = 2000;
+    let time = f64::from(STEPS) * 1e-7;
+    let limit = FRICTION * STIFFNESS * SQUEEZE;
+    let deceleration = 2.0 * limit * HELD / inertia(HELD);
+    let distance = HELD * (SPIN * time - 0.5 * deceleration * time * time);
+    let whole = 2.0 * limit * distance;
+    let rounding = 4.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;
+    let mut all = Vec::new();
+    let mut table = Table::new(
+        "Heat of one sliding contact pair by numbering of the spinning sphere, in J",
+        &[
+            "place in the list",
+            "(78) as printed",
+            "both ends",
+            "ledger",
+        ],
+    );
+    for (place, share) in [(0, 1.0), (1, 0.5), (2, 0.0)] {
+        let mut world = world(&(READING.to_owned() + &held("haff-werner", place)))?;
+        let printed = follow(&mut world, u64::from(STEPS))?;
+        let heats = [
+            printed.links_as_printed(),
+            printed.links(),
+            world.energy().friction,
+        ];
+        for (heat, part) in heats.into_iter().zip([share, 1.0, 1.0]) {
+            all.push(Measurement::scaled(part * whole, heat, whole, rounding));
+        }
+        let cells = heats.map(|heat| format!("{heat:.6e}"));
+        table.push([(place + 1).to_string()].into_iter().chain(cells));
+    }
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
+}
+
+fn gears() -> Outcome {
+    const STEPS: u32 = 500;
+    let (spin, spring, step) = (3000.0, 1e6, 1e-9);
+    let text = head("velocity-verlet", step)
+        + &kelvin_voigt(1e6, 0.0)
+        + &friction("cundall-strack-truncated", 0.5, spring)
+        + &particle([-RADIUS.next_down(), 0.0], [0.5, 0.0], spin, RADIUS)
+        + &particle([RADIUS.next_down(), 0.0], [-0.5, 0.0], -spin, RADIUS);
+    let mut world = world(&text)?;
+    let printed = follow(&mut world, u64::from(STEPS))?;
+    let links = world.links();
+    let [zeta, other] = links
+        .first()
+        .map_or([f64::NAN; 2], |link| link.tangential_displacement);
+    let store = |zeta: f64| 0.5 * spring * zeta * zeta;
+    let expected = store(RADIUS * spin * f64::from(STEPS) * step);
+    let rounding = 2.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;
+    // What the normal spring has taken up is all that there is.
+    let taken =
+        mass(RADIUS) * 0.25 - world.energy().kinetic + 2.0 * 0.5 * inertia(RADIUS) * spin * spin;
+    Ok(Measurement::worst([
+        Measurement::relative(expected, store(zeta), rounding),
+        Measurement::scaled(0.0, store(zeta + other), expected, rounding * rounding),
+        Measurement::relative(taken, printed.links(), 1e-5),
+        Measurement::relative(world.energy().contact, printed.links(), 1e-5),
+    ])
+    .into())
+}
+
+fn apart() -> Outcome {
+    const STEPS: u32 = 1000;
+    let (force, step, m) = (0.002, 1e-6, mass(RADIUS));
+    let speeds = [0.5, -0.4];
+    let text = head("velocity-verlet", step)
+        + &format!(
+            "[driving]\ncontroller = \"exact\"\nspeed = 0.0\npressure = {force}\narea = 1.0\n"
+        )
+        + &particle([0.0; 2], [0.0, speeds[0]], 0.0, RADIUS)
+        + "role = \"driven\"\n"
+        + &particle([1.0, 0.0], [0.0, speeds[1]], 0.0, RADIUS)
+        + "role = \"driven\"\n";
+    let mut world = world(&text)?;
+    let printed = follow(&mut world, u64::from(STEPS))?;
+    let (time, share) = (f64::from(STEPS) * step, -0.5 * force);
+    let works = speeds.map(|v| share * (v * time + 0.5 * share / m * time * time));
+    let (sum, absolute) = (works[0] + works[1], works[0].abs() + works[1].abs());
+    let rounding = 10.0 * 2.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;
+    Ok(Measurement::worst([
+        Measurement::relative(absolute, printed.driving_as_printed(), rounding),
+        Measurement::relative(sum, printed.driving(), rounding),
+        Measurement::relative(sum, world.energy().driving, rounding),
+    ])
+    .into())
+}
+
+/// The small granite fault, so short and so weak that it breaks within 2000 steps, after its set-up.
+pub(super) fn fault(step: f64) -> Result<World, Failure> {
+    let mut text = builtin::text("granite-fault-small")
+        .unwrap_or_default()
+        .to_owned();
+    for (old, new) in [
+        ("width = 25e-3", "width = 15e-3".to_owned()),
+        ("height = 25e-3", "height = 15e-3".to_owned()),
+        ("driven_above = 21e-3", "driven_above = 11e-3".to_owned()),
+        ("duration = 1e-3", "duration = 60e-6".to_owned()),
+        ("duration = 0.5e-3", "duration = 8e-6".to_owned()),
+        ("= 280e6", "= 280e4".to_owned()),
+        ("= 168e6", "= 168e4".to_owned()),
+        ("step = 10e-9\nend", format!("step = {step:e}\nend")),
+    ] {
+        text = text.replace(old, &new);
+    }
+    Ok(gouge_runner::run::prepared(&scene(&text)?)?)
+}
+
+/// A built-in scene without set-up.
+fn named(name: &str) -> Result<World, Failure> {
+    world(builtin::text(name).unwrap_or_default())
+}
+
+fn table() -> Outcome {
+    let mut table = Table::new(
+        "Terms of (72) as printed and signed, in J; gaps also in per cent of the energy turned over",
+        &[
+            "scene",
+            "store and heat of links, printed",
+            "both ends, signed",
+            "work of driving, printed",
+            "signed",
+            "gap as printed",
+            "gap of the ledger",
+        ],
+    );
+    let mut all = Vec::new();
+    let scenes = [
+        ("oblique impact", named("oblique")?, 8_000),
+        ("rolling contact", named("rolling")?, 20_000),
+        ("sheared fault", fault(10e-9)?, 2_000),
+    ];
+    for (name, mut world, steps) in scenes {
+        let first = world.energy().kinetic + world.energy().external;
+        let printed = follow(&mut world, steps)?;
+        let energy = world.energy();
+        let moved = energy.kinetic + energy.external - first;
+        let turned = printed.links().abs().max(printed.driving().abs());
+        let signed = moved + printed.links() - printed.driving();
+        let gap = moved + printed.links_as_printed() - printed.driving_as_printed();
+        all.push(Measurement::scaled(0.0, signed, turned, 5e-3));
+        all.push(Measurement::scaled(0.0, energy.residual, turned, 5e-3));
+        all.push(Measurement::count(usize::from(gap.abs() < 0.01 * turned)));
+        let share = |gap: f64| format!("{gap:.2e} ({:.3} %)", 100.0 * gap / turned);
+        // An empty sum is minus zero.
+        let number = |x: f64| format!("{:.4e}", x + 0.0);
+        table.push([
+            name.to_owned(),
+            number(printed.links_as_printed()),
+            number(printed.links()),
+            number(printed.driving_as_printed()),
+            number(printed.driving()),
+            share(gap),
+            share(energy.residual),
+        ]);
+    }
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
+}

@@ -1,0 +1,104 @@
+//! Fragments.
+
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::{Check, Effort, Measurement, Origin, Outcome};
+use crate::oracles::components::first_nodes;
+use gouge_common::estimators::{Fragments, connected};
+use gouge_dem::estimators::fragments;
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+pub fn checks() -> Vec<Check> {
+    vec![graphs(), broken()]
+}
+
+/// Nodes that are labelled differently from an oracle, and whether the number of fragments differs.
+fn differences(found: &Fragments, edges: &[(usize, usize)]) -> usize {
+    let first = first_nodes(found.label.len(), edges);
+    let mut labels = Vec::new();
+    for (node, &start) in first.iter().enumerate() {
+        let next = first[..node]
+            .iter()
+            .enumerate()
+            .filter(|(k, f)| k == *f)
+            .count();
+        labels.push(if start == node { next } else { labels[start] });
+    }
+    let number = first.iter().enumerate().filter(|(k, f)| k == *f).count();
+    let wrong = labels.iter().zip(&found.label).filter(|(a, b)| a != b);
+    wrong.count() + usize::from(number != found.number)
+}
+
+fn graphs() -> Check {
+    Check {
+        id: "estimators.fragments.graphs",
+        claim: "Fragments are the connected components of a graph, numbered in the order of their first members.",
+        equations: "(46)",
+        scene: "300 random graphs of up to 60 nodes, with edges in random order, repeated edges and loops",
+        oracle: "Flooding from each node in turn",
+        norm: "Number of nodes with another label and of wrong numbers of fragments",
+        origin: Origin::Exact,
+        reason: "Counting",
+        effort: Effort::Quick,
+        measure: measure_graphs,
+    }
+}
+
+fn measure_graphs() -> Outcome {
+    let mut random = Pcg64::new(3, 141);
+    let mut wrong = 0;
+    for round in 0..300 {
+        let nodes = random.random_range(1..=60);
+        let edges: Vec<(usize, usize)> = (0..random.random_range(0..=nodes))
+            .map(|_| (random.random_range(0..nodes), random.random_range(0..nodes)))
+            .collect();
+        // Some rounds without any edge.
+        let edges = if round % 50 == 0 { &[][..] } else { &edges[..] };
+        wrong += differences(&connected(nodes, edges.iter().copied()), edges);
+    }
+    Ok(Measurement::count(wrong).into())
+}
+
+fn broken() -> Check {
+    Check {
+        id: "estimators.fragments.broken",
+        claim: "A chain whose overstretched bonds break falls into the pieces between them.",
+        equations: "(46)-(48)",
+        scene: "40 grains bonded in a row, bonds 7, 19, 20 and 33 stretched beyond the strength of 280 MPa, the others not; one step",
+        oracle: "Flooding of the chain without those four bonds",
+        norm: "Number of grains in another fragment, of wrong numbers of fragments and of wrong numbers of bonds left",
+        origin: Origin::Exact,
+        reason: "Counting",
+        effort: Effort::Quick,
+        measure: measure_broken,
+    }
+}
+
+fn measure_broken() -> Outcome {
+    const BROKEN: [usize; 4] = [7, 19, 20, 33];
+    // The strength carries 280 MPa times pi mm^2 over 1e7 kg/s^2, 88 um.
+    let mut text = head("velocity-verlet", 1e-9)
+        + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n\
+           [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 280e6\n\
+           tangential_strength = 168e6\n";
+    let mut x = 0.0;
+    for i in 0..40 {
+        text += &particle([x, 0.0], [0.0; 2], 0.0, 1e-3);
+        x += if BROKEN.contains(&i) { 2.1e-3 } else { 2.05e-3 };
+    }
+    for i in 0..39 {
+        text += &format!(
+            "[[bonds]]\nbetween = [{i}, {}]\ninitial_distance = 2e-3\n",
+            i + 1
+        );
+    }
+    let mut world = world(&text)?;
+    advance(&mut world, 1)?;
+    let edges: Vec<(usize, usize)> = (0..39)
+        .filter(|i| !BROKEN.contains(i))
+        .map(|i| (i, i + 1))
+        .collect();
+    let left = world.bonds().map_or(0, |strong| strong.len());
+    let wrong = differences(&fragments(&world), &edges) + usize::from(left != edges.len());
+    Ok(Measurement::count(wrong).into())
+}

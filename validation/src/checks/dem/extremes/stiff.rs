@@ -1,0 +1,215 @@
+//! One dimensionless collision over all stiffnesses, sizes, dampings and places.
+
+use super::pairs::{free, kelvin_voigt, mass, model, restitution, world};
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    unit_in_last_place,
+};
+use crate::oracles::oscillator::truncated_restitution;
+use gouge_common::geometry::Domain;
+use gouge_dem::geometry::ContactDistance;
+use gouge_dem::particles::Particles;
+use gouge_dem::{Start, World};
+use gouge_runner::scene::wrap;
+
+pub(super) fn checks() -> Vec<Check> {
+    let check = |id, claim, scene, reason, measure| Check {
+        id,
+        claim,
+        equations: "(36), (54)",
+        scene,
+        oracle: "Closed form of the truncated oscillator's restitution",
+        norm: "Error of the restitution over its bound",
+        origin: Origin::Convergent,
+        reason,
+        effort: Effort::Quick,
+        measure,
+    };
+    vec![
+        check(
+            "extremes.stiffness",
+            "Over twelve decades of stiffness the restitution of a collision is the same, up to rounding of places.",
+            "Two spheres of 1 mm head on at 0.1 m/s, damping ratio 0.2, stiffness 1e2 to 1e14 kg/s^2 in half decades; velocity Verlet, step 1e-3 over the frequency",
+            "h^2 of the method and, where the overlap v / w is so small that places are coarse, a rounding of half a unit in the last place of the radius a step, added like a random walk of N steps, four standard deviations: 4 sqrt(N / 12) ulp / (v / w)",
+            stiffness,
+        ),
+        check(
+            "extremes.sizes",
+            "A sphere rebounds from one that is up to 1e4 times as large, 1e12 times as heavy, as from a wall.",
+            "Spheres of radius 1 mm and up to 10 m head on at 0.1 m/s, damping ratio 0.2, stiffness 1e4 kg/s^2; velocity Verlet, step 1e-3 over the frequency",
+            "h^2, and a random walk of roundings of the larger place, as for the stiffness",
+            sizes,
+        ),
+        check(
+            "extremes.damping",
+            "The restitution follows its closed form from one, at damping ratios down to 1e-9, to zero, at 1e4.",
+            "Two spheres of 1 mm head on, damping ratios 1e-9 to 1e4 in decades; velocity Verlet, step 1e-3 over the fastest rate",
+            "h^2 at most; above critical damping h of the restitution itself, because the force vanishes within a step, and the rounding of places over the overlap",
+            damping,
+        ),
+        check(
+            "extremes.places",
+            "A collision up to 1e9 box widths from the origin is that at the origin, up to rounding of places; in a periodic box, where places are wrapped, bit for bit.",
+            "Two spheres head on, overlap of 0.1 mm, up to 1.25e8 m from the origin; a box of 0.125 m, open and periodic",
+            "h^2; the overlap at the beginning, 2^-26 m, times twice the damping ratio; and half a unit in the last place of the place a step, all of one sign at worst; over the overlap",
+            places,
+        ),
+    ]
+}
+
+const SPEED: f64 = 0.1;
+const H: f64 = 1e-3;
+
+/// Four standard deviations of the sum of so many roundings at a place.
+fn walk(steps: f64, place: f64) -> f64 {
+    4.0 * (steps / 12.0).sqrt() * unit_in_last_place(place)
+}
+
+/// The measurements of a sweep, drawn against what was swept.
+fn sweep(title: &str, label: &str, found: Vec<(f64, Measurement)>) -> Outcome {
+    let points = |of: fn(&Measurement) -> f64| {
+        found
+            .iter()
+            .map(|(x, one)| [*x, of(one)])
+            .collect::<Vec<_>>()
+    };
+    let mut bound = Curve::line("bound", points(|one| one.tolerance));
+    bound.style = crate::checks::Style::Dashed;
+    let plot = Plot {
+        title: title.to_owned(),
+        x: Axis::logarithmic(label),
+        y: Axis::logarithmic("error of the restitution"),
+        curves: vec![bound, Curve::marks("kernel", points(|one| one.error))],
+    };
+    Ok(Measurement::worst(found.iter().map(|(_, one)| *one)).showing([Exhibit::Plot(plot)]))
+}
+
+/// Two touching spheres of the given radii that meet along x, the first one moving, with a damping
+/// ratio; their restitution and the overlap scale.
+fn collide(radii: [f64; 2], k: f64, zeta: f64, h: f64) -> Result<[f64; 2], Failure> {
+    let [a, b] = radii.map(mass);
+    let reduced = a * b / (a + b);
+    let rate = (k / reduced).sqrt();
+    let damping = 2.0 * zeta * (k * reduced).sqrt();
+    let contact = kelvin_voigt(k, damping, ContactDistance::Radius, None);
+    let step = h / (rate * (1.0_f64).max(2.0 * zeta));
+    // The point of contact is the origin, but for three units in the last place, which make a contact.
+    let place = radii[1] - 3.0 * unit_in_last_place(radii[0] + radii[1]);
+    let particles = [
+        free([-radii[0], 0.0], [SPEED, 0.0], radii[0]),
+        free([place, 0.0], [0.0; 2], radii[1]),
+    ];
+    let mut world = world(model(contact, step), &particles)?;
+    // The force is gone after at most thirty units of the fastest rate; an overdamped pair parts much later.
+    Ok([restitution(&mut world, (30.0 / h) as u64)?, SPEED / rate])
+}
+
+fn stiffness() -> Outcome {
+    let (radius, zeta) = (1e-3, 0.2);
+    let e = truncated_restitution(zeta);
+    let mut found = Vec::new();
+    for half in 4..=28 {
+        let k = 10.0_f64.powf(0.5 * f64::from(half));
+        let [measured, overlap] = collide([radius; 2], k, zeta, H)?;
+        let tolerance = H * H + walk(3.0 / H, radius) / overlap;
+        found.push((k, Measurement::absolute(e, measured, tolerance)));
+    }
+    sweep(
+        "Error of the restitution over twelve decades of stiffness",
+        "stiffness in kg/s^2",
+        found,
+    )
+}
+
+fn sizes() -> Outcome {
+    let (radius, zeta) = (1e-3, 0.2);
+    let e = truncated_restitution(zeta);
+    let mut found = Vec::new();
+    for decade in 0..=4 {
+        let ratio = 10.0_f64.powi(decade);
+        let [measured, overlap] = collide([radius, ratio * radius], 1e4, zeta, H)?;
+        let tolerance = H * H + walk(3.0 / H, ratio * radius) / overlap;
+        found.push((ratio, Measurement::absolute(e, measured, tolerance)));
+    }
+    sweep(
+        "Error of the restitution over ratios of radii",
+        "ratio of the radii",
+        found,
+    )
+}
+
+fn damping() -> Outcome {
+    let radius = 1e-3;
+    let mut found = Vec::new();
+    for decade in -9..=4 {
+        let zeta = 10.0_f64.powi(decade);
+        let e = truncated_restitution(zeta);
+        let [measured, overlap] = collide([radius; 2], 1e4, zeta, H)?;
+        let rounding = walk(3.0 / H, radius) / overlap;
+        let tolerance = H * H.min(1.0 / zeta) + rounding + if zeta > 1.0 { H * e } else { 0.0 };
+        found.push((zeta, Measurement::absolute(e, measured, tolerance)));
+    }
+    sweep(
+        "Error of the restitution over damping ratios",
+        "damping ratio",
+        found,
+    )
+}
+
+/// Width of the box, a power of two, so that its multiples are exact.
+const WIDTH: f64 = 0.125;
+/// Overlap at the beginning: the spacing of numbers at the farthest place.
+const GAP: f64 = 1.0 / 67_108_864.0;
+
+/// Restitution of a collision at a distance from the origin, and the final places from there.
+fn far(distance: f64, periodic: bool) -> Result<(f64, [f64; 2]), Failure> {
+    // Radius, gap and speed are multiples of 2^-26 m, the spacing of numbers at 1.25e8 m.
+    let (radius, gap, speed) = (0.0078125, GAP, 0.25);
+    let k = 2.0 * mass(radius) * (speed / 1e-4) * (speed / 1e-4);
+    let damping = 2.0 * 0.2 * (k * 0.5 * mass(radius)).sqrt();
+    let contact = kelvin_voigt(k, damping, ContactDistance::Radius, None);
+    let rate = (2.0 * k / mass(radius)).sqrt();
+    let mut model = model(contact, H / rate);
+    model.domain = Domain {
+        width: Some(WIDTH),
+        height: None,
+        periodic,
+    };
+    let ball = |x: f64, v: f64| free([x, 0.0], [v, 0.0], radius);
+    let place = distance + 0.0625;
+    let particles = [
+        ball(place - radius, speed),
+        ball(place + radius - gap, -speed),
+    ];
+    let mut particles: Particles = particles.into_iter().collect();
+    wrap(&model.domain, &mut particles);
+    let mut world = World::new(model, particles, &Start::default())?;
+    let e = restitution(&mut world, 20_000)?;
+    let x = &world.particles().position;
+    Ok((e, [x[0].x, x[1].x]))
+}
+
+fn places() -> Outcome {
+    let e = truncated_restitution(0.2);
+    let (origin, at_origin) = far(0.0, true)?;
+    let (mut found, mut same_everywhere) = (Vec::new(), Vec::new());
+    for decade in 0..=9 {
+        let distance = WIDTH * 10.0_f64.powi(decade);
+        let (measured, _) = far(distance, false)?;
+        let overlap = 1e-4;
+        let lost = 0.4 * GAP + (3.0 / H) * 0.5 * unit_in_last_place(distance);
+        let tolerance = H * H + lost / overlap;
+        found.push((distance, Measurement::absolute(e, measured, tolerance)));
+        let (wrapped, places) = far(distance, true)?;
+        let same = wrapped == origin && places == at_origin;
+        same_everywhere.push(Measurement::count(usize::from(!same)));
+    }
+    let mut finding = sweep(
+        "Error of the restitution over distances from the origin",
+        "distance from the origin in m",
+        found,
+    )?;
+    same_everywhere.push(finding.measurement);
+    finding.measurement = Measurement::worst(same_everywhere);
+    Ok(finding)
+}

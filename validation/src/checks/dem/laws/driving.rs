@@ -1,0 +1,72 @@
+//! The exact controller of the driving force.
+
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use gouge_dem::World;
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![Check {
+        id: "laws.exact-speed",
+        claim: "The exact controller brings driven grains to their speed in one step of the Euler and Taylor methods, and by a factor of (7 + sqrt(17)) / 16 a step of velocity Verlet; under Beeman the error follows its own rule.",
+        equations: "(22), (51)-(58)",
+        scene: "Two driven grains of 1 and 1.7 mm that begin at 0.4 m/s and shall move at 1 m/s; twelve steps",
+        oracle: "e' = e - (e + e1)/8 for velocity Verlet, solved by the roots (7 -+ sqrt(17)) / 16, and e' = e - (2 e + 5 e1 - e2)/24 for Beeman, e1 and e2 one and two steps earlier: what each method makes of an acceleration of a quarter of the error over the step",
+        norm: "Difference of the mean speed in m/s",
+        origin: Origin::Exact,
+        reason: "A few roundings of numbers below one in each of twelve steps",
+        effort: Effort::Quick,
+        measure: approach,
+    }]
+}
+
+const STEPS: usize = 12;
+const BEGIN: f64 = 0.4;
+
+/// Mean speed after each step.
+fn speeds(integrator: &str) -> Result<[f64; STEPS], Failure> {
+    let grain =
+        |x: f64, radius: f64| particle([x, 0.0], [BEGIN, 0.0], 0.0, radius) + "role = \"driven\"\n";
+    let text = head(integrator, 1e-6)
+        + "[driving]\ncontroller = \"exact\"\nspeed = 1.0\npressure = 3.0\narea = 2.0\n"
+        + &grain(0.0, 1e-3)
+        + &grain(1.0, 1.7e-3);
+    let mut world: World = world(&text)?;
+    let mut speeds = [0.0; STEPS];
+    for speed in &mut speeds {
+        advance(&mut world, 1)?;
+        let v = &world.particles().velocity;
+        *speed = 0.5 * (v[0].x + v[1].x);
+    }
+    Ok(speeds)
+}
+
+fn verlet() -> [f64; STEPS] {
+    let root = 17.0_f64.sqrt();
+    let [fast, slow] = [(7.0 - root) / 16.0, (7.0 + root) / 16.0];
+    // Both earlier errors are one: fast^n and slow^n are weighted so that n = -1 and n = 0 give one.
+    let weight = fast * (1.0 - slow) / (fast - slow);
+    let error = |n: i32| weight * fast.powi(n) + (1.0 - weight) * slow.powi(n);
+    std::array::from_fn(|n| error(n as i32 + 1))
+}
+
+fn beeman() -> [f64; STEPS] {
+    let mut errors = [1.0; 3];
+    std::array::from_fn(|_| {
+        let [e2, e1, e] = errors;
+        errors = [e1, e, e - (2.0 * e + 5.0 * e1 - e2) / 24.0];
+        errors[2]
+    })
+}
+
+fn approach() -> Outcome {
+    let mut measured = Vec::new();
+    let at_once = ["euler", "symplectic-euler", "taylor"].map(|name| (name, [0.0; STEPS]));
+    let slowly = [("velocity-verlet", verlet()), ("beeman", beeman())];
+    for (integrator, errors) in at_once.into_iter().chain(slowly) {
+        for (error, speed) in errors.iter().zip(speeds(integrator)?) {
+            let expected = 1.0 - (1.0 - BEGIN) * error;
+            measured.push(Measurement::absolute(expected, speed, 1e-14));
+        }
+    }
+    Ok(Measurement::worst(measured).into())
+}

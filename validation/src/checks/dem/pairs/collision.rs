@@ -1,0 +1,221 @@
+//! A head-on collision in the kernel, its events located between the steps.
+
+use crate::checks::Failure;
+use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::oracles::quadrature::limit;
+use gouge_dem::World;
+use std::f64::consts::PI;
+
+/// Density of all spheres in kg/m^3, that of [`head`].
+pub const DENSITY: f64 = 2700.0;
+
+/// Nodes of an interpolation.
+const NODES: usize = 6;
+
+/// Two spheres about to collide head on, their centre of mass at rest.
+#[derive(Clone, Debug)]
+pub struct Collision {
+    /// Table `contact.normal` of the scene.
+    pub law: String,
+    /// Radii in m.
+    pub radii: [f64; 2],
+    /// Relative speed in m/s.
+    pub speed: f64,
+    /// Way to go before they touch, in m.
+    pub gap: f64,
+}
+
+/// How the steps of a collision are refined.
+#[derive(Clone, Copy, Debug)]
+pub struct Refinement<'a> {
+    /// Steps of the coarsest run; each further one has twice as many.
+    pub steps: f64,
+    /// Powers of the step in the error, one fewer than there are runs.
+    pub powers: &'a [f64],
+}
+
+/// What a step left: in m, m/s, N.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Time in s.
+    pub time: f64,
+    /// Overlap in m.
+    pub overlap: f64,
+    /// Rate of the overlap in m/s.
+    pub rate: f64,
+    /// Normal force in N, negative.
+    pub force: f64,
+}
+
+/// A collision as the kernel computed it, up to the last step with a force, and the state after it.
+#[derive(Clone, Debug)]
+pub struct Track {
+    /// Relative speed before the collision in m/s.
+    pub speed: f64,
+    /// States from the beginning to the last one with a force.
+    pub samples: Vec<Sample>,
+    /// The first state without a force.
+    pub free: Sample,
+    /// The world then.
+    pub world: World,
+}
+
+/// Restitution, duration in s, largest overlap in m and largest force in N.
+pub type Figures = [f64; 4];
+
+impl Collision {
+    /// Truncated Kelvin-Voigt spheres.
+    pub fn kelvin_voigt(stiffness: f64, damping: f64, radii: [f64; 2], speed: f64) -> Self {
+        Self {
+            law: format!(
+                "law = \"kelvin-voigt\"\nstiffness = {stiffness:e}\ndamping = {damping:e}\n"
+            ),
+            radii,
+            speed,
+            gap: 0.0,
+        }
+    }
+    /// Viscoelastic spheres of an elastic solid, (Pa, 1), and a dissipative constant in s.
+    pub fn viscoelastic(solid: [f64; 2], constant: f64, radii: [f64; 2], speed: f64) -> Self {
+        Self {
+            law: format!(
+                "law = \"bshp\"\nyoungs_modulus = {:e}\npoissons_ratio = {:e}\n\
+                 dissipative_constant = {constant:e}\n",
+                solid[0], solid[1]
+            ),
+            radii,
+            speed,
+            gap: 0.0,
+        }
+    }
+    /// Masses in kg.
+    pub fn masses(&self) -> [f64; 2] {
+        self.radii.map(|r| 4.0 / 3.0 * PI * DENSITY * r.powi(3))
+    }
+    /// Reduced mass in kg.
+    pub fn reduced_mass(&self) -> f64 {
+        let [a, b] = self.masses();
+        a * b / (a + b)
+    }
+
+    /// Let them collide; without a gap from an overlap of the last digits of their distance, so that
+    /// the force acts at once.
+    ///
+    /// # Errors
+    /// A collision that does not end within so many steps.
+    pub fn follow(&self, step: f64, most: usize) -> Result<Track, Failure> {
+        let [a, b] = self.masses();
+        let shares = [b / (a + b), a / (a + b)].map(|share| share * self.speed);
+        let [r, s] = self.radii;
+        let start = s + self.gap - (r + s) * 4.0 * f64::EPSILON;
+        let text = head("velocity-verlet", step)
+            + "[contact.normal]\n"
+            + &self.law
+            + "[output]\nenergy = false\n"
+            + &particle([-r, 0.0], [shares[0], 0.0], 0.0, r)
+            + &particle([start, 0.0], [-shares[1], 0.0], 0.0, s);
+        let mut world = world(&text)?;
+        world.evaluate_if_pending()?;
+        let mut samples = vec![self.sample(&world)];
+        for _ in 0..most {
+            advance(&mut world, 1)?;
+            let free = self.sample(&world);
+            if free.force == 0.0 && free.rate < 0.0 {
+                return Ok(Track {
+                    speed: self.speed,
+                    samples,
+                    free,
+                    world,
+                });
+            }
+            samples.push(free);
+        }
+        Err(Failure::Oracle("the collision does not end".to_owned()))
+    }
+
+    /// Figures at each refinement, the coarsest first, for about the given duration in s.
+    ///
+    /// # Errors
+    /// As [`follow`](Self::follow).
+    pub fn refined(
+        &self,
+        duration: f64,
+        refinement: &Refinement,
+        signal: impl Fn(&Sample) -> f64 + Copy,
+    ) -> Result<Vec<Figures>, Failure> {
+        (0..=refinement.powers.len())
+            .map(|level| {
+                // The end must not fall onto a step.
+                let steps = refinement.steps * (1_u32 << level) as f64 + 0.37;
+                let track = self.follow(duration / steps, 2 * steps as usize)?;
+                Ok(track.figures(signal))
+            })
+            .collect()
+    }
+
+    /// Figures in the limit of no step.
+    ///
+    /// # Errors
+    /// As [`follow`](Self::follow).
+    pub fn limit(
+        &self,
+        duration: f64,
+        refinement: &Refinement,
+        signal: impl Fn(&Sample) -> f64 + Copy,
+    ) -> Result<Figures, Failure> {
+        Ok(limit(
+            &self.refined(duration, refinement, signal)?,
+            refinement.powers,
+        ))
+    }
+
+    fn sample(&self, world: &World) -> Sample {
+        let p = world.particles();
+        Sample {
+            time: world.time(),
+            overlap: (self.radii[0] + self.radii[1]) - (p.position[1].x - p.position[0].x),
+            rate: p.velocity[0].x - p.velocity[1].x,
+            force: world.forces().force[0].x,
+        }
+    }
+}
+
+impl Track {
+    /// The figures of the collision, with both events located between the steps: the turning point
+    /// where the rate vanishes, the end where the given signal does, extrapolated from the last states
+    /// with a force. A signal is smooth and has a simple zero at the end.
+    pub fn figures(&self, signal: impl Fn(&Sample) -> f64) -> Figures {
+        let all = &self.samples;
+        let turn = all.partition_point(|sample| sample.rate > 0.0);
+        let first = turn
+            .saturating_sub(NODES / 2)
+            .min(all.len().saturating_sub(NODES));
+        let around = &all[first..(first + NODES).min(all.len())];
+        let last = &all[all.len().saturating_sub(NODES)..];
+        let turning = |value: fn(&Sample) -> f64| at_zero(around, |one| one.rate, value);
+        let end = |value: fn(&Sample) -> f64| at_zero(last, &signal, value);
+        [
+            -end(|one| one.rate) / self.speed,
+            end(|one| one.time),
+            turning(|one| one.overlap),
+            -turning(|one| one.force),
+        ]
+    }
+}
+
+/// Value of a quantity where another vanishes: inverse interpolation by Neville's scheme.
+fn at_zero(
+    samples: &[Sample],
+    node: impl Fn(&Sample) -> f64,
+    value: impl Fn(&Sample) -> f64,
+) -> f64 {
+    let nodes: Vec<f64> = samples.iter().map(node).collect();
+    let mut values: Vec<f64> = samples.iter().map(value).collect();
+    for width in 1..nodes.len() {
+        for k in 0..nodes.len() - width {
+            let (low, high) = (nodes[k], nodes[k + width]);
+            values[k] = (high * values[k] - low * values[k + 1]) / (high - low);
+        }
+    }
+    values.first().copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,109 @@
+//! Small scenes for checks, written as text, the way users write them.
+
+use crate::checks::Failure;
+use gouge_common::geometry::Domain;
+use gouge_common::geometry::Vec2;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::model::{Model, Reading};
+use gouge_dem::particles::{Particle, Role};
+use gouge_dem::{Number, World};
+use gouge_runner::scene::Scene;
+use std::path::Path;
+
+/// Head of a scene in an open box: integrator, step, density 2700 kg/m^3, an end that nothing reaches.
+pub fn head(integrator: &str, step: f64) -> String {
+    format!(
+        "[time]\nstep = {step:e}\nend = {:e}\nintegrator = \"{integrator}\"\n\
+         [material]\ndensity = 2700.0\n",
+        1e12 * step
+    )
+}
+
+/// One particle of a scene.
+pub fn particle(position: [f64; 2], velocity: [f64; 2], spin: f64, radius: f64) -> String {
+    format!(
+        "[[particles]]\nposition = [{:e}, {:e}]\nvelocity = [{:e}, {:e}]\n\
+         angular_velocity = {spin:e}\nradius = {radius:e}\n",
+        position[0], position[1], velocity[0], velocity[1]
+    )
+}
+
+/// The scene of a text.
+///
+/// # Errors
+/// Mistakes in the text.
+pub fn scene(text: &str) -> Result<Scene, Failure> {
+    Ok(Scene::parse("check", text.as_bytes(), Path::new("."))?)
+}
+
+/// The world at t = 0 of a scene's text.
+///
+/// # Errors
+/// Mistakes in the text, states that the kernel refuses.
+pub fn world(text: &str) -> Result<World, Failure> {
+    world_in(text)
+}
+
+/// The world at t = 0 of a scene's text, in another number type.
+///
+/// # Errors
+/// As [`world`].
+pub fn world_in<S: Number>(text: &str) -> Result<World<S>, Failure> {
+    Ok(scene(text)?.initial_world_in()?)
+}
+
+/// Advance a world by so many steps.
+///
+/// # Errors
+/// States that became senseless.
+pub fn advance<S: Number>(world: &mut World<S>, steps: u64) -> Result<(), Failure> {
+    for _ in 0..steps {
+        world.step()?;
+    }
+    Ok(())
+}
+
+/// Bits of everything that moves.
+pub fn bits(world: &World) -> Vec<u64> {
+    let p = world.particles();
+    let vectors = p
+        .position
+        .iter()
+        .chain(&p.velocity)
+        .flat_map(|v| [v.x, v.y]);
+    let numbers = p.angle.iter().chain(&p.angular_velocity).copied();
+    vectors.chain(numbers).map(f64::to_bits).collect()
+}
+
+/// A model with nothing in it: an open box without links, fields and ledger.
+pub fn empty_model(integrator: Integrator, time_step: f64) -> Model {
+    Model {
+        reading: Reading::Corrected,
+        integrator,
+        time_step,
+        domain: Domain {
+            width: None,
+            height: None,
+            periodic: false,
+        },
+        contact: None,
+        bond: None,
+        ambient: None,
+        external: None,
+        driving: None,
+        ledger: false,
+    }
+}
+
+/// A free sphere of density 2700 kg/m^3.
+pub fn sphere(position: Vec2, velocity: Vec2, spin: f64, radius: f64) -> Particle {
+    Particle {
+        position,
+        velocity,
+        angle: 0.0,
+        angular_velocity: spin,
+        radius,
+        density: 2700.0,
+        role: Role::Free,
+    }
+}

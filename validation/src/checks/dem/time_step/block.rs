@@ -1,0 +1,125 @@
+//! A bonded packing at rest, and runs of it.
+
+use super::amplification::integrator;
+use super::network::{Linearisation, linearise};
+use super::running::grows;
+use crate::checks::Failure;
+use crate::checks::dem::remembered::start;
+use crate::oracles::amplification::Method;
+use gouge_common::geometry::Vec2;
+use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::model::{BondLaws, Model};
+use gouge_runner::run::{Kind, enter, phases};
+use gouge_runner::scene::{Scene, builtin};
+use rand::RngExt;
+use rand_pcg::Pcg64;
+use std::path::Path;
+
+/// A packing at rest: settled, clipped, bonded, nothing cut, nothing but bonds.
+pub struct Packing {
+    world: World,
+    model: Model,
+}
+
+impl Packing {
+    /// The packing of a built-in scene, settled for a part of the time that the scene takes.
+    ///
+    /// # Errors
+    /// States that the kernel refuses.
+    pub fn new(name: &str, part: u64) -> Result<Self, Failure> {
+        let text = builtin::text(name).unwrap_or_default();
+        let mut scene = Scene::parse(name, text.as_bytes(), Path::new("."))?;
+        if let Some(setup) = &mut scene.setup {
+            setup.fault = None;
+        }
+        let phases = phases(&scene);
+        let mut world = None;
+        for (index, phase) in phases.iter().enumerate() {
+            let mut next = enter(&scene, &phases, index, world)?;
+            if !matches!(phase.kind, Kind::Settle(_)) {
+                let model = Model {
+                    ambient: None,
+                    external: None,
+                    contact: None,
+                    driving: None,
+                    ledger: false,
+                    ..*next.model()
+                };
+                let mut particles = next.particles().clone();
+                particles.velocity.fill(Vec2::zero());
+                particles.angular_velocity.fill(0.0);
+                let world = World::new(model, particles, &start(&next))?;
+                return Ok(Self { world, model });
+            }
+            for _ in 0..phase.steps / part {
+                next.step().map_err(Failure::from)?;
+            }
+            world = Some(next);
+        }
+        Err(Failure::Oracle(format!("{name} has no bonded phase")))
+    }
+
+    /// The same with a factor on the damping of bending and shearing.
+    pub fn damped(mut self, factor: f64) -> Self {
+        self.model.bond = self.model.bond.map(|bond| BondLaws {
+            tangential: bond.tangential.map(|mut beam| {
+                beam.damping *= factor;
+                beam
+            }),
+            ..bond
+        });
+        self
+    }
+
+    /// Its stiffness and damping.
+    ///
+    /// # Errors
+    /// States that the kernel refuses.
+    pub fn linearised(&self) -> Result<Linearisation, Failure> {
+        linearise(&self.world, self.model)
+    }
+
+    /// A run that random speeds set off, with an integrator and a step.
+    ///
+    /// # Errors
+    /// States that the kernel refuses.
+    pub fn set_off(&self, integrator: Integrator, step: f64) -> Result<World, Failure> {
+        let mut random = Pcg64::new(7, 1);
+        let mut speed = || 2e-9 * (random.random::<f64>() - 0.5);
+        let mut particles = self.world.particles().clone();
+        for i in 0..particles.len() {
+            particles.velocity[i] = Vec2::new(speed(), speed());
+            particles.angular_velocity[i] = speed() / particles.radius[i];
+        }
+        let bonds = start(&self.world);
+        let model = Model {
+            integrator,
+            time_step: step,
+            ..self.model
+        };
+        Ok(World::new(model, particles, &bonds)?)
+    }
+
+    /// Whether the forces of such a run grow.
+    fn runs_away(&self, method: Method, step: f64) -> Result<bool, Failure> {
+        let mut world = self.set_off(integrator(method), step)?;
+        let mut scale = None;
+        grows(|| {
+            world.step()?;
+            let squares = world.forces().force.iter().map(|f| f.norm_squared());
+            let size = squares.sum::<f64>().sqrt();
+            Ok(size / *scale.get_or_insert(size))
+        })
+    }
+
+    /// Runs on the wrong side of a critical step, of two.
+    ///
+    /// # Errors
+    /// States that became senseless.
+    pub fn wrong(&self, method: Method, critical: f64) -> Result<usize, Failure> {
+        let below = self.runs_away(method, 0.995 * critical)?;
+        let above = self.runs_away(method, 1.005 * critical)?;
+        Ok(usize::from(below) + usize::from(!above))
+    }
+}

@@ -1,0 +1,156 @@
+//! The estimate of the stable step that the program warns by.
+
+use super::network::linearise;
+use crate::checks::dem::scenes::{head, particle, world};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::oracles::amplification::Method;
+use gouge_dem::{World, stable_step_estimate};
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![Check {
+        id: "time-step.estimate",
+        claim: "For a pair of equal masses with one kind of spring the estimate of the stable step is the largest stable step itself; for a beam it is so in the limit of unlike radii, where its stiffest mode tends to 9/2 k/m.",
+        equations: "(36)-(45), (59)-(60)",
+        scene: "Two spheres of equal mass that touch, or are bonded: Kelvin-Voigt, viscoelastic at an overlap of a tenth of the smaller radius, sticking friction of three laws, a stretching bond, a beam between radii of a ratio of ten million; velocity Verlet and symplectic Euler",
+        oracle: "Stiffness and damping of the pair by dual numbers; definiteness of the polynomial of the method at minus one, by bisection",
+        norm: "Relative difference of the step",
+        origin: Origin::Exact,
+        reason: "The test of stability behind the estimate admits a growth of 1e-9 a step and divides by as much, which makes 2.2e-7 of a rounding, half of it in the step; the bisection of the oracle ends at 1e-10, overlaps and softer springs are 1e-12; the beam is below its limit by 0.44 times the ratio of radii, 4.4e-8",
+        effort: Effort::Quick,
+        measure: attained,
+    }]
+}
+
+/// A pair of equal masses.
+struct Case {
+    name: &'static str,
+    laws: &'static str,
+    radii: [f64; 2],
+    /// Overlap in smaller radii.
+    overlap: f64,
+    bonded: bool,
+    tolerance: f64,
+}
+
+const TOUCH: f64 = 1e-12;
+const SHARP: f64 = 1.2e-7;
+
+fn contact(name: &'static str, laws: &'static str, overlap: f64) -> Case {
+    Case {
+        name,
+        laws,
+        radii: [1e-3, 1.7e-3],
+        overlap,
+        bonded: false,
+        tolerance: SHARP,
+    }
+}
+
+fn bond(name: &'static str, laws: &'static str, radii: [f64; 2], tolerance: f64) -> Case {
+    Case {
+        name,
+        laws,
+        radii,
+        overlap: 0.0,
+        bonded: true,
+        tolerance,
+    }
+}
+
+fn cases() -> [Case; 7] {
+    [
+        contact(
+            "Kelvin-Voigt contact",
+            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 3.0\n",
+            TOUCH,
+        ),
+        contact(
+            "viscoelastic contact",
+            "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 5e10\npoissons_ratio = 0.22\n\
+             dissipative_constant = 1e-6\n",
+            0.1,
+        ),
+        contact(
+            "Cundall-Strack friction",
+            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n\
+             [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 9e6\n",
+            TOUCH,
+        ),
+        contact(
+            "truncated Cundall-Strack friction",
+            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n\
+             [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.5\n\
+             stiffness = 9e6\n",
+            TOUCH,
+        ),
+        contact(
+            "Haff-Werner friction",
+            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e-5\ndamping = 0.0\n\
+             [contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.5\ndamping = 10.0\n",
+            TOUCH,
+        ),
+        bond(
+            "stretching bond",
+            "[bond.normal]\nstiffness = 1e7\ndamping = 3.0\n",
+            [1e-3, 1.7e-3],
+            SHARP,
+        ),
+        bond(
+            "beam of unlike radii",
+            "[bond.normal]\nstiffness = 1e7\ndamping = 3.0\n[bond.tangential]\n\
+             law = \"euler-bernoulli\"\nstiffness = 8e6\ndamping = 4.0\n",
+            [1e-8, 1e-1],
+            SHARP + 4.4e-8,
+        ),
+    ]
+}
+
+impl Case {
+    fn world(&self, integrator: &str, swapped: bool) -> Result<World, Failure> {
+        let mut radii = self.radii;
+        if swapped {
+            radii.reverse();
+        }
+        let smaller = radii[0].min(radii[1]);
+        let distance = radii[0] + radii[1] - self.overlap * smaller;
+        let mut text = head(integrator, 1e-12) + self.laws;
+        // A motion too slow for anything but the slope of viscous friction, which at rest has none.
+        for (x, speed, radius) in [(0.0, 1e-25, radii[0]), (distance, 0.0, radii[1])] {
+            text += &particle([x, 0.0], [0.0, speed], 0.0, radius);
+            text += &format!("density = {:e}\n", 2.7e-6 / radius.powi(3));
+        }
+        if self.bonded {
+            text += "[[bonds]]\nbetween = [0, 1]\n";
+        }
+        world(&text)
+    }
+}
+
+fn attained() -> Outcome {
+    let mut measured = Vec::new();
+    let mut table = Table::new(
+        "Largest stable step of pairs of equal mass with velocity Verlet, in s",
+        &["pair", "estimate", "by the matrices"],
+    );
+    let methods = [
+        ("velocity-verlet", Method::VelocityVerlet),
+        ("symplectic-euler", Method::SymplecticEuler),
+    ];
+    for case in cases() {
+        for (name, method) in methods {
+            for swapped in [false, true] {
+                let mut world = case.world(name, swapped)?;
+                world.evaluate_if_pending()?;
+                let estimate = stable_step_estimate(&world);
+                let network = linearise(&world, *world.model())?.network;
+                let exact = network.critical_step(method).unwrap_or(f64::NAN);
+                measured.push(Measurement::relative(exact, estimate, case.tolerance));
+                if method == Method::VelocityVerlet && !swapped {
+                    let steps = [estimate, exact].map(|step| format!("{step:.10e}"));
+                    table.push([case.name.to_owned()].into_iter().chain(steps));
+                }
+            }
+        }
+    }
+    Ok(Measurement::worst(measured).showing([Exhibit::Table(table)]))
+}

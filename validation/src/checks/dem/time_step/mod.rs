@@ -1,0 +1,36 @@
+//! Time step.
+
+mod amplification;
+mod block;
+mod bracket;
+mod estimate;
+mod growth;
+mod map;
+mod modes;
+pub(super) mod network;
+mod packing;
+mod running;
+mod waves;
+
+use crate::checks::Topic;
+
+/// The topic.
+pub fn topic() -> Topic {
+    Topic {
+        id: "time-step",
+        title: "Time step",
+        about: "Where each integrator becomes unstable: by theory, by running, for pairs and for whole packings.",
+        checks: [
+            amplification::checks(),
+            bracket::checks(),
+            packing::checks(),
+            estimate::checks(),
+            growth::checks(),
+            map::checks(),
+            waves::checks(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+    }
+}

@@ -1,0 +1,288 @@
+//! The exact critical step of a whole bonded packing.
+
+use super::amplification::integrator;
+use super::block::Packing;
+use super::modes::{Mode, integrator_name};
+use super::network::Linearisation;
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    largest,
+};
+use crate::oracles::amplification::{Method, boundary, closed_boundary, spectral_radius};
+use gouge_dem::stable_step_estimate;
+
+/// The checks of this file.
+pub fn checks() -> Vec<Check> {
+    let oracle = "All eigenvalues of the mass-scaled stiffness where damping is proportional to it, positive definiteness of the pencil at minus one where it is not, by faer";
+    vec![
+        Check {
+            id: "time-step.packing.symmetric",
+            claim: "Stiffness and damping of a bonded packing are symmetric matrices, and with the thesis's constants damping is 1e-6 s of stiffness.",
+            equations: "(43)-(45)",
+            scene: "The packing of granite-fault-small, bonded, before it is cut: 172 grains",
+            oracle: "Slopes of all forces by dual numbers; their mirror, and K gamma/k",
+            norm: "Largest difference of an entry, in units of the largest",
+            origin: Origin::Exact,
+            reason: "Each entry is a sum of at most ten bonds with some twenty roundings",
+            effort: Effort::Thorough,
+            measure: symmetric,
+        },
+        Check {
+            id: "time-step.packing.proportional",
+            claim: "The packing with the thesis's damping runs away half a per cent above the exact critical step of each integrator, and half a per cent below it no integrator does.",
+            equations: "(43)-(45), (55)-(58)",
+            scene: "The same packing, set off by random speeds of 1e-9 m/s",
+            oracle,
+            norm: "Runs on the wrong side",
+            origin: Origin::Exact,
+            reason: "Forces of a growing mode overtake all others within thousands of steps; below the boundary the forces of every mode die",
+            effort: Effort::Thorough,
+            measure: proportional,
+        },
+        Check {
+            id: "time-step.packing.general",
+            claim: "Where bending is damped four times as strongly as stretching, so that damping is not proportional to stiffness, symplectic Euler and velocity Verlet still run away between half a per cent below and above the step at which 4 M - 2 dt C - dt^2 K or 4 M - 4 dt C - dt^2 K stops being positive definite.",
+            equations: "(43)-(45)",
+            scene: "The same packing with other damping",
+            oracle,
+            norm: "Runs on the wrong side",
+            origin: Origin::Exact,
+            reason: "As with proportional damping",
+            effort: Effort::Thorough,
+            measure: general,
+        },
+        Check {
+            id: "time-step.packing.estimate",
+            claim: "The kernel's estimate of the stable step is a lower bound of the exact critical step of symplectic Euler and velocity Verlet, with both dampings.",
+            equations: "(43)-(45)",
+            scene: "The same packings",
+            oracle,
+            norm: "Estimates above the exact step",
+            origin: Origin::Exact,
+            reason: "Gershgorin's theorem bounds both matrices from above, and both methods lose stability with either",
+            effort: Effort::Thorough,
+            measure: estimate,
+        },
+        Check {
+            id: "time-step.packing.large",
+            claim: "The same holds for the packing of granite-fault with its eight thousand coordinates.",
+            equations: "(43)-(45)",
+            scene: "The packing of granite-fault, bonded, before it is cut: 2900 grains",
+            oracle,
+            norm: "Runs on the wrong side, and estimates above the exact step",
+            origin: Origin::Exact,
+            reason: "As for the small packing",
+            effort: Effort::Report,
+            measure: large,
+        },
+    ]
+}
+
+fn small() -> Result<Packing, Failure> {
+    Packing::new("granite-fault-small", 5)
+}
+
+/// Damping over stiffness of the thesis's bonds in s.
+const RATIO: f64 = 1e-6;
+
+fn symmetric() -> Outcome {
+    let found = small()?.linearised()?;
+    let tolerance = 200.0 * f64::EPSILON;
+    let network = &found.network;
+    let stiffest = largest(network.stiffness.iter().map(|entry| entry.2));
+    let pairs = network.stiffness.iter().zip(&network.damping);
+    let proportional = pairs.map(|(k, c)| (RATIO * k.2 - c.2).abs() / (RATIO * stiffest));
+    let all = [
+        found.asymmetry[0],
+        found.asymmetry[1],
+        largest(proportional),
+    ];
+    let text = format!(
+        "{} forces and torques, each by {} coordinates: all slopes in {} evaluations, because grains whose neighbours do not meet share one.",
+        network.inertia.len(),
+        network.inertia.len(),
+        found.evaluations
+    );
+    let worst = all.map(|error| Measurement::absolute(0.0, error, tolerance));
+    Ok(Measurement::worst(worst).showing([Exhibit::Text(text)]))
+}
+
+/// Smallest critical step over modes of the given squared frequencies, of which those below `rigid` in
+/// units of the largest are motions without forces.
+fn smallest(method: Method, squares: &[f64], ratio: f64) -> f64 {
+    let largest = squares.iter().copied().fold(0.0, f64::max);
+    let moving = squares.iter().filter(|&&square| square > RIGID * largest);
+    let critical = |&square: &f64| {
+        let w = square.sqrt();
+        match closed_boundary(method, 0.5 * ratio * w) {
+            Some(scaled) => scaled / w,
+            None => boundary(method, [square, ratio * square], 1e-12),
+        }
+    };
+    moving.map(critical).fold(f64::INFINITY, f64::min)
+}
+
+/// Squared frequency in units of the largest below which a mode is a motion of the whole.
+const RIGID: f64 = 1e-10;
+
+fn proportional() -> Outcome {
+    let packing = small()?;
+    let squares = packing.linearised()?.network.squared_frequencies();
+    let mut wrong = 0;
+    let mut table = Table::new(
+        "Exact critical step of the packing beside those of a single bond, in ns",
+        &[
+            "integrator",
+            "packing",
+            "bond, axial",
+            "bond, shearing",
+            "runs on the wrong side",
+        ],
+    );
+    for method in Method::ALL {
+        let critical = smallest(method, &squares, RATIO);
+        let misses = packing.wrong(method, critical)?;
+        wrong += misses;
+        let pair = |mode: Mode| boundary(method, mode.rates([1e7, 10.0]), 1e-12);
+        let ns = |step: f64| format!("{:.1}", 1e9 * step);
+        table.push([
+            integrator_name(method).to_owned(),
+            ns(critical),
+            ns(pair(Mode::Axial)),
+            ns(pair(Mode::Shearing)),
+            misses.to_string(),
+        ]);
+    }
+    let exhibits = [
+        Exhibit::Table(table),
+        Exhibit::Table(extremes(&squares)),
+        Exhibit::Plot(spectrum(&squares)),
+    ];
+    Ok(Measurement::count(wrong).showing(exhibits))
+}
+
+/// The softest and the stiffest mode under the thesis's method and step.
+fn extremes(squares: &[f64]) -> Table {
+    const STEP: f64 = 10e-9;
+    let mut table = Table::new(
+        "Damping in proportion to stiffness stabilises explicit Euler: modes of the packing with 10 ns",
+        &[
+            "mode",
+            "w in 1/s",
+            "damping ratio",
+            "critical step in ns",
+            "factor a step",
+        ],
+    );
+    let largest = squares.iter().copied().fold(0.0, f64::max);
+    let moving = |square: &&f64| **square > RIGID * largest;
+    let softest = squares.iter().find(moving).copied().unwrap_or(f64::NAN);
+    for (name, square) in [("softest", softest), ("stiffest", largest)] {
+        let factor = spectral_radius(Method::Euler, square * STEP * STEP, RATIO * square * STEP);
+        table.push([
+            name.to_owned(),
+            format!("{:.4e}", square.sqrt()),
+            format!("{:.4}", 0.5 * RATIO * square.sqrt()),
+            format!("{:.1}", 1e9 * smallest(Method::Euler, &[square], RATIO)),
+            format!("{factor:.8}"),
+        ]);
+    }
+    table
+}
+
+fn spectrum(squares: &[f64]) -> Plot {
+    let part = |n: usize| (n + 1) as f64 / squares.len() as f64;
+    let points = squares.iter().enumerate();
+    Plot {
+        title: "Squared frequencies of the packing: half of all modes are stiffer than a pair"
+            .to_owned(),
+        x: Axis::logarithmic("angular frequency in 1/s"),
+        y: Axis::linear("part of the modes below"),
+        curves: vec![Curve::line(
+            "packing",
+            points.map(|(n, square)| [square.max(0.0).sqrt(), part(n)]),
+        )],
+    }
+}
+
+/// Methods that lose stability at minus one only.
+const SIMPLE: [Method; 2] = [Method::SymplecticEuler, Method::VelocityVerlet];
+
+/// The exact step for any damping.
+fn exact(found: &Linearisation, method: Method) -> Result<f64, Failure> {
+    let step = found.network.critical_step(method);
+    step.ok_or_else(|| Failure::Oracle("the method has no pencil".to_owned()))
+}
+
+fn general() -> Outcome {
+    let packing = small()?.damped(4.0);
+    let found = packing.linearised()?;
+    let mut wrong = 0;
+    for method in SIMPLE {
+        wrong += packing.wrong(method, exact(&found, method)?)?;
+    }
+    Ok(Measurement::count(wrong).into())
+}
+
+/// The kernel's estimate for a method.
+fn estimated(packing: &Packing, method: Method) -> Result<f64, Failure> {
+    let world = packing.set_off(integrator(method), 1e-9)?;
+    Ok(stable_step_estimate(&world))
+}
+
+fn estimate() -> Outcome {
+    let mut table = Table::new(
+        "The kernel's estimate and the exact critical step, in ns",
+        &[
+            "damping of bending over stretching",
+            "integrator",
+            "estimate",
+            "exact",
+            "ratio",
+        ],
+    );
+    let mut above = 0;
+    for factor in [1.0, 4.0] {
+        let packing = small()?.damped(factor);
+        let found = packing.linearised()?;
+        for method in SIMPLE {
+            let (bound, exact) = (estimated(&packing, method)?, exact(&found, method)?);
+            above += usize::from(bound > exact);
+            table.push([
+                format!("{factor}"),
+                integrator_name(method).to_owned(),
+                format!("{:.1}", 1e9 * bound),
+                format!("{:.1}", 1e9 * exact),
+                format!("{:.3}", bound / exact),
+            ]);
+        }
+    }
+    Ok(Measurement::count(above).showing([Exhibit::Table(table)]))
+}
+
+fn large() -> Outcome {
+    let packing = Packing::new("granite-fault", 5)?;
+    let found = packing.linearised()?;
+    let mut wrong = 0;
+    let mut table = Table::new(
+        "Exact critical step of the large packing, in ns",
+        &[
+            "integrator",
+            "exact",
+            "estimate of the kernel",
+            "runs on the wrong side",
+        ],
+    );
+    for method in SIMPLE {
+        let (bound, exact) = (estimated(&packing, method)?, exact(&found, method)?);
+        let misses = packing.wrong(method, exact)?;
+        wrong += misses + usize::from(bound > exact);
+        table.push([
+            integrator_name(method).to_owned(),
+            format!("{:.1}", 1e9 * exact),
+            format!("{:.1}", 1e9 * bound),
+            misses.to_string(),
+        ]);
+    }
+    Ok(Measurement::count(wrong).showing([Exhibit::Table(table)]))
+}

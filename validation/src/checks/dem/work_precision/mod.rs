@@ -1,0 +1,213 @@
+//! Error against run time.
+
+mod advice;
+pub mod case;
+mod extrapolation;
+mod fault;
+mod lammps;
+mod scenes;
+mod show;
+mod summary;
+mod sweep;
+mod verdict;
+
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Topic};
+pub use extrapolation::limit_of;
+use gouge_runner::scene::INTEGRATORS;
+pub use scenes::{PACKING, PAIR};
+
+use scenes::CASES;
+use show::{Curves, OTHERS};
+use std::ops::Range;
+use std::sync::OnceLock;
+use sweep::{Bench, Clock, Precision, Sweep};
+
+/// Place of velocity Verlet among the integrators.
+const VERLET: usize = 3;
+
+/// The topic.
+pub fn topic() -> Topic {
+    let mut checks = vec![scalars(), orders()];
+    checks.extend(diagrams());
+    checks.push(summary::check());
+    Topic {
+        id: "work-precision",
+        title: "Error against run time",
+        about: "What accuracy costs, for each integrator and number type. Errors decide; times, taken one \
+                run at a time on one thread without the ledger, are shown as medians of at least five \
+                repetitions (21 of runs below 5 ms) after one to warm up, and only stepping is timed.",
+        checks,
+    }
+}
+
+fn scalars() -> Check {
+    Check {
+        id: "work-precision.scalars",
+        claim: "Where the error in single precision no longer falls with the step, that in double and double-double still falls at order two, towards the limit of vanishing steps.",
+        equations: "(43)-(45), (51)-(55)",
+        scene: "Two bonded grains, velocity Verlet, steps from 1.25 to 0.16 ns; double-double from 40 to 5 ns",
+        oracle: "Limit of vanishing steps in double-double, by extrapolation, the same for velocity Verlet and Beeman",
+        norm: "Largest distance of an order from two, of the order in single from none if it is positive, of an error in single over its bound, and of the uncertainty of the reference from zero in units of the smallest error",
+        origin: Origin::Convergent,
+        reason: "The next term of the error is smaller by the step over the time scale, at most 0.05 here; rounding is bounded by half a unit in the last place of the largest coordinate a step; the reference may be off by a tenth of the smallest error",
+        effort: Effort::Quick,
+        measure: || Ok(verdict::scalars(&Bench::new(CASES[0], Clock::Ignored)?)?.into()),
+    }
+}
+
+fn orders() -> Check {
+    Check {
+        id: "work-precision.orders",
+        claim: "In seven scenes from two bonded grains to a sheared fault each integrator reaches its order: that of theory where forces have no more than kinks, 3/2 at most where they begin like a root, one where they jump.",
+        equations: "(35)-(45), (51)-(58)",
+        scene: "The seven scenes of the diagrams, four to nine steps each",
+        oracle: "High-order integration from event to event in double-double (bouncing, rolling, packings), or the limit of vanishing steps in double-double (bonded pair and beam, fault)",
+        norm: "Largest distance of an observed order from the predicted one, and of the uncertainty of the reference from zero in units of the smallest error, each over what it may be",
+        origin: Origin::Convergent,
+        reason: ORDER_REASON,
+        effort: Effort::Thorough,
+        measure: || {
+            let one = |case| verdict::orders(&Bench::new(case, Clock::Ignored)?);
+            let all: Result<Vec<Measurement>, Failure> = CASES.into_iter().map(one).collect();
+            Ok(Measurement::worst(all?).into())
+        },
+    }
+}
+
+const ORDER_REASON: &str = "The next term changes an order by less than 0.05 where all is smooth; where an event falls \
+     within a step varies its error, and half the distance between the orders 1, 3/2 and 2 tells them apart; \
+     the reference may be off by a tenth of the smallest error";
+
+/// A diagram: identifier, claim, what is run, what it is compared with, and how.
+type Diagram = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    fn() -> Outcome,
+);
+
+const LIMIT: &str = "Limit of vanishing steps in double-double: all powers that the runs allow are eliminated, by two methods";
+const EVENTS: &str = "Integration from event to event in double-double, twice with different steps";
+
+const DIAGRAMS: [Diagram; 7] = [
+    (
+        "work-precision.pair",
+        "On two bonded grains both Euler methods and Taylor are of order one, velocity Verlet and Beeman of order two, down to rounding.",
+        "Two bonded grains of 1 and 0.8 mm that swing, bend and turn by half a radian, for 20.48 us",
+        LIMIT,
+        || diagram(0),
+    ),
+    (
+        "work-precision.bouncing",
+        "Through collisions of viscoelastic spheres, whose force begins like the root of time, velocity Verlet and Beeman are of order 3/2.",
+        "Four granite grains that each bounce between two fixed ones at 8 to 12 m/s, for 40.96 us",
+        EVENTS,
+        || diagram(1),
+    ),
+    (
+        "work-precision.rolling",
+        "Where a rolling ball begins to slip the force has a kink, and velocity Verlet and Beeman keep order two.",
+        "A ball of 5 mm that rolls down a fixed one at 0.15 m/s until it slips, for 20.48 ms",
+        EVENTS,
+        || diagram(2),
+    ),
+    (
+        "work-precision.beam",
+        "On a beam of bonded grains velocity Verlet and Beeman are of order two, the others of order one.",
+        "Seven grains bonded in a row to a fixed one, tip at 20 m/s, bonds of the thesis, for 20.48 us",
+        LIMIT,
+        || diagram(3),
+    ),
+    (
+        "work-precision.packing",
+        "Where grains collide whose dashpots act at once, the force jumps and no integrator exceeds order one.",
+        "Twelve grains that fall onto each other at up to 44 m/s in a harmonic well under drag, for 40.96 us, in which 26 contacts begin",
+        EVENTS,
+        || diagram(4),
+    ),
+    (
+        "work-precision.viscoelastic-packing",
+        "Where viscoelastic grains fall onto each other velocity Verlet and Beeman keep order 3/2.",
+        "The same twelve grains with the viscoelastic law of the bouncing ones",
+        EVENTS,
+        || diagram(5),
+    ),
+    (
+        "work-precision.fault",
+        "On a pressed and sheared fault, while no contact begins, velocity Verlet and Beeman are of order two.",
+        "Two blocks of 32 grains with 71 bonds and 10 contacts between them, made by the protocol of the thesis, under 28 MPa and sheared at 2 m/s by the exact controller, for 5.12 us; contacts slip, none begins or ends, nothing breaks",
+        LIMIT,
+        || diagram(6),
+    ),
+];
+
+fn diagrams() -> impl Iterator<Item = Check> {
+    DIAGRAMS.into_iter().map(|(id, claim, scene, oracle, measure)| Check {
+        id,
+        claim,
+        equations: "(35)-(45), (51)-(58)",
+        scene,
+        oracle,
+        norm: "Largest error of a position at the end over the largest displacement; of its observed orders the one farthest from prediction",
+        origin: Origin::Convergent,
+        reason: ORDER_REASON,
+        effort: Effort::Report,
+        measure,
+    })
+}
+
+/// What a case gave: its verdict and its curves.
+type Taken = (Measurement, Curves);
+
+/// Curves of the cases, each taken once in a run of the program.
+static TAKEN: [OnceLock<Taken>; CASES.len()] = [const { OnceLock::new() }; CASES.len()];
+
+fn curves(at: usize) -> Result<&'static Taken, Failure> {
+    if let Some(taken) = TAKEN[at].get() {
+        return Ok(taken);
+    }
+    let fresh = take(at)?;
+    Ok(TAKEN[at].get_or_init(|| fresh))
+}
+
+fn diagram(at: usize) -> Outcome {
+    let (measurement, curves) = curves(at)?;
+    Ok(measurement.showing(curves.exhibits()))
+}
+
+fn take(at: usize) -> Result<Taken, Failure> {
+    let bench = Bench::new(CASES[at], Clock::Watched)?;
+    let rungs = CASES[at].rungs;
+    let methods: Vec<Sweep> = (0..INTEGRATORS.len())
+        .map(|method| bench.sweep(method, Precision::Double, 0..rungs))
+        .collect::<Result<_, _>>()?;
+    let best = best(&methods);
+    let range = |precision| -> Range<u32> {
+        match precision {
+            Precision::DoubleDouble => 0..rungs - verdict::DEARER,
+            Precision::Single | Precision::Double => 0..rungs,
+        }
+    };
+    let others = OTHERS
+        .iter()
+        .map(|&precision| bench.sweep(best, precision, range(precision)))
+        .collect::<Result<_, _>>()?;
+    let measurement = verdict::verdict(&bench, &methods);
+    let curves = Curves {
+        case: CASES[at],
+        methods,
+        others,
+        uncertainty: bench.truth.uncertainty,
+    };
+    Ok((measurement, curves))
+}
+
+/// The method that is fastest at the smallest error of the advice that any reaches.
+fn best(methods: &[Sweep]) -> usize {
+    let mut targets = advice::TARGETS.iter().rev();
+    let fastest = targets.find_map(|&error| advice::fastest(methods, error));
+    let name = fastest.map(|(sweep, _)| sweep.integrator);
+    let place = INTEGRATORS.iter().position(|(one, _)| Some(*one) == name);
+    place.unwrap_or(VERLET)
+}
