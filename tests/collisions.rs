@@ -122,7 +122,7 @@ fn the_thesis_reading_loses_angular_momentum_as_stated() {
     let mut expected = 0.0;
     let before = momenta(&world).2;
     for _ in 0..200 {
-        let links = world.links();
+        let links = world.interactions();
         if let Some(link) = links.first() {
             expected += link.normal_displacement * link.tangential_force * 1e-9;
         }
@@ -175,7 +175,7 @@ fn a_rolling_contact_stores_nothing_however_far_it_rolls() {
     let mut world = world(&text);
     // The link is far too weak to bend the path, so follow the circle by stepping along chords of it.
     advance(&mut world, 20);
-    let link = world.links()[0];
+    let link = world.interactions()[0];
     let slip: f64 = link.tangential_displacement.iter().sum();
     let path = orbit * radii[0] * 20e-6;
     assert!(

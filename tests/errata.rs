@@ -216,7 +216,7 @@ fn a_new_bond_is_unstrained_whatever_the_radii() {
             + "angle = 0.7\n"
             + &particle([0.0, x], [0.0, 0.0], 0.0, 1.4e-3)
             + "[[bonds]]\nbetween = [0, 1]\n";
-        let link = world(&text).links()[0];
+        let link = world(&text).interactions()[0];
         assert_eq!(
             [link.adjusted_normal_displacement, link.normal_force],
             [0.0, 0.0]
@@ -252,7 +252,7 @@ fn coincident_centres_stay_finite() {
         + &particle([0.0, 0.0], [-1.0, 0.0], 20.0, 2e-3);
     let mut world = world(&text);
     world.evaluate_if_pending().expect("finite");
-    let link = world.links()[0];
+    let link = world.interactions()[0];
     assert_eq!(
         (link.normal, link.overlap_factor),
         (Vec2::new(1.0, 0.0), 0.5)
@@ -499,7 +499,7 @@ fn a_column_in_a_harmonic_well_has_a_parabolic_pressure() {
     }
     let mut world = world(&text);
     advance(&mut world, 40_000);
-    let links = world.links();
+    let links = world.interactions();
     assert_eq!(links.len(), n as usize - 1);
     for link in links {
         // Sum of k (y - y0) over all grains above the contact: k / (4 r) times (h^2 - y^2).

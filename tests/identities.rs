@@ -115,11 +115,11 @@ fn rates_are_the_derivatives_of_displacements() {
     let step = 1e-9;
     for distance in ["radius", "focal", "mean"] {
         let mut world = world(&gliding(distance, step));
-        let before = world.links()[0];
+        let before = world.interactions()[0];
         advance(&mut world, 2);
-        let after = world.links()[0];
+        let after = world.interactions()[0];
         advance(&mut world, 2);
-        let last = world.links()[0];
+        let last = world.interactions()[0];
         let slope = |from: f64, to: f64| (to - from) / (4.0 * step);
         let normal = slope(before.normal_displacement, last.normal_displacement);
         // Rounding: 1e-16 of 3 mm over 4 ns.
@@ -330,7 +330,7 @@ fn the_force_on_a_particle_is_the_sum_of_its_parts() {
 /// What the contact between particles 0 and 1 adds, which a bond between them replaces.
 fn pair_of_bond(world: &gouge_dem::World) -> ([Vec2; 3], [f64; 3]) {
     let (mut force, mut torque) = ([Vec2::zero(); 3], [0.0; 3]);
-    for link in world.links() {
+    for link in world.interactions() {
         if link.pair.indices() == (0, 1) {
             let f = link.normal * link.normal_force
                 + link.normal.perpendicular() * link.tangential_force;

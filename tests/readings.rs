@@ -18,7 +18,7 @@ fn corrected_angles_go_on_where_those_of_the_thesis_jump() {
     for (reading, unwrapped) in [("corrected", true), ("thesis", false)] {
         let mut world = world(&gears(reading));
         advance(&mut world, 10_000);
-        let zeta = world.links()[0].tangential_displacement;
+        let zeta = world.interactions()[0].tangential_displacement;
         // 20 rad on 1 mm and -10 rad on 2 mm.
         let expected = if unwrapped {
             [20e-3, -20e-3]
@@ -52,7 +52,7 @@ fn a_bond_turned_round_many_times_comes_back_unstrained() {
         (p.angle[0] - omega * 2e-3).abs() < 1e-2,
         "three turns and more"
     );
-    let zeta = world.links()[0].tangential_displacement;
+    let zeta = world.interactions()[0].tangential_displacement;
     // The centrifugal stretch, 1e-4 of the length, slows the frame by as much of omega; the ends answer
     // with oscillations of about r 1e-4 omega / (2e6 1/s), 0.5 nm.
     assert!(zeta.iter().all(|z| z.abs() < 2e-9), "{zeta:?}");

@@ -35,12 +35,12 @@ pub fn links(scene: &Scene) -> Result<String, Error> {
          normal_velocity,tangential_velocity_i,tangential_velocity_j,normal_force,\
          tangential_force,torque_i,torque_j\n",
     );
-    let mut links = world_of(scene)?.links();
+    let mut links = world_of(scene)?.interactions();
     links.sort_by_key(|link| link.pair.indices());
     for link in links {
         let kind = match link.kind {
-            InteractionKind::Weak => "weak",
-            InteractionKind::Strong => "strong",
+            InteractionKind::Contact => "weak",
+            InteractionKind::Bond => "strong",
         };
         let numbers = [
             link.overlap_factor,

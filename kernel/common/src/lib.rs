@@ -13,3 +13,4 @@ pub mod parts;
 pub mod columns;
 pub mod neighbors;
 pub mod estimators;
+pub mod record;

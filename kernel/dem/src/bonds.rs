@@ -1,25 +1,18 @@
-//! Strong links: made once, broken, never made again.
+//! Bonds: made once, broken, never made again. The thesis calls them strong links.
 
 use crate::error::ModelError;
-use crate::geometry::{PairFrame, angle_of, reversed, wrapped};
+use crate::geometry::PairFrame;
 use crate::laws::weakest_section;
+use crate::pairs::{Edition, check_pairs, rest_angles};
 use crate::particles::{Particles, Role};
 use core::ops::{Deref, Range};
-use gouge_common::columns as twin;
+use gouge_common::columns;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::pair::Pair;
 use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
-/// Tells the successive lists of contacts or bonds of a world apart: a rebuild finds pairs anew, and between two
-/// rebuilds pairs only join (those of broken bonds, among contacts) or only leave (among bonds).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Edition {
-    pub rebuilds: u64,
-    pub pairs: usize,
-}
-
-/// What a scene says of a bond.
+/// How a bond begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BondStart {
     /// The two particles.
@@ -33,7 +26,7 @@ pub struct BondStart {
 }
 
 /// A bond between two particles.
-#[doc(alias = "bond")]
+#[doc(alias = "strong link")]
 #[doc(alias = "beam")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bond<S> {
@@ -68,7 +61,7 @@ pub struct Bonds<S> {
     sections: Vec<S>,
     /// Radii of both ends in m: they never change, and so are not gathered anew in each step.
     radii: [Vec<S>; 2],
-    /// Positions of the links that broke in the latest evaluation, before they are removed.
+    /// Positions of the bonds that broke in the latest evaluation, before they are removed.
     pub(crate) broken: Vec<u32>,
 }
 
@@ -88,19 +81,19 @@ impl<S: Real> BondColumns<'_, S> {
     /// Prefetch the bonds from a position on, a line of each column.
     #[inline(always)]
     pub fn prefetch(&self, position: usize) {
-        twin::prefetch(&self.references, position);
-        twin::prefetch(&self.angles, position);
+        columns::prefetch(&self.references, position);
+        columns::prefetch(&self.angles, position);
         prefetch_index(self.distances, position);
         prefetch_index(self.sections, position);
-        twin::prefetch(&self.radii, position);
+        columns::prefetch(&self.radii, position);
     }
     pub fn split_at(self, at: usize) -> (Self, Self) {
         let (pairs, other_pairs) = self.pairs.split_at(at);
-        let (references, other_references) = twin::split_mut(self.references, at);
-        let (angles, other_angles) = twin::split_mut(self.angles, at);
+        let (references, other_references) = columns::split_mut(self.references, at);
+        let (angles, other_angles) = columns::split_mut(self.angles, at);
         let (distances, other_distances) = self.distances.split_at(at);
         let (sections, other_sections) = self.sections.split_at(at);
-        let (radii, other_radii) = twin::split(self.radii, at);
+        let (radii, other_radii) = columns::split(self.radii, at);
         (
             Self {
                 first: self.first,
@@ -128,8 +121,8 @@ impl<S: Real> BondColumns<'_, S> {
         BondColumns {
             first: self.first + positions.start,
             pairs: &self.pairs[positions.clone()],
-            references: twin::part_mut(&mut self.references, positions.clone()),
-            angles: twin::part_mut(&mut self.angles, positions.clone()),
+            references: columns::part_mut(&mut self.references, positions.clone()),
+            angles: columns::part_mut(&mut self.angles, positions.clone()),
             distances: &self.distances[positions.clone()],
             sections: &self.sections[positions.clone()],
             radii: self.radii.map(|radii| &radii[positions.clone()]),
@@ -140,16 +133,16 @@ impl<S: Real> BondColumns<'_, S> {
     pub fn rest(&self, position: usize) -> Rest<S> {
         rest_at(&self.references, &self.angles, self.distances, position)
     }
-    /// Replace what the unstrained state at a position is measured against.
-    pub fn refer(&mut self, position: usize, rest: &Rest<S>) {
+    /// Replace the reference of the unstrained state at a position.
+    pub fn set_reference(&mut self, position: usize, rest: &Rest<S>) {
         let reference = [rest.reference.x, rest.reference.y];
-        twin::put(&mut self.references, position, reference);
-        twin::put(&mut self.angles, position, rest.angles);
+        columns::put(&mut self.references, position, reference);
+        columns::put(&mut self.angles, position, rest.angles);
     }
 }
 
 impl<S: Real> Bonds<S> {
-    /// Make the bonds of a scene.
+    /// Make bonds.
     ///
     /// # Errors
     /// Pairs that do not exist, repeat, or are longer than half the period.
@@ -161,7 +154,7 @@ impl<S: Real> Bonds<S> {
         period: Option<f64>,
     ) -> Result<Self, ModelError> {
         check_pairs(particles.len(), starts.iter().map(|start| start.between))?;
-        let mut links = Vec::with_capacity(starts.len());
+        let mut bonds = Vec::with_capacity(starts.len());
         for (position, start) in starts.iter().enumerate() {
             let length = frame_of(metric, particles, start).distance.to_f64();
             if let Some(width) = period
@@ -173,48 +166,48 @@ impl<S: Real> Bonds<S> {
                     width,
                 });
             }
-            links.push(begin(metric, particles, start));
+            bonds.push(begin(metric, particles, start));
         }
-        links.sort_by_key(|link| link.pair);
-        let mut links = Self::from_links(&links, particles);
+        bonds.sort_by_key(|bond| bond.pair);
+        let mut bonds = Self::from_bonds(&bonds, particles);
         if unbreakable_edges {
-            links.strengthen_edges(particles);
+            bonds.make_edges_unbreakable(particles);
         }
-        Ok(links)
+        Ok(bonds)
     }
 
-    /// Links as they were recorded, in the order of their pairs, between particles that exist.
-    pub(crate) fn from_links(links: &[Bond<S>], particles: &Particles<S>) -> Self {
-        let radii = |link: &Bond<S>| {
-            let (i, j) = link.pair.indices();
+    /// Bonds as they were recorded, in the order of their pairs, between particles that exist.
+    pub(crate) fn from_bonds(bonds: &[Bond<S>], particles: &Particles<S>) -> Self {
+        let radii = |bond: &Bond<S>| {
+            let (i, j) = bond.pair.indices();
             [particles.radius[i], particles.radius[j]]
         };
-        let zeros = vec![S::zero(); links.len()];
+        let zeros = vec![S::zero(); bonds.len()];
         let mut kept = Self {
-            pairs: links.iter().map(|link| link.pair).collect(),
-            references: twin::collect(links, |Bond { rest, .. }| {
+            pairs: bonds.iter().map(|bond| bond.pair).collect(),
+            references: columns::collect(bonds, |Bond { rest, .. }| {
                 [rest.reference.x, rest.reference.y]
             }),
-            angles: twin::collect(links, |link| link.rest.angles),
-            distances: links.iter().map(|link| link.rest.distance).collect(),
+            angles: columns::collect(bonds, |bond| bond.rest.angles),
+            distances: bonds.iter().map(|bond| bond.rest.distance).collect(),
             strength_factors: zeros.clone(),
             sections: zeros,
-            radii: twin::collect(links, radii),
-            broken: Vec::with_capacity(links.len()),
+            radii: columns::collect(bonds, radii),
+            broken: Vec::with_capacity(bonds.len()),
         };
-        for (position, link) in links.iter().enumerate() {
-            kept.set_strength_factor(position, link.strength_factor);
+        for (position, bond) in bonds.iter().enumerate() {
+            kept.set_strength_factor(position, bond.strength_factor);
         }
         kept
     }
 
     fn set_strength_factor(&mut self, position: usize, factor: S) {
         self.strength_factors[position] = factor;
-        self.sections[position] = weakest_section(twin::at(&self.radii, position), factor);
+        self.sections[position] = weakest_section(columns::at(&self.radii, position), factor);
     }
 
     /// Make the bonds of driven and fixed particles unbreakable.
-    pub(crate) fn strengthen_edges(&mut self, particles: &Particles<S>) {
+    pub(crate) fn make_edges_unbreakable(&mut self, particles: &Particles<S>) {
         for position in 0..self.len() {
             let (i, j) = self.pairs[position].indices();
             if [i, j].iter().any(|&end| particles.role[end] != Role::Free) {
@@ -228,11 +221,11 @@ impl<S: Real> Bonds<S> {
         BondColumns {
             first: 0,
             pairs: &self.pairs,
-            references: twin::slices_mut(&mut self.references),
-            angles: twin::slices_mut(&mut self.angles),
+            references: columns::slices_mut(&mut self.references),
+            angles: columns::slices_mut(&mut self.angles),
             distances: &self.distances,
             sections: &self.sections,
-            radii: twin::slices(&self.radii),
+            radii: columns::slices(&self.radii),
         }
     }
 
@@ -282,7 +275,7 @@ impl<S: Real> Bonds<S> {
             .is_ok()
     }
 
-    /// Remove the links that broke.
+    /// Remove the bonds that broke.
     pub(crate) fn remove_broken(&mut self) {
         fn remove<T>(column: &mut Vec<T>, broken: &[u32]) {
             let mut broken = broken.iter().copied().peekable();
@@ -322,10 +315,10 @@ fn rest_at<S: Real, C: Deref<Target = [S]>>(
     distances: &[S],
     position: usize,
 ) -> Rest<S> {
-    let [x, y] = twin::at(references, position);
+    let [x, y] = columns::at(references, position);
     Rest {
         reference: Vec2::new(x, y),
-        angles: twin::at(angles, position),
+        angles: columns::at(angles, position),
         distance: distances[position],
     }
 }
@@ -359,46 +352,4 @@ fn begin<S: Real, M: Metric>(metric: M, particles: &Particles<S>, start: &BondSt
         },
         strength_factor: S::from_f64(start.strength_factor),
     }
-}
-
-/// Angles of the particles at which a link is unbent in the present frame: the present ones, or, if the
-/// link began earlier with the given angles in its frame, those by which it has turned since.
-pub(crate) fn rest_angles<S: Real>(
-    frame: &PairFrame<S>,
-    angles: [S; 2],
-    initial: Option<[f64; 2]>,
-) -> [S; 2] {
-    let Some(initial) = initial else {
-        return angles;
-    };
-    let lambda = angle_of(frame.normal);
-    let frames = [lambda, reversed(lambda)];
-    [0, 1].map(|end| {
-        let psi = angles[end] - frames[end];
-        angles[end] - wrapped(psi - S::from_f64(initial[end]))
-    })
-}
-
-/// Check that every pair exists and none repeats.
-pub(crate) fn check_pairs(
-    particles: usize,
-    pairs: impl Iterator<Item = [usize; 2]>,
-) -> Result<(), ModelError> {
-    let mut seen = std::collections::HashSet::new();
-    for (link, [i, j]) in pairs.enumerate() {
-        if let Some(particle) = [i, j].into_iter().find(|&p| p >= particles) {
-            return Err(ModelError::NoSuchParticle {
-                link,
-                particle,
-                particles,
-            });
-        }
-        if i == j {
-            return Err(ModelError::SelfLink { link, particle: i });
-        }
-        if !seen.insert(Pair::new(i, j)) {
-            return Err(ModelError::DuplicateLink { link, i, j });
-        }
-    }
-    Ok(())
 }

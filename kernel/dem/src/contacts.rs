@@ -1,12 +1,12 @@
-//! Weak links: contacts that begin and end with overlap, and what they remember.
+//! Contacts: they begin and end with overlap. The thesis calls them weak links.
 
-use crate::bonds::Edition;
-use crate::bonds::{Bonds, check_pairs, rest_angles};
+use crate::bonds::Bonds;
 use crate::error::ModelError;
 use crate::geometry::PairFrame;
+use crate::pairs::{Edition, check_pairs, rest_angles};
 use crate::particles::Particles;
 use core::ops::{Deref, Range};
-use gouge_common::columns as twin;
+use gouge_common::columns;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::neighbors::Neighbors;
 use gouge_common::pair::Pair;
@@ -14,7 +14,7 @@ use gouge_common::parts::halves;
 use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
-/// What a scene says of a contact that began before its initial state.
+/// A contact that began before the initial state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactStart {
     /// The two particles.
@@ -50,7 +50,7 @@ impl<S: Real> ContactMemory<S> {
     }
 }
 
-/// Memories of contacts, one a pair, as columns of equal length.
+/// Memories of contacts, one per pair, as columns of equal length.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Memories<S> {
     pub touches: Vec<bool>,
@@ -70,8 +70,8 @@ pub(crate) struct MemoryColumns<'a, S> {
 impl<S: Real> MemoryColumns<'_, S> {
     pub fn split_at(self, at: usize) -> (Self, Self) {
         let (touches, other_touches) = halves(self.touches, at);
-        let (references, other_references) = twin::split_mut(self.references, at);
-        let (ends, other_ends) = twin::split_mut(self.ends, at);
+        let (references, other_references) = columns::split_mut(self.references, at);
+        let (ends, other_ends) = columns::split_mut(self.ends, at);
         let (states, other_states) = halves(self.states, at);
         (
             Self {
@@ -93,8 +93,8 @@ impl<S: Real> MemoryColumns<'_, S> {
     pub fn part(&mut self, positions: Range<usize>) -> MemoryColumns<'_, S> {
         MemoryColumns {
             touches: &mut self.touches[positions.clone()],
-            references: twin::part_mut(&mut self.references, positions.clone()),
-            ends: twin::part_mut(&mut self.ends, positions.clone()),
+            references: columns::part_mut(&mut self.references, positions.clone()),
+            ends: columns::part_mut(&mut self.ends, positions.clone()),
             states: &mut self.states[positions],
         }
     }
@@ -102,8 +102,8 @@ impl<S: Real> MemoryColumns<'_, S> {
     #[inline(always)]
     pub fn prefetch(&self, position: usize) {
         prefetch_index(&*self.touches, position);
-        twin::prefetch(&self.references, position);
-        twin::prefetch(&self.ends, position);
+        columns::prefetch(&self.references, position);
+        columns::prefetch(&self.ends, position);
         prefetch_index(&*self.states, position);
     }
     /// The memory at a position.
@@ -117,14 +117,14 @@ impl<S: Real> MemoryColumns<'_, S> {
     pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
         self.touches[position] = memory.touches;
         let reference = [memory.reference.x, memory.reference.y];
-        twin::put(&mut self.references, position, reference);
-        twin::put(&mut self.ends, position, memory.ends);
+        columns::put(&mut self.references, position, reference);
+        columns::put(&mut self.ends, position, memory.ends);
         self.states[position] = memory.state;
     }
 }
 
 impl<S: Real> Memories<S> {
-    fn make_room(&mut self, room: usize) {
+    fn reserve(&mut self, room: usize) {
         fit(&mut self.touches, room);
         for column in self.numbers() {
             fit(column, room);
@@ -145,8 +145,8 @@ impl<S: Real> Memories<S> {
     pub fn columns(&mut self) -> MemoryColumns<'_, S> {
         MemoryColumns {
             touches: &mut self.touches,
-            references: twin::slices_mut(&mut self.references),
-            ends: twin::slices_mut(&mut self.ends),
+            references: columns::slices_mut(&mut self.references),
+            ends: columns::slices_mut(&mut self.ends),
             states: &mut self.states,
         }
     }
@@ -181,11 +181,11 @@ fn memory_at<S: Real, C: Deref<Target = [S]>>(
     states: &[S],
     position: usize,
 ) -> ContactMemory<S> {
-    let [x, y] = twin::at(references, position);
+    let [x, y] = columns::at(references, position);
     ContactMemory {
         touches,
         reference: Vec2::new(x, y),
-        ends: twin::at(ends, position),
+        ends: columns::at(ends, position),
         state: states[position],
     }
 }
@@ -202,38 +202,32 @@ fn fit<T>(column: &mut Vec<T>, room: usize) {
 }
 
 /// The pairs that may touch, in order, and their memory where a law asks for it.
+#[doc(alias = "weak link")]
 #[derive(Clone, Debug)]
 pub struct Contacts<S> {
     /// Pairs near enough to touch before the next rebuild, without the bonded ones.
     pub pairs: Vec<Pair>,
     pub(crate) memories: Memories<S>,
     remembers: bool,
-    neighbors: Neighbors<S>,
     /// For how many pairs there is room.
     room: usize,
 }
 
 impl<S: Real> Contacts<S> {
     /// An empty list, to be filled by the first [`rebuild`](Self::rebuild).
-    pub fn new(neighbors: Neighbors<S>, remembers: bool) -> Self {
+    pub fn new(remembers: bool) -> Self {
         Self {
             pairs: Vec::new(),
             memories: Memories::default(),
             remembers,
-            neighbors,
             room: 0,
         }
     }
 
-    /// The neighbour list behind the pairs.
-    pub fn neighbors(&self) -> &Neighbors<S> {
-        &self.neighbors
-    }
-
-    /// Which list of pairs this is.
-    pub(crate) fn edition(&self) -> Edition {
+    /// Which list of pairs this is, the latest of the given search.
+    pub(crate) fn edition(&self, neighbors: &Neighbors<S>) -> Edition {
         Edition {
-            rebuilds: self.neighbors.rebuilds(),
+            rebuilds: neighbors.rebuilds(),
             pairs: self.pairs.len(),
         }
     }
@@ -259,32 +253,33 @@ impl<S: Real> Contacts<S> {
         &mut self,
         metric: M,
         particles: &Particles<S>,
-        strong: Option<&Bonds<S>>,
+        bonds: Option<&Bonds<S>>,
+        neighbors: &mut Neighbors<S>,
     ) {
         let touching = self.gather_touching();
-        self.neighbors.append_new(
+        neighbors.append_new(
             metric,
             particles.reaching(),
             |i, j| particles.may_interact(i, j),
             &mut self.pairs,
         );
-        self.make_room();
+        self.reserve();
         self.mark_and_sort(touching);
-        if let Some(strong) = strong {
-            remove_bonded(&mut self.pairs, strong);
+        if let Some(bonds) = bonds {
+            remove_bonded(&mut self.pairs, bonds);
         }
         self.spread_touching(touching);
     }
 
     /// Room for what all near pairs remember, also for the bonded ones, whose bonds may break.
-    fn make_room(&mut self) {
+    fn reserve(&mut self) {
         if self.pairs.len() <= self.room {
             return;
         }
         self.room = roomy(self.pairs.len());
         fit(&mut self.pairs, self.room);
         if self.remembers {
-            self.memories.make_room(self.room);
+            self.memories.reserve(self.room);
         }
     }
 
@@ -331,10 +326,10 @@ impl<S: Real> Contacts<S> {
         }
     }
 
-    /// Let the pairs of broken bonds touch.
-    pub(crate) fn admit_broken(&mut self, strong: &Bonds<S>) {
-        for &position in &strong.broken {
-            let pair = strong.pairs[position as usize];
+    /// Add the pairs of bonds that just broke.
+    pub(crate) fn add_broken(&mut self, bonds: &Bonds<S>) {
+        for &position in &bonds.broken {
+            let pair = bonds.pairs[position as usize];
             if let Err(at) = self.pairs.binary_search(&pair) {
                 self.pairs.insert(at, pair);
                 if self.remembers {
@@ -344,7 +339,7 @@ impl<S: Real> Contacts<S> {
         }
     }
 
-    /// Give contacts the memory that the scene states.
+    /// Give contacts that began earlier their memory.
     ///
     /// # Errors
     /// Pairs that do not exist, repeat, or do not overlap.
@@ -400,8 +395,8 @@ impl<S: Real> Contacts<S> {
 }
 
 /// Remove from sorted pairs those that are bonded; pairs that touch, turned round, are not.
-fn remove_bonded<S: Real>(pairs: &mut Vec<Pair>, strong: &Bonds<S>) {
-    let mut bonded = strong.pairs.iter().copied().peekable();
+fn remove_bonded<S: Real>(pairs: &mut Vec<Pair>, bonds: &Bonds<S>) {
+    let mut bonded = bonds.pairs.iter().copied().peekable();
     pairs.retain(|&pair| {
         while bonded.next_if(|&other| other < pair.in_order()).is_some() {}
         bonded.peek() != Some(&pair)

@@ -10,6 +10,7 @@ pub mod material;
 pub mod particles;
 pub mod laws;
 pub mod model;
+mod pairs;
 pub mod bonds;
 pub mod contacts;
 pub mod forces;
@@ -22,4 +23,4 @@ pub mod distributions;
 pub mod calibration;
 
 pub use error::{ModelError, StepError};
-pub use world::{Drive, Number, Start, World, stable_step_estimate};
+pub use world::{Drive, Number, Start, State, World, stable_step_estimate};

@@ -48,7 +48,7 @@ fn row(scene: &Scene, world: &World, drive: &Drive<f64>) -> String {
     }
     if let Some(strong) = world.bonds() {
         cells.push(strong.len().to_string());
-        cells.push(fragments(world).number.to_string());
+        cells.push(fragments(world.state()).number.to_string());
     }
     cells.join(",") + "\n"
 }

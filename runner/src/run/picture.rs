@@ -82,7 +82,7 @@ pub fn document(scene: &Scene, world: &World) -> Document {
 
 fn grains(view: &View, world: &World) -> Group {
     let p = world.particles();
-    let fragments = fragments(world);
+    let fragments = fragments(world.state());
     let mut sizes = vec![0_usize; fragments.number];
     fragments.label.iter().for_each(|&label| sizes[label] += 1);
     let mut group = Group::new().set("stroke", "#222").set("stroke-width", 0.4);

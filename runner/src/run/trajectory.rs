@@ -73,7 +73,7 @@ fn write_series(scene: &Scene, frames: &Path, last: u64) -> Result<(), Error> {
 
 fn extxyz(scene: &Scene, world: &World) -> String {
     let p = world.particles();
-    let fragments = fragments(world);
+    let fragments = fragments(world.state());
     let mut text = format!("{}\n", p.len());
     if let (Some(width), Some(height)) = (scene.domain.width, scene.domain.height) {
         let depth = 2.0 * p.largest_radius();
@@ -117,7 +117,7 @@ fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
             .flat_map(|v| [v.x, v.y, 0.0])
             .collect::<Vec<f64>>()
     };
-    let fragments: Vec<i32> = fragments(world)
+    let fragments: Vec<i32> = fragments(world.state())
         .label
         .iter()
         .map(|&label| label as i32)

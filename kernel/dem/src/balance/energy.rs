@@ -1,7 +1,5 @@
 //! The terms of the energy balance, thesis eqs. (72)-(79).
 
-use crate::laws::ExternalLaw;
-use crate::model::{External, Model};
 use crate::particles::Particles;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
@@ -58,20 +56,14 @@ impl<S: Real> Energy<S> {
         .map(Real::to_f64)
     }
 
-    /// Kinetic energy (74) and energy in the external potential, all other terms zero.
-    pub(crate) fn of_particles(model: &Model, particles: &Particles<S>) -> Self {
+    /// Kinetic energy (74), all other terms zero.
+    pub(crate) fn kinetic_of(particles: &Particles<S>) -> Self {
         let mut energy = Self::default();
         for i in 0..particles.len() {
             let omega = particles.angular_velocity[i];
             energy.kinetic += (particles.mass[i] * particles.velocity[i].norm_squared()
                 + particles.moment_of_inertia[i] * omega * omega)
                 * 0.5;
-            let (mass, position) = (particles.mass[i], particles.position[i]);
-            energy.external += match model.external {
-                None => S::zero(),
-                Some(External::Gravity(law)) => law.potential(mass, position),
-                Some(External::HarmonicWell(law)) => law.potential(mass, position),
-            };
         }
         energy
     }

@@ -1,7 +1,7 @@
 //! Heat and work: sums over the history, thesis eqs. (74), (78)-(79).
 
 use super::Energy;
-use crate::forces::Tally;
+use crate::forces::Bookings;
 use gouge_common::scalar::Real;
 
 /// The terms of the balance that depend on the history, in J.
@@ -25,15 +25,15 @@ impl<S: Real> Ledger<S> {
     }
 
     /// Book what appeared at once in an evaluation.
-    pub(crate) fn book(&mut self, tally: &Tally<S>) {
-        self.friction += tally.friction;
-        self.breaking += tally.breaking;
-        self.bonding += tally.bonding;
+    pub(crate) fn book(&mut self, bookings: &Bookings<S>) {
+        self.friction += bookings.friction;
+        self.breaking += bookings.breaking;
+        self.bonding += bookings.bonding;
     }
 
     /// Book powers over one step, by the trapezoidal rule between its ends; methods that do not evaluate
     /// at the end pass the powers at the beginning twice (erratum E53 of the thesis).
-    pub(crate) fn advance(&mut self, before: &Tally<S>, after: &Tally<S>, step: f64) {
+    pub(crate) fn advance(&mut self, before: &Bookings<S>, after: &Bookings<S>, step: f64) {
         let work = |before: S, after: S| (before + after) * (0.5 * step);
         self.friction += work(before.friction_rate, after.friction_rate);
         self.ambient += work(before.ambient_rate, after.ambient_rate);

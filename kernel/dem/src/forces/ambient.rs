@@ -1,6 +1,7 @@
 //! The pass of the surrounding medium.
 
-use super::{Forces, Tally};
+use super::bookings::Bookings;
+use super::sums::Forces;
 use crate::laws::AmbientLaw;
 use crate::particles::Particles;
 use gouge_common::scalar::Real;
@@ -11,13 +12,13 @@ pub(crate) fn ambient<S: Real, L: AmbientLaw, const LEDGER: bool>(
     law: L,
     particles: &Particles<S>,
     forces: &mut Forces<S>,
-    tally: &mut Tally<S>,
+    bookings: &mut Bookings<S>,
 ) {
     for i in 0..particles.len() {
         let (v, omega) = (particles.velocity[i], particles.angular_velocity[i]);
         let drag = law.drag(particles.radius[i], v, omega);
         if LEDGER {
-            tally.ambient_rate -= drag.force.dot(v) + drag.torque * omega;
+            bookings.ambient_rate -= drag.force.dot(v) + drag.torque * omega;
         }
         forces.force[i] += drag.force;
         forces.torque[i] += drag.torque;

@@ -1,9 +1,9 @@
-//! Links side by side: what a pass gathers from the particles, and what it scatters back to them.
+//! A block of pairs that are computed together, with wide instructions.
 
+use super::ends::{Columns, Ends, Reads, vector};
 use super::prefetch::ahead_of;
-use super::{MISSING, Sums};
+use super::sums::Sums;
 use crate::geometry::PairFrame;
-use crate::particles::Particles;
 use core::ops::Range;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
@@ -11,183 +11,67 @@ use gouge_common::pair::Pair;
 use gouge_common::parts::LINE;
 use prefetch_index::prefetch_index;
 
-/// How many links a block holds.
-pub(crate) const LINKS: usize = 64;
+/// Number of pairs in a block.
+pub(super) const PAIRS: usize = 64;
 
-/// The flag of a link that exerts nothing: a bond that breaks, a pair that does not touch.
+/// Flag of a pair that exerts nothing: a bond that breaks, particles that do not touch.
 pub(super) const IDLE: u64 = 1;
-/// The flag of a link that is not what it seems, and is to be computed again.
+/// Flag of a pair for which the short way does not hold; it is computed again in full.
 pub(super) const IRREGULAR: u64 = 2;
 
-/// What a law reads of the ends of links, besides their positions and velocities.
-#[derive(Clone, Copy)]
-pub(crate) struct Reads {
-    pub angles: bool,
-    pub spins: bool,
-    pub radii: bool,
-}
-
-/// A link's part of the state of its particles.
-#[derive(Clone, Copy)]
-pub(crate) struct Ends<S> {
-    /// Difference of the positions of j and i in m, before the nearest image is taken.
-    pub difference: Vec2<S>,
-    /// Velocity of j relative to i in m/s.
-    pub velocity: Vec2<S>,
-    /// Angles in rad.
-    pub angles: [S; 2],
-    /// Angular velocities in rad/s.
-    pub spins: [S; 2],
-    /// Radii in m.
-    pub radii: [S; 2],
-}
-
-/// The columns of particles that links read, known to be equally long: one check serves all.
-#[derive(Clone, Copy)]
-pub(crate) struct Columns<'a, S> {
-    position: &'a [Vec2<S>],
-    velocity: &'a [Vec2<S>],
-    angle: &'a [S],
-    angular_velocity: &'a [S],
-    radius: &'a [S],
-}
-
-impl<'a, S: Lanes> Columns<'a, S> {
-    #[inline(always)]
-    pub fn of(particles: &'a Particles<S>) -> Self {
-        let number = particles.len();
-        Self {
-            position: &particles.position[..number],
-            velocity: &particles.velocity[..number],
-            angle: &particles.angle[..number],
-            angular_velocity: &particles.angular_velocity[..number],
-            radius: &particles.radius[..number],
-        }
-    }
-    #[inline(always)]
-    fn indices(&self, pair: Pair) -> (usize, usize) {
-        let (i, j) = pair.indices();
-        let number = self.position.len();
-        assert!(i < number && j < number, "{MISSING}");
-        (i, j)
-    }
-    /// The ends of a link between two particles.
-    #[inline(always)]
-    pub fn ends(&self, pair: Pair) -> Ends<S> {
-        Ends {
-            difference: vector(self.difference(pair)),
-            velocity: vector(self.relative_velocity(pair)),
-            angles: self.angles(pair),
-            spins: self.spins(pair),
-            radii: self.radii(pair),
-        }
-    }
-    /// Prefetch what links read of a particle, and of its neighbours in the same lines of the cache.
-    #[inline(always)]
-    fn prefetch(&self, particle: usize, reads: Reads) {
-        prefetch_index(self.position, particle);
-        prefetch_index(self.velocity, particle);
-        if reads.angles {
-            prefetch_index(self.angle, particle);
-        }
-        if reads.spins {
-            prefetch_index(self.angular_velocity, particle);
-        }
-        if reads.radii {
-            prefetch_index(self.radius, particle);
-        }
-    }
-    #[inline(always)]
-    fn difference(&self, pair: Pair) -> [S; 2] {
-        let (i, j) = self.indices(pair);
-        difference(&self.position[j], &self.position[i])
-    }
-    #[inline(always)]
-    fn relative_velocity(&self, pair: Pair) -> [S; 2] {
-        let (i, j) = self.indices(pair);
-        difference(&self.velocity[j], &self.velocity[i])
-    }
-    #[inline(always)]
-    fn angles(&self, pair: Pair) -> [S; 2] {
-        let (i, j) = self.indices(pair);
-        [self.angle[i], self.angle[j]]
-    }
-    #[inline(always)]
-    fn spins(&self, pair: Pair) -> [S; 2] {
-        let (i, j) = self.indices(pair);
-        [self.angular_velocity[i], self.angular_velocity[j]]
-    }
-    #[inline(always)]
-    fn radii(&self, pair: Pair) -> [S; 2] {
-        let (i, j) = self.indices(pair);
-        [self.radius[i], self.radius[j]]
-    }
-}
-
-/// Components of the difference of two vectors.
-#[inline(always)]
-fn difference<S: Lanes>(to: &Vec2<S>, from: &Vec2<S>) -> [S; 2] {
-    S::differences([to.x, to.y], [from.x, from.y])
-}
-
-#[inline(always)]
-fn vector<S: Lanes>([x, y]: [S; 2]) -> Vec2<S> {
-    Vec2::new(x, y)
-}
-
-/// Where the blocks of consecutive links begin and end, the first of them at a position among all: blocks begin
-/// where lines of columns do, but for the first one.
+/// The blocks of consecutive pairs, the first of which is at the position `first` among all. Except for the
+/// first one, blocks begin at cache lines of the columns.
 pub(super) fn blocks(first: usize, number: usize) -> impl Iterator<Item = Range<usize>> {
-    let before = first % LINKS;
+    let before = first % PAIRS;
     (0..before + number)
-        .step_by(LINKS)
-        .map(move |begin| begin.saturating_sub(before)..number.min(begin + LINKS - before))
+        .step_by(PAIRS)
+        .map(move |begin| begin.saturating_sub(before)..number.min(begin + PAIRS - before))
 }
 
-/// What links read, as columns: one instruction serves several of them.
+/// What pairs read, as columns: one instruction serves several pairs.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Inputs<S> {
-    difference: [[S; LINKS]; 2],
-    velocity: [[S; LINKS]; 2],
-    angles: [[S; LINKS]; 2],
-    spins: [[S; LINKS]; 2],
-    radii: [[S; LINKS]; 2],
+    difference: [[S; PAIRS]; 2],
+    velocity: [[S; PAIRS]; 2],
+    angles: [[S; PAIRS]; 2],
+    spins: [[S; PAIRS]; 2],
+    radii: [[S; PAIRS]; 2],
 }
 
-/// Frames of links, as columns.
+/// Frames of pairs, as columns.
 ///
-/// They are found in a loop of their own: a root and a quotient take long, and while the law waits for them
-/// too few links are under way.
+/// They are found in a loop of their own: a root and a quotient have a long latency, and a loop that also
+/// evaluates the law keeps too few pairs in flight to hide it.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Frames<S> {
-    normal: [[S; LINKS]; 2],
+    normal: [[S; PAIRS]; 2],
     /// Distance, and its inverse.
-    distances: [[S; LINKS]; 2],
+    distances: [[S; PAIRS]; 2],
 }
 
-/// What links do, as columns.
+/// Forces of pairs, as columns.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Outputs<S> {
     /// Force on i in N.
-    pub force: [[S; LINKS]; 2],
+    pub force: [[S; PAIRS]; 2],
     /// Torques on both ends in N m.
-    pub torques: [[S; LINKS]; 2],
+    pub torques: [[S; PAIRS]; 2],
     /// Power turned into heat in W.
-    pub heat_rate: [S; LINKS],
+    pub heat_rate: [S; PAIRS],
     /// Energy turned into heat at once in J.
-    pub heat: [S; LINKS],
+    pub heat: [S; PAIRS],
     /// What the contact remembers from now on, where it changes step by step.
-    pub rest: [[S; LINKS]; 2],
-    pub state: [S; LINKS],
-    /// What needs a second look.
-    pub flags: [u64; LINKS],
+    pub rest: [[S; PAIRS]; 2],
+    pub state: [S; PAIRS],
+    /// [`IDLE`] and [`IRREGULAR`].
+    pub flags: [u64; PAIRS],
 }
 
-/// A block of links. Inputs and outputs lie apart, so that no result can be the input of a later link. Each begins
-/// at a line of the cache, as every column in it then does.
+/// A block of pairs. Inputs and outputs are separate allocations, so that the compiler knows that no result is
+/// the input of a later pair. Each begins at a cache line, and so does every column in it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block<S: Lanes> {
     pub inputs: Box<Inputs<S>>,
@@ -196,34 +80,34 @@ pub(crate) struct Block<S: Lanes> {
 }
 
 impl<S: Lanes> Block<S> {
-    /// Gather the ends of the links at some positions. Where there are sums, prefetch what later links need, and
-    /// by `prefetch` what these keep, from a position on.
+    /// Gather what the pairs at some positions read. If sums are given, prefetch what later pairs read and add to,
+    /// and call `prefetch` with the position from which on these pairs keep something.
     #[inline(always)]
     pub fn gather(
         &mut self,
         columns: Columns<S>,
-        (pairs, links): (&[Pair], Range<usize>),
+        (pairs, positions): (&[Pair], Range<usize>),
         reads: Reads,
         sums: Option<&Sums<S>>,
         prefetch: impl Fn(usize),
     ) {
-        let now = &pairs[links.clone()];
+        let now = &pairs[positions.clone()];
         let Some(sums) = sums else {
             return self.inputs.gather(columns, now, reads, |_| {});
         };
         self.inputs.gather(columns, now, reads, |lane| {
-            if let Some((link, particle)) = ahead_of(pairs, links.start + lane) {
-                prefetch_index(pairs, link + LINKS);
-                prefetch(link);
+            if let Some((position, particle)) = ahead_of(pairs, positions.start + lane) {
+                prefetch_index(pairs, position + PAIRS);
+                prefetch(position);
                 columns.prefetch(particle, reads);
                 sums.prefetch(particle, reads.spins);
             }
         });
     }
 
-    /// What laws read of the first links, their frames found, and where laws write.
+    /// Find the frames of the first pairs; returns what laws read and where they write.
     #[inline(always)]
-    pub fn open<M: Metric>(
+    pub fn with_frames<M: Metric>(
         &mut self,
         metric: M,
         number: usize,
@@ -235,7 +119,7 @@ impl<S: Lanes> Block<S> {
 
 impl<S: Lanes> Default for Inputs<S> {
     fn default() -> Self {
-        let zeros = [[S::zero(); LINKS]; 2];
+        let zeros = [[S::zero(); PAIRS]; 2];
         Self {
             difference: zeros,
             velocity: zeros,
@@ -248,7 +132,7 @@ impl<S: Lanes> Default for Inputs<S> {
 
 impl<S: Lanes> Default for Frames<S> {
     fn default() -> Self {
-        let zeros = [[S::zero(); LINKS]; 2];
+        let zeros = [[S::zero(); PAIRS]; 2];
         Self {
             normal: zeros,
             distances: zeros,
@@ -259,39 +143,39 @@ impl<S: Lanes> Default for Frames<S> {
 impl<S: Lanes> Default for Outputs<S> {
     fn default() -> Self {
         Self {
-            force: [[S::zero(); LINKS]; 2],
-            torques: [[S::zero(); LINKS]; 2],
-            heat_rate: [S::zero(); LINKS],
-            heat: [S::zero(); LINKS],
-            rest: [[S::zero(); LINKS]; 2],
-            state: [S::zero(); LINKS],
-            flags: [0; LINKS],
+            force: [[S::zero(); PAIRS]; 2],
+            torques: [[S::zero(); PAIRS]; 2],
+            heat_rate: [S::zero(); PAIRS],
+            heat: [S::zero(); PAIRS],
+            rest: [[S::zero(); PAIRS]; 2],
+            state: [S::zero(); PAIRS],
+            flags: [0; PAIRS],
         }
     }
 }
 
 #[inline(always)]
-fn put<S>(columns: &mut [[S; LINKS]; 2], lane: usize, [first, second]: [S; 2]) {
+fn put<S>(columns: &mut [[S; PAIRS]; 2], lane: usize, [first, second]: [S; 2]) {
     columns[0][lane] = first;
     columns[1][lane] = second;
 }
 
-/// Put down two numbers of each of two links, so that one store serves both links.
+/// Write two numbers of each of two pairs, so that one store serves both pairs.
 #[inline(always)]
-fn put_two<S: Lanes>(columns: &mut [[S; LINKS]; 2], two: usize, numbers: [[S; 2]; 2]) {
+fn put_two<S: Lanes>(columns: &mut [[S; PAIRS]; 2], two: usize, numbers: [[S; 2]; 2]) {
     let [firsts, seconds] = S::transposed(numbers);
     columns[0].as_chunks_mut().0[two] = firsts;
     columns[1].as_chunks_mut().0[two] = seconds;
 }
 
 #[inline(always)]
-fn taken<S: Copy>(columns: &[[S; LINKS]; 2], lane: usize) -> [S; 2] {
+fn taken<S: Copy>(columns: &[[S; PAIRS]; 2], lane: usize) -> [S; 2] {
     [columns[0][lane], columns[1][lane]]
 }
 
 impl<S: Lanes> Inputs<S> {
-    /// Gather the ends of at most a block of links; the rest keeps old values. `beside` is done with every
-    /// eighth of them.
+    /// Gather what at most a block of pairs reads; the other lanes keep old values. `beside` is called once per
+    /// eight pairs.
     #[inline(always)]
     fn gather(
         &mut self,
@@ -301,7 +185,7 @@ impl<S: Lanes> Inputs<S> {
         beside: impl Fn(usize),
     ) {
         let (twos, rest) = pairs.as_chunks();
-        for (two, &pairs) in (0..LINKS / 2).zip(twos) {
+        for (two, &pairs) in (0..PAIRS / 2).zip(twos) {
             if two % (LINE / 2) == 0 {
                 beside(2 * two);
             }
@@ -311,7 +195,7 @@ impl<S: Lanes> Inputs<S> {
             self.gather_two(twos.len(), columns, [last; 2], reads);
         }
     }
-    /// Gather the ends of two links, those in the given place of all twos.
+    /// Gather what two pairs read, into the given pair of lanes.
     #[inline(always)]
     fn gather_two(&mut self, two: usize, columns: Columns<S>, pairs: [Pair; 2], reads: Reads) {
         let [a, b] = pairs;
@@ -349,10 +233,10 @@ impl<S: Lanes> Inputs<S> {
 }
 
 impl<S: Lanes> Frames<S> {
-    /// Find the frames of the first links of a block.
+    /// Find the frames of the first pairs of a block.
     #[inline(always)]
     pub fn find<M: Metric>(&mut self, metric: M, inputs: &Inputs<S>, number: usize) {
-        for lane in 0..number.min(LINKS) {
+        for lane in 0..number.min(PAIRS) {
             let difference = vector(taken(&inputs.difference, lane));
             let frame = PairFrame::new(metric.nearest(difference));
             put(&mut self.normal, lane, [frame.normal.x, frame.normal.y]);
@@ -372,12 +256,12 @@ impl<S: Lanes> Frames<S> {
 }
 
 impl<S: Lanes> Outputs<S> {
-    /// Put down the force on i in N.
+    /// Write the force on i in N.
     #[inline(always)]
     pub fn set_force(&mut self, lane: usize, force: Vec2<S>) {
         put(&mut self.force, lane, [force.x, force.y]);
     }
-    /// Put down the torques on both ends in N m.
+    /// Write the torques on both ends in N m.
     #[inline(always)]
     pub fn set_torques(&mut self, lane: usize, torques: [S; 2]) {
         put(&mut self.torques, lane, torques);

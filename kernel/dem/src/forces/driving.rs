@@ -1,6 +1,7 @@
 //! The pass of the driving force.
 
-use super::{Forces, Tally};
+use super::bookings::Bookings;
+use super::sums::Forces;
 use crate::laws::Driven;
 use crate::particles::Particles;
 use gouge_common::geometry::Vec2;
@@ -17,7 +18,7 @@ pub(crate) fn measure<S: Real>(
         number: S::from_f64(driven.len() as f64),
         velocity: S::zero(),
         known_velocity: S::zero(),
-        haste: 1.0,
+        velocity_gain: 1.0,
         reaction: Vec2::zero(),
         inverse_mass: S::zero(),
         acceleration: S::zero(),
@@ -40,7 +41,7 @@ pub(crate) fn driving<S: Real, const LEDGER: bool>(
     particles: &Particles<S>,
     driven: &[u32],
     forces: &mut Forces<S>,
-    tally: &mut Tally<S>,
+    bookings: &mut Bookings<S>,
 ) {
     let number = S::from_f64(driven.len() as f64);
     let share = Vec2::new(total.x / number, total.y / number);
@@ -48,7 +49,7 @@ pub(crate) fn driving<S: Real, const LEDGER: bool>(
         let i = i as usize;
         forces.force[i] += share;
         if LEDGER {
-            tally.driving_rate += share.dot(particles.velocity[i]);
+            bookings.driving_rate += share.dot(particles.velocity[i]);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The pass of the external potential.
 
-use super::Forces;
+use super::sums::Forces;
 use crate::laws::ExternalLaw;
 use crate::particles::Particles;
 use gouge_common::scalar::Real;

@@ -1,7 +1,8 @@
-//! Every link of a state with its kinematics and forces, for inspection.
+//! Every contact and bond of a state with its kinematics and forces, for inspection.
 
-use super::block::Columns;
-use super::{BondPass, ContactPass};
+use super::bond_pass::BondPass;
+use super::contact_pass::ContactPass;
+use super::ends::Columns;
 use crate::bonds::{Bond, Bonds};
 use crate::contacts::Contacts;
 use crate::geometry::{Arm, PairFrame, overlap_factor};
@@ -12,16 +13,17 @@ use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 use gouge_common::scalar::Real;
 
-/// Kind of a link.
+/// Whether a pair is in contact or bonded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InteractionKind {
-    /// A contact.
-    Weak,
-    /// A bond.
-    Strong,
+    /// A contact: a weak link of the thesis.
+    Contact,
+    /// A bond: a strong link of the thesis.
+    Bond,
 }
 
-/// A link in the present state, signs as in the thesis.
+/// A contact or bond in the present state, with the signs of the thesis.
+#[doc(alias = "link")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interaction {
     /// The pair.
@@ -58,7 +60,7 @@ fn doubles<S: Lanes>(pair: [S; 2]) -> [f64; 2] {
     pair.map(Real::to_f64)
 }
 
-/// The parts of a link state that both kinds share.
+/// What contacts and bonds have in common.
 fn common<S: Lanes>(
     kind: InteractionKind,
     pair: Pair,
@@ -89,10 +91,10 @@ fn common<S: Lanes>(
 }
 
 /// The contacts of a state.
-pub(crate) fn weak<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+pub(crate) fn contact_states<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
     pass: ContactPass<M, A, N, T>,
     particles: &Particles<S>,
-    weak: &Contacts<S>,
+    contacts: &Contacts<S>,
 ) -> Vec<Interaction> {
     let columns = Columns::of(particles);
     let state = |(position, &pair): (usize, &Pair)| {
@@ -100,7 +102,7 @@ pub(crate) fn weak<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
         if !pass.touch(&ends) {
             return None;
         }
-        let mut memory = pass.memory_at(weak, position, &ends);
+        let mut memory = pass.memory_at(contacts, position, &ends);
         let state = pass.any(&ends, &mut memory);
         Some(Interaction {
             tangential_displacement: doubles(state.zeta),
@@ -109,20 +111,25 @@ pub(crate) fn weak<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
             normal_force: state.normal_force.to_f64(),
             tangential_force: state.tangential_force.to_f64(),
             torque: doubles(state.torques),
-            ..common(InteractionKind::Weak, pair, particles, &state.frame)
+            ..common(InteractionKind::Contact, pair, particles, &state.frame)
         })
     };
-    weak.pairs.iter().enumerate().filter_map(state).collect()
+    contacts
+        .pairs
+        .iter()
+        .enumerate()
+        .filter_map(state)
+        .collect()
 }
 
 /// The bonds of a state.
-pub(crate) fn strong<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw>(
+pub(crate) fn bond_states<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw>(
     pass: BondPass<M, B, Y>,
     particles: &Particles<S>,
-    strong: &Bonds<S>,
+    bonds: &Bonds<S>,
 ) -> Vec<Interaction> {
-    let state = |link: Bond<S>| {
-        let state = pass.state_of(particles, link.pair, link.rest);
+    let state = |bond: Bond<S>| {
+        let state = pass.state_of(particles, bond.pair, bond.rest);
         Interaction {
             adjusted_normal_displacement: state.xi_adjusted.to_f64(),
             tangential_displacement: doubles(state.zeta),
@@ -131,8 +138,8 @@ pub(crate) fn strong<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw>(
             normal_force: state.normal_force.to_f64(),
             tangential_force: state.tangential_force.to_f64(),
             torque: doubles(state.torques),
-            ..common(InteractionKind::Strong, link.pair, particles, &state.frame)
+            ..common(InteractionKind::Bond, bond.pair, particles, &state.frame)
         }
     };
-    strong.iter().map(state).collect()
+    bonds.iter().map(state).collect()
 }

@@ -1,23 +1,23 @@
-//! What later links need, prefetched for worlds that do not stay in the caches.
+//! Prefetching for worlds that do not fit into the caches.
 //!
-//! The processor finds out by itself that a column is read from its beginning to its end, but it looks a few
-//! lines ahead only, and links read many columns in turns.
+//! The hardware prefetcher recognises a column that is read from beginning to end, but only a few cache lines
+//! ahead, and pairs read many columns alternately.
 
-use super::block::LINKS;
+use super::block::PAIRS;
 use gouge_common::pair::Pair;
 
-/// Particles that stay in the last cache: they and their links take some 500 bytes each.
+/// Number of particles that fit into the last-level cache: with their pairs they take some 500 bytes each.
 const SMALL: usize = 20_000;
-/// Links between those that are gathered and those that are prefetched.
-const DISTANCE: usize = 4 * LINKS;
+/// How many pairs ahead of those that are gathered to prefetch.
+const DISTANCE: usize = 4 * PAIRS;
 
-/// Whether a world of so many particles needs what follows.
+/// Whether a world of so many particles profits from prefetching.
 pub(super) fn is_large(particles: usize) -> bool {
     particles > SMALL
 }
 
-/// Position of the link to be prefetched with that at a position, and its second particle, whose own links
-/// are the first to need it; nothing near the end.
+/// Position of the pair to prefetch while the one at `now` is gathered, and its second particle; none near the
+/// end.
 #[inline(always)]
 pub(super) fn ahead_of(pairs: &[Pair], now: usize) -> Option<(usize, usize)> {
     let later = now + DISTANCE;

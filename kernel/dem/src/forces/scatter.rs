@@ -1,23 +1,24 @@
-//! What links do, added to the sums of their particles.
+//! Forces of pairs, added to the sums of their particles.
 
-use super::block::{IDLE, LINKS, Outputs};
-use super::{Sums, Tally};
+use super::block::{IDLE, Outputs, PAIRS};
+use super::bookings::Bookings;
+use super::sums::Sums;
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 use pulp::NullaryFnOnce;
 
-/// A block of links whose forces are added one after the other, in their order; `LEDGER` books their heat.
+/// Adds the forces of a block of pairs one after the other, in their order; `LEDGER` books their heat.
 ///
-/// A loop of its own, so that all that it needs stays in registers.
+/// A loop of its own, so that everything it needs stays in registers.
 pub(super) struct Scatter<'a, S: Lanes, const LEDGER: bool> {
     pub pairs: &'a [Pair],
     pub outputs: &'a Outputs<S>,
-    /// Whether links turn their ends.
-    pub turns: bool,
-    /// Whether no link is idle.
-    pub all: bool,
+    /// Whether pairs exert torques.
+    pub has_torques: bool,
+    /// Whether some pair is idle.
+    pub has_idle: bool,
     pub sums: Sums<'a, S>,
-    pub tally: &'a mut Tally<S>,
+    pub bookings: &'a mut Bookings<S>,
 }
 
 impl<S: Lanes, const LEDGER: bool> NullaryFnOnce for Scatter<'_, S, LEDGER> {
@@ -25,29 +26,29 @@ impl<S: Lanes, const LEDGER: bool> NullaryFnOnce for Scatter<'_, S, LEDGER> {
 
     #[inline(always)]
     fn call(self) {
-        match (self.turns, self.all) {
-            (true, true) => self.add::<true, true>(),
-            (true, false) => self.add::<true, false>(),
-            (false, true) => self.add::<false, true>(),
-            (false, false) => self.add::<false, false>(),
+        match (self.has_torques, self.has_idle) {
+            (true, true) => self.add::<true, false>(),
+            (true, false) => self.add::<true, true>(),
+            (false, true) => self.add::<false, false>(),
+            (false, false) => self.add::<false, true>(),
         }
     }
 }
 
 impl<S: Lanes, const LEDGER: bool> Scatter<'_, S, LEDGER> {
     #[inline(always)]
-    fn add<const TURNS: bool, const ALL: bool>(self) {
+    fn add<const TORQUES: bool, const ALL: bool>(self) {
         let (outputs, mut sums) = (self.outputs, self.sums.equally_long());
-        let (mut heat_rate, mut heat) = (self.tally.friction_rate, self.tally.friction);
-        for (lane, &pair) in (0..LINKS).zip(self.pairs) {
+        let (mut heat_rate, mut heat) = (self.bookings.friction_rate, self.bookings.friction);
+        for (lane, &pair) in (0..PAIRS).zip(self.pairs) {
             if LEDGER {
                 heat_rate += outputs.heat_rate[lane];
                 heat += outputs.heat[lane];
             }
             if ALL || outputs.flags[lane] & IDLE == 0 {
-                sums.add::<TURNS>(pair, outputs.force(lane), outputs.torques(lane));
+                sums.add::<TORQUES>(pair, outputs.force(lane), outputs.torques(lane));
             }
         }
-        (self.tally.friction_rate, self.tally.friction) = (heat_rate, heat);
+        (self.bookings.friction_rate, self.bookings.friction) = (heat_rate, heat);
     }
 }

@@ -1,6 +1,6 @@
 //! Modified Beeman method.
 
-use super::{Coordinate, Motion, Stage};
+use super::stage::{Coordinate, Motion, Stage};
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 

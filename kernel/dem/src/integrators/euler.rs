@@ -1,6 +1,6 @@
 //! Explicit and symplectic Euler methods.
 
-use super::{Coordinate, Motion, Stage};
+use super::stage::{Coordinate, Motion, Stage};
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 

@@ -1,6 +1,6 @@
 //! Bounds of the time step: stability of every method, waves and cracks (59)-(62).
 
-use super::Integrator;
+use super::method::Integrator;
 use crate::material::Elastic;
 use gouge_equations::rendered;
 

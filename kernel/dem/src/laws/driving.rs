@@ -49,7 +49,7 @@ pub struct Driven<S> {
     /// Mean of their horizontal velocities at the beginning of the step in m/s.
     pub known_velocity: S,
     /// Fraction of a missing speed that the exact controller makes up in a step.
-    pub haste: f64,
+    pub velocity_gain: f64,
     /// Sum of all other forces on them in N: the reaction.
     pub reaction: Vec2<S>,
     /// Sum of their inverse masses in 1/kg.
@@ -75,7 +75,7 @@ impl Driving {
             }
             Controller::Exact => {
                 let missing = S::from_f64(self.speed) - driven.known_velocity;
-                let wanted = missing * driven.number * (driven.haste / step);
+                let wanted = missing * driven.number * (driven.velocity_gain / step);
                 let share = (wanted - driven.acceleration) / driven.inverse_mass;
                 Vec2::new(share * driven.number, -load)
             }

@@ -1,7 +1,7 @@
 //! Going on from one phase to the next.
 
-use super::{Number, Start, World};
-use crate::balance::Ledger;
+use super::begin::Start;
+use super::simulation::World;
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::particles::{Particles, Role};
@@ -18,41 +18,39 @@ impl World {
         model: Model,
         roles: Option<Vec<Role>>,
     ) -> Result<Self, ModelError> {
+        let state = &mut self.state;
         if let Some(roles) = roles {
-            self.particles.assign(roles);
+            state.particles.assign(roles);
         }
-        let links = self
-            .strong
-            .map_or_else(Vec::new, |strong| strong.iter().collect());
-        let contacts = self
-            .weak
-            .map_or_else(Vec::new, |weak| weak.remembered().collect());
+        let bonds = state.bonds.take();
+        let contacts = state.contacts.take();
         let start = Start {
-            drive_force: self.drive.force,
+            drive_force: state.drive.force,
             ..Start::default()
         };
-        let mut world = Self::new(model, self.particles, &start)?
-            .with_instructions(self.instructions)
-            .with_parts(self.parts);
-        world.adopt_links(links, contacts);
-        world.strengthen_edges();
-        if model.ledger {
-            world.ledger = Some(Ledger::starting_from(&Number::state_energy(&world)));
-        }
+        let mut world = Self::new(model, self.state.particles, &start)?
+            .with_instructions(self.execution.instructions)
+            .with_parts(self.execution.parts);
+        world.adopt(
+            bonds.map_or_else(Vec::new, |bonds| bonds.iter().collect()),
+            contacts.map_or_else(Vec::new, |contacts| contacts.remembered().collect()),
+        );
+        world.make_edges_unbreakable();
+        world.begin_ledger();
         Ok(world)
     }
 
     /// The particles alone.
     pub fn into_particles(self) -> Particles {
-        self.particles
+        self.state.particles
     }
 
     /// Make the bonds of driven and fixed particles unbreakable, if the model wants them so.
-    fn strengthen_edges(&mut self) {
-        if let (Some(strong), Some(bond)) = (&mut self.strong, self.model.bond)
-            && bond.has_unbreakable_edges()
+    fn make_edges_unbreakable(&mut self) {
+        if let (Some(bonds), Some(laws)) = (&mut self.state.bonds, self.model.bond)
+            && laws.has_unbreakable_edges()
         {
-            strong.strengthen_edges(&self.particles);
+            bonds.make_edges_unbreakable(&self.state.particles);
         }
     }
 }

@@ -1,113 +1,215 @@
-//! The only place where the choices of a model are matched: once a pass, never in a loop.
+//! The only place where the choices of a model are matched: once per pass, never inside a loop.
+//!
+//! Each function calls an action with the types that the model chooses; the action is compiled for each of
+//! them.
 
-/// Evaluate an expression with `$metric` bound to the metric of the model.
-macro_rules! with_metric {
-    ($model:expr, $metric:ident => $body:expr) => {
-        match $model.period() {
-            Some(length) => {
-                let $metric = gouge_common::geometry::PeriodicX { length };
-                $body
-            }
-            None => {
-                let $metric = gouge_common::geometry::Open;
-                $body
-            }
-        }
-    };
+use crate::forces::{BondPass, ContactPass};
+use crate::geometry::{Arm, ContactDistance, FocalArm, MeanArm, RadiusArm};
+use crate::integrators::{
+    BeemanBegin, BeemanCorrect, BeemanPredict, Euler, HalfKick, HalfKickAndDrift, Integrator,
+    Stage, SymplecticEuler, Taylor, VerletCorrect, VerletPredict,
+};
+use crate::laws::{
+    AmbientLaw, BeamLaw, ExternalLaw, Frictionless, NoBending, NormalLaw, TangentialLaw,
+    Unbreakable, YieldLaw,
+};
+use crate::model::{
+    Ambient, BondLaws, ContactLaws, ContactNormal, ContactTangential, External, Model, Reading,
+    Yielding,
+};
+use gouge_common::geometry::{Metric, WithMetric};
+
+/// An action on contacts.
+pub(super) trait WithContactPass {
+    type Output;
+    fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+        self,
+        pass: ContactPass<M, A, N, T>,
+    ) -> Self::Output;
 }
 
-/// Evaluate an expression with `$pass` bound to the pass over strong links that the model asks for.
-macro_rules! with_strong_pass {
-    ($model:expr, $bond:expr, $pass:ident => $body:expr) => {
-        $crate::world::dispatch::with_metric!($model, metric => match $bond.yielding {
-            Some($crate::model::Yielding { law, .. }) => {
-                $crate::world::dispatch::with_strong_pass!(@beam $model, $bond, metric, law, $pass => $body)
+/// An action on bonds.
+pub(super) trait WithBondPass {
+    type Output;
+    fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) -> Self::Output;
+}
+
+/// An action with the law of drag.
+pub(super) trait WithAmbientLaw {
+    fn call<L: AmbientLaw>(self, law: L);
+}
+
+/// An action with the law of the external potential.
+pub(super) trait WithExternalLaw {
+    type Output;
+    fn call<L: ExternalLaw>(self, law: L) -> Self::Output;
+}
+
+/// An action with the stages of an integration method.
+pub(super) trait WithMethod: Sized {
+    type Output;
+    /// One stage, after an evaluation.
+    fn single<T: Stage>(self) -> Self::Output;
+    /// Two stages, with an evaluation between them.
+    fn double<T: Stage, U: Stage>(self) -> Self::Output;
+    /// The same, and another stage before the very first step.
+    fn double_begun_by<B: Stage, T: Stage, U: Stage>(self) -> Self::Output;
+}
+
+/// Call an action with the laws of contacts; `elapsed` is the time since the previous evaluation in s.
+pub(super) fn with_contact_pass<V: WithContactPass>(
+    model: &Model,
+    laws: ContactLaws,
+    elapsed: f64,
+    action: V,
+) -> V::Output {
+    model.domain.with_metric(ChooseContactLaws {
+        laws,
+        reading: model.reading,
+        elapsed,
+        action,
+    })
+}
+
+struct ChooseContactLaws<V> {
+    laws: ContactLaws,
+    reading: Reading,
+    elapsed: f64,
+    action: V,
+}
+
+impl<V: WithContactPass> WithMetric for ChooseContactLaws<V> {
+    type Output = V::Output;
+    fn call<M: Metric>(self, metric: M) -> V::Output {
+        match self.laws.normal {
+            ContactNormal::KelvinVoigt(normal) => self.choose_tangential(metric, normal),
+            ContactNormal::Bshp(normal) => self.choose_tangential(metric, normal),
+        }
+    }
+}
+
+impl<V: WithContactPass> ChooseContactLaws<V> {
+    fn choose_tangential<M: Metric, N: NormalLaw>(self, metric: M, normal: N) -> V::Output {
+        match self.laws.tangential {
+            None => self.call(metric, RadiusArm, normal, Frictionless),
+            Some(ContactTangential::HaffWerner(law)) => self.choose_arm(metric, normal, law),
+            Some(ContactTangential::CundallStrack(law)) => self.choose_arm(metric, normal, law),
+            Some(ContactTangential::CundallStrackTruncated(law)) => {
+                self.choose_arm(metric, normal, law)
             }
-            None => {
-                $crate::world::dispatch::with_strong_pass!(@beam $model, $bond, metric, $crate::laws::Unbreakable, $pass => $body)
-            }
+        }
+    }
+
+    fn choose_arm<M: Metric, N: NormalLaw, T: TangentialLaw>(
+        self,
+        metric: M,
+        normal: N,
+        tangential: T,
+    ) -> V::Output {
+        match self.laws.distance {
+            ContactDistance::Radius => self.call(metric, RadiusArm, normal, tangential),
+            ContactDistance::Focal => self.call(metric, FocalArm, normal, tangential),
+            ContactDistance::Mean => self.call(metric, MeanArm, normal, tangential),
+            ContactDistance::Mixed(arms) => self.call(metric, arms, normal, tangential),
+        }
+    }
+
+    fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+        self,
+        metric: M,
+        arm: A,
+        normal: N,
+        tangential: T,
+    ) -> V::Output {
+        self.action.call(ContactPass {
+            metric,
+            arm,
+            normal,
+            tangential,
+            reading: self.reading,
+            elapsed: self.elapsed,
         })
-    };
-    (@beam $model:expr, $bond:expr, $metric:ident, $yielding:expr, $pass:ident => $body:expr) => {
-        match $bond.tangential {
-            Some(beam) => {
-                $crate::world::dispatch::with_strong_pass!(@pass $model, $bond, $metric, $yielding, beam, $pass => $body)
-            }
-            None => {
-                $crate::world::dispatch::with_strong_pass!(@pass $model, $bond, $metric, $yielding, $crate::laws::NoBending, $pass => $body)
-            }
-        }
-    };
-    (@pass $model:expr, $bond:expr, $metric:ident, $yielding:expr, $beam:expr, $pass:ident => $body:expr) => {{
-        let $pass = $crate::forces::BondPass {
-            metric: $metric,
-            normal: $bond.normal,
-            beam: $beam,
-            yielding: $yielding,
-            wraps: $model.reading == $crate::model::Reading::Thesis,
-        };
-        $body
-    }};
+    }
 }
 
-/// Evaluate an expression with `$pass` bound to the pass over weak links that the model asks for.
-macro_rules! with_weak_pass {
-    ($model:expr, $contact:expr, $pass:ident => $body:expr) => {
-        $crate::world::dispatch::with_metric!($model, metric => $crate::world::dispatch::with_weak_pass!(@normal $model, $contact, metric, $pass => $body))
-    };
-    (@normal $model:expr, $contact:expr, $metric:ident, $pass:ident => $body:expr) => {
-        match $contact.normal {
-            $crate::model::ContactNormal::KelvinVoigt(normal) => {
-                $crate::world::dispatch::with_weak_pass!(@tangential $model, $contact, $metric, normal, $pass => $body)
-            }
-            $crate::model::ContactNormal::Bshp(normal) => {
-                $crate::world::dispatch::with_weak_pass!(@tangential $model, $contact, $metric, normal, $pass => $body)
-            }
-        }
-    };
-    (@tangential $model:expr, $contact:expr, $metric:ident, $normal:ident, $pass:ident => $body:expr) => {
-        match $contact.tangential {
-            None => $crate::world::dispatch::with_weak_pass!(
-                @pass $model, $metric, $crate::geometry::RadiusArm, $normal, $crate::laws::Frictionless, $pass => $body
-            ),
-            Some($crate::model::ContactTangential::HaffWerner(law)) => {
-                $crate::world::dispatch::with_weak_pass!(@arm $model, $contact, $metric, $normal, law, $pass => $body)
-            }
-            Some($crate::model::ContactTangential::CundallStrack(law)) => {
-                $crate::world::dispatch::with_weak_pass!(@arm $model, $contact, $metric, $normal, law, $pass => $body)
-            }
-            Some($crate::model::ContactTangential::CundallStrackTruncated(law)) => {
-                $crate::world::dispatch::with_weak_pass!(@arm $model, $contact, $metric, $normal, law, $pass => $body)
-            }
-        }
-    };
-    (@arm $model:expr, $contact:expr, $metric:ident, $normal:ident, $law:ident, $pass:ident => $body:expr) => {
-        match $contact.distance {
-            $crate::geometry::ContactDistance::Radius => {
-                $crate::world::dispatch::with_weak_pass!(@pass $model, $metric, $crate::geometry::RadiusArm, $normal, $law, $pass => $body)
-            }
-            $crate::geometry::ContactDistance::Focal => {
-                $crate::world::dispatch::with_weak_pass!(@pass $model, $metric, $crate::geometry::FocalArm, $normal, $law, $pass => $body)
-            }
-            $crate::geometry::ContactDistance::Mean => {
-                $crate::world::dispatch::with_weak_pass!(@pass $model, $metric, $crate::geometry::MeanArm, $normal, $law, $pass => $body)
-            }
-            $crate::geometry::ContactDistance::Mixed(arms) => {
-                $crate::world::dispatch::with_weak_pass!(@pass $model, $metric, arms, $normal, $law, $pass => $body)
-            }
-        }
-    };
-    (@pass $model:expr, $metric:ident, $arm:expr, $normal:ident, $law:expr, $pass:ident => $body:expr) => {{
-        let $pass = $crate::forces::ContactPass {
-            metric: $metric,
-            arm: $arm,
-            normal: $normal,
-            tangential: $law,
-            reading: $model.reading,
-            elapsed: 0.0,
-        };
-        $body
-    }};
+/// Call an action with the laws of bonds.
+pub(super) fn with_bond_pass<V: WithBondPass>(
+    model: &Model,
+    laws: BondLaws,
+    action: V,
+) -> V::Output {
+    let wraps_angles = model.reading == Reading::Thesis;
+    model.domain.with_metric(ChooseBondLaws {
+        laws,
+        wraps_angles,
+        action,
+    })
 }
 
-pub(crate) use {with_metric, with_strong_pass, with_weak_pass};
+struct ChooseBondLaws<V> {
+    laws: BondLaws,
+    wraps_angles: bool,
+    action: V,
+}
+
+impl<V: WithBondPass> WithMetric for ChooseBondLaws<V> {
+    type Output = V::Output;
+    fn call<M: Metric>(self, metric: M) -> V::Output {
+        match self.laws.yielding {
+            Some(Yielding { law, .. }) => self.choose_beam(metric, law),
+            None => self.choose_beam(metric, Unbreakable),
+        }
+    }
+}
+
+impl<V: WithBondPass> ChooseBondLaws<V> {
+    fn choose_beam<M: Metric, Y: YieldLaw>(self, metric: M, yielding: Y) -> V::Output {
+        match self.laws.tangential {
+            Some(beam) => self.call(metric, beam, yielding),
+            None => self.call(metric, NoBending, yielding),
+        }
+    }
+
+    fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(
+        self,
+        metric: M,
+        beam: B,
+        yielding: Y,
+    ) -> V::Output {
+        self.action.call(BondPass {
+            metric,
+            normal: self.laws.normal,
+            beam,
+            yielding,
+            wraps_angles: self.wraps_angles,
+        })
+    }
+}
+
+/// Call an action with the law of drag.
+pub(super) fn with_ambient_law<V: WithAmbientLaw>(ambient: Ambient, action: V) {
+    match ambient {
+        Ambient::Creeping(law) => action.call(law),
+        Ambient::Correlation(law) => action.call(law),
+    }
+}
+
+/// Call an action with the law of the external potential.
+pub(super) fn with_external_law<V: WithExternalLaw>(external: External, action: V) -> V::Output {
+    match external {
+        External::Gravity(law) => action.call(law),
+        External::HarmonicWell(law) => action.call(law),
+    }
+}
+
+/// Call an action with the stages of an integration method.
+pub(super) fn with_method<V: WithMethod>(integrator: Integrator, action: V) -> V::Output {
+    match integrator {
+        Integrator::Euler => action.single::<Euler>(),
+        Integrator::SymplecticEuler => action.single::<SymplecticEuler>(),
+        Integrator::Taylor => action.single::<Taylor>(),
+        Integrator::VelocityVerlet => action.double::<VerletPredict, VerletCorrect>(),
+        Integrator::VelocityVerletHalfStep => action.double::<HalfKickAndDrift, HalfKick>(),
+        Integrator::Beeman => action.double_begun_by::<BeemanBegin, BeemanPredict, BeemanCorrect>(),
+    }
+}

@@ -1,41 +1,43 @@
-//! One evaluation: links, forces and the ledger's tally at the present positions and velocities.
+//! One evaluation: contacts and bonds, forces, and what the ledger books, at the present positions and
+//! velocities.
 
-use super::dispatch::{with_metric, with_strong_pass, with_weak_pass};
-use super::{Number, World};
-use crate::balance::Energy;
+use super::dispatch::{
+    WithAmbientLaw, WithBondPass, WithContactPass, WithExternalLaw, with_ambient_law,
+    with_bond_pass, with_contact_pass, with_external_law,
+};
+use super::number::Number;
+use super::simulation::World;
 use crate::error::StepError;
-use crate::forces::{self, BondLoop, ContactLoop, ContactPass, Interaction, PartWorkspace, Tally};
-use crate::laws::{Controller, Driven};
-use crate::model::{Ambient, External};
-use gouge_common::geometry::Metric;
-use gouge_common::instructions::Instructions;
-use gouge_common::lanes::Lanes;
-use gouge_common::pair::Pair;
-use gouge_common::parts::{Ready, Work};
-
-/// Do work as a single part, and book.
-fn whole<S: Lanes, D: Work<PartWorkspace<S>>>(
-    work: D,
-    desks: &mut [PartWorkspace<S>],
-    tally: &mut Tally<S>,
-    instructions: Instructions,
-) {
-    if let Some(desk) = desks.first_mut() {
-        desk.tally = *tally;
-        D::start(Ready {
-            work,
-            own: desk,
-            instructions,
-        });
-        *tally = desk.tally;
-    }
-}
+use crate::forces::{self, BondForces, BondPass, Bookings, ContactForces, ContactPass, PairLoop};
+use crate::geometry::Arm;
+use crate::laws::{
+    AmbientLaw, BeamLaw, Controller, Driven, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw,
+};
+use gouge_common::geometry::{Metric, WithMetric};
 
 impl<S: Number> World<S> {
-    /// Forces at the present positions and velocities; bonds break, contacts begin and end. Whether a step
-    /// has passed since the previous evaluation decides what the drive and sums over steps gain.
+    /// Bring forces, contacts and bonds up to date with the positions, as the next step would.
     ///
-    /// `forces_are_clear` tells that they are all zero.
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn evaluate_if_pending(&mut self) -> Result<(), StepError> {
+        if self.state.is_evaluated {
+            return Ok(());
+        }
+        S::evaluate(self)
+    }
+
+    pub(super) fn evaluate_first(&mut self) -> Result<(), StepError> {
+        self.note_drive_velocity();
+        self.evaluate(self.model.integrator.evaluates_first(), false)?;
+        self.state.is_evaluated = true;
+        Ok(())
+    }
+
+    /// Forces at the present positions and velocities; bonds break, contacts begin and end.
+    ///
+    /// `advances`: whether a step has passed since the previous evaluation, which decides what the drive and
+    /// sums over steps gain. `forces_are_clear`: whether they are all zero.
     pub(super) fn evaluate(
         &mut self,
         advances: bool,
@@ -43,20 +45,20 @@ impl<S: Number> World<S> {
     ) -> Result<(), StepError> {
         self.refresh_neighbors()?;
         if !forces_are_clear {
-            self.forces.clear();
+            self.state.forces.clear();
         }
-        self.tally = Tally::default();
-        self.add_strong_links();
-        self.add_weak_links(advances);
-        if let Some(strong) = &mut self.strong
-            && !strong.broken.is_empty()
+        self.state.bookings = Bookings::default();
+        self.add_bonds();
+        self.add_contacts(advances);
+        if let Some(bonds) = &mut self.state.bonds
+            && !bonds.broken.is_empty()
         {
-            strong.remove_broken();
+            bonds.remove_broken();
         }
         self.add_fields();
         self.add_driving(advances);
-        if let Some(ledger) = &mut self.ledger {
-            ledger.book(&self.tally);
+        if let Some(ledger) = &mut self.state.ledger {
+            ledger.book(&self.state.bookings);
         }
         Ok(())
     }
@@ -66,232 +68,235 @@ impl<S: Number> World<S> {
     /// # Errors
     /// As [`check`](Self::check), if particles have moved far.
     pub fn refresh_neighbors(&mut self) -> Result<(), StepError> {
-        if self.are_neighbors_stale() || self.weak.is_none() {
+        if self.are_neighbors_stale() || self.state.contacts.is_none() {
             self.check()?;
-            let Self {
-                model,
-                particles,
-                weak,
-                strong,
-                ..
-            } = self;
-            if let Some(weak) = weak {
-                with_metric!(model, metric => weak.rebuild(metric, particles, strong.as_ref()));
-            }
+            self.find_neighbors();
         }
         Ok(())
     }
 
     fn are_neighbors_stale(&mut self) -> bool {
-        let Self {
-            model,
-            particles,
-            weak,
-            ..
-        } = self;
-        self.is_stale.take().unwrap_or_else(|| {
-            with_metric!(model, metric => {
-                weak.as_ref().is_none_or(|weak| weak.neighbors().are_stale(metric, &particles.position))
-            })
-        })
-    }
-
-    fn add_strong_links(&mut self) {
-        let Self {
-            model,
-            particles,
-            forces,
-            strong,
-            tally,
-            desks,
-            parts,
-            instructions,
-            ..
-        } = self;
-        let (Some(strong), Some(bond)) = (strong, model.bond) else {
-            return;
-        };
-        let (sums, edition) = (forces.sums(), strong.edition());
-        with_strong_pass!(model, bond, pass => {
-            let links = strong.columns();
-            if model.ledger {
-                whole(BondLoop::<_, _, _, _, true> { pass, particles, links, edition, sums }, desks, tally, *instructions);
-            } else {
-                parts.run(BondLoop::<_, _, _, _, false> { pass, particles, links, edition, sums }, desks, *instructions);
-            }
-        });
-        for desk in desks {
-            desk.strong.arrive(&mut forces.sums());
-            strong.broken.append(&mut desk.broken);
-        }
-    }
-
-    fn add_weak_links(&mut self, advances: bool) {
-        let Self {
-            model,
-            particles,
-            forces,
-            strong,
-            weak,
-            tally,
-            desks,
-            parts,
-            instructions,
-            ..
-        } = self;
-        let (Some(weak), Some(contact)) = (weak, model.contact) else {
-            return;
-        };
-        let strong = strong.as_ref();
-        if let Some(strong) = strong
-            && !strong.broken.is_empty()
-        {
-            weak.admit_broken(strong);
-        }
-        let elapsed = if advances { model.time_step } else { 0.0 };
-        let (sums, edition) = (forces.sums(), weak.edition());
-        with_weak_pass!(model, contact, pass => {
-            let pass = ContactPass { elapsed, ..pass };
-            let (pairs, memories) = (&*weak.pairs, weak.memories.columns());
-            if model.ledger {
-                whole(ContactLoop::<_, _, _, _, _, true> { pass, particles, first: 0, pairs, memories, strong, edition, sums }, desks, tally, *instructions);
-            } else {
-                parts.run(ContactLoop::<_, _, _, _, _, false> { pass, particles, first: 0, pairs, memories, strong, edition, sums }, desks, *instructions);
-            }
-        });
-        for desk in desks {
-            desk.weak.arrive(&mut forces.sums());
-        }
-    }
-
-    fn add_fields(&mut self) {
-        let Self {
-            model,
-            particles,
-            forces,
-            tally,
-            ..
-        } = self;
-        match (model.ambient, model.ledger) {
-            (None, _) => {}
-            (Some(Ambient::Creeping(law)), false) => {
-                forces::ambient::<_, _, false>(law, particles, forces, tally)
-            }
-            (Some(Ambient::Creeping(law)), true) => {
-                forces::ambient::<_, _, true>(law, particles, forces, tally)
-            }
-            (Some(Ambient::Correlation(law)), false) => {
-                forces::ambient::<_, _, false>(law, particles, forces, tally)
-            }
-            (Some(Ambient::Correlation(law)), true) => {
-                forces::ambient::<_, _, true>(law, particles, forces, tally)
-            }
-        }
-        match model.external {
-            None => {}
-            Some(External::Gravity(law)) => forces::external(law, particles, forces),
-            Some(External::HarmonicWell(law)) => forces::external(law, particles, forces),
-        }
-    }
-
-    fn add_driving(&mut self, advances: bool) {
-        let Self {
-            model,
-            particles,
-            forces,
-            tally,
-            driven,
-            drive,
-            ..
-        } = self;
-        let Some(law) = model.driving else { return };
-        let measured = Driven {
-            known_velocity: drive.known_velocity,
-            haste: model.integrator.haste(),
-            ..forces::measure(particles, driven, forces)
-        };
-        drive.reaction = measured.reaction;
-        let before = drive.force;
-        if advances || law.controller == Controller::Exact {
-            drive.force = law.next_force(before, &measured, model.time_step);
-        }
-        drive.applied = if model.integrator.evaluates_first() {
-            before
-        } else {
-            drive.force
-        };
-        if model.ledger {
-            forces::driving::<_, true>(drive.force, particles, driven, forces, tally);
-        } else {
-            forces::driving::<_, false>(drive.force, particles, driven, forces, tally);
-        }
+        let known = self.workspace.is_stale.take();
+        known.unwrap_or_else(|| self.model.domain.with_metric(AreStale { world: self }))
     }
 
     /// Find all pairs that may touch anew.
     pub(super) fn find_neighbors(&mut self) {
-        let Self {
-            model,
-            particles,
-            weak,
-            strong,
-            ..
-        } = self;
-        if let Some(weak) = weak {
-            with_metric!(model, metric => weak.rebuild(metric, particles, strong.as_ref()));
+        let domain = self.model.domain;
+        domain.with_metric(FindNeighbors { world: self });
+    }
+
+    fn add_bonds(&mut self) {
+        let model = self.model;
+        if let Some(laws) = model.bond {
+            with_bond_pass(&model, laws, AddBonds { world: self });
         }
     }
 
-    /// Number of pairs that overlap without being bonded.
-    pub fn number_of_contacts(&self) -> usize {
-        let Some(weak) = &self.weak else { return 0 };
-        let p = &self.particles;
-        let overlaps = |pair: &&Pair| {
-            let (i, j) = pair.indices();
-            let d = with_metric!(self.model, metric => metric.displacement(p.position[i], p.position[j]));
-            let reach = p.radius[i] + p.radius[j];
-            d.norm_squared() < reach * reach
+    fn add_contacts(&mut self, advances: bool) {
+        let model = self.model;
+        if let (Some(contacts), Some(bonds)) = (&mut self.state.contacts, &self.state.bonds)
+            && !bonds.broken.is_empty()
+        {
+            contacts.add_broken(bonds);
+        }
+        let elapsed = if advances { model.time_step } else { 0.0 };
+        if let Some(laws) = model.contact {
+            with_contact_pass(&model, laws, elapsed, AddContacts { world: self });
+        }
+    }
+
+    fn add_fields(&mut self) {
+        if let Some(ambient) = self.model.ambient {
+            with_ambient_law(ambient, AddAmbient { world: self });
+        }
+        if let Some(external) = self.model.external {
+            with_external_law(external, AddExternal { world: self });
+        }
+    }
+
+    fn add_driving(&mut self, advances: bool) {
+        let Some(law) = self.model.driving else {
+            return;
         };
-        weak.pairs.iter().filter(overlaps).count()
+        let state = &mut self.state;
+        let (driven, integrator) = (&self.workspace.driven, self.model.integrator);
+        let measured = Driven {
+            known_velocity: state.drive.known_velocity,
+            velocity_gain: integrator.velocity_gain(),
+            ..forces::measure(&state.particles, driven, &state.forces)
+        };
+        state.drive.reaction = measured.reaction;
+        let before = state.drive.force;
+        if advances || law.controller == Controller::Exact {
+            state.drive.force = law.next_force(before, &measured, self.model.time_step);
+        }
+        state.drive.applied = if integrator.evaluates_first() {
+            before
+        } else {
+            state.drive.force
+        };
+        let force = state.drive.force;
+        let (particles, forces) = (&state.particles, &mut state.forces);
+        if self.model.ledger {
+            forces::driving::<_, true>(force, particles, driven, forces, &mut state.bookings);
+        } else {
+            forces::driving::<_, false>(force, particles, driven, forces, &mut state.bookings);
+        }
     }
-    /// Every pair that interacts in the present state, in order, strong links after weak ones.
-    pub fn links(&self) -> Vec<Interaction> {
-        S::links(self)
-    }
+}
 
-    pub(super) fn find_links(&self) -> Vec<Interaction> {
-        let Self {
-            model, particles, ..
-        } = self;
-        let mut states = Vec::new();
-        if let (Some(weak), Some(contact)) = (&self.weak, model.contact) {
-            with_weak_pass!(model, contact, pass => {
-                states.extend(forces::inspection::weak(pass, particles, weak));
-            });
-        }
-        if let (Some(strong), Some(bond)) = (&self.strong, model.bond) {
-            with_strong_pass!(model, bond, pass => {
-                states.extend(forces::inspection::strong(pass, particles, strong));
-            });
-        }
-        states
-    }
+struct AreStale<'a, S: Number> {
+    world: &'a World<S>,
+}
 
-    /// The energies that are functions of the state, in J.
-    pub(super) fn sum_state_energy(&self) -> Energy<S> {
-        let Self {
-            model, particles, ..
-        } = self;
-        let mut energy = Energy::of_particles(model, particles);
-        if let (Some(weak), Some(contact)) = (&self.weak, model.contact) {
-            energy.contact += with_weak_pass!(model, contact, pass => {
-                forces::stored_in_contacts(pass, particles, weak)
-            });
+impl<S: Number> WithMetric for AreStale<'_, S> {
+    type Output = bool;
+    fn call<M: Metric>(self, metric: M) -> bool {
+        let neighbors = self.world.workspace.neighbors.as_ref();
+        let positions = &self.world.state.particles.position;
+        neighbors.is_none_or(|neighbors| neighbors.are_stale(metric, positions))
+    }
+}
+
+struct FindNeighbors<'a, S: Number> {
+    world: &'a mut World<S>,
+}
+
+impl<S: Number> WithMetric for FindNeighbors<'_, S> {
+    type Output = ();
+    fn call<M: Metric>(self, metric: M) {
+        let (state, workspace) = (&mut self.world.state, &mut self.world.workspace);
+        let (particles, bonds) = (&state.particles, state.bonds.as_ref());
+        if let (Some(contacts), Some(neighbors)) = (&mut state.contacts, &mut workspace.neighbors) {
+            contacts.rebuild(metric, particles, bonds, neighbors);
         }
-        if let (Some(strong), Some(bond)) = (&self.strong, model.bond) {
-            energy.contact += with_strong_pass!(model, bond, pass => {
-                forces::stored_in_bonds(pass, particles, strong)
-            });
+    }
+}
+
+/// The pass over bonds: adds their forces and lists those that break.
+struct AddBonds<'a, S: Number> {
+    world: &'a mut World<S>,
+}
+
+impl<S: Number> WithBondPass for AddBonds<'_, S> {
+    type Output = ();
+    fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) {
+        if self.world.model.ledger {
+            self.add::<_, _, _, true>(pass);
+        } else {
+            self.add::<_, _, _, false>(pass);
         }
-        energy
+    }
+}
+
+impl<S: Number> AddBonds<'_, S> {
+    fn add<M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>(self, pass: BondPass<M, B, Y>) {
+        let World {
+            state,
+            workspace,
+            execution,
+            ..
+        } = self.world;
+        let Some(bonds) = &mut state.bonds else {
+            return;
+        };
+        let particles = &state.particles;
+        let work = PairLoop {
+            edition: bonds.edition(),
+            sums: state.forces.sums(),
+            particles,
+            forces: BondForces::<_, _, _, _, LEDGER> {
+                pass,
+                particles,
+                bonds: bonds.columns(),
+            },
+        };
+        execution.run_pairs::<_, _, LEDGER>(work, &mut workspace.parts, &mut state.bookings);
+        for part in &mut workspace.parts {
+            part.bonds.add_to(&mut state.forces.sums());
+            bonds.broken.append(&mut part.broken);
+        }
+    }
+}
+
+/// The pass over contacts: adds their forces, and begins and ends their memories.
+struct AddContacts<'a, S: Number> {
+    world: &'a mut World<S>,
+}
+
+impl<S: Number> WithContactPass for AddContacts<'_, S> {
+    type Output = ();
+    fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+        self,
+        pass: ContactPass<M, A, N, T>,
+    ) {
+        if self.world.model.ledger {
+            self.add::<_, _, _, _, true>(pass);
+        } else {
+            self.add::<_, _, _, _, false>(pass);
+        }
+    }
+}
+
+impl<S: Number> AddContacts<'_, S> {
+    fn add<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>(
+        self,
+        pass: ContactPass<M, A, N, T>,
+    ) {
+        let World {
+            state,
+            workspace,
+            execution,
+            ..
+        } = self.world;
+        let (Some(contacts), Some(neighbors)) = (&mut state.contacts, &workspace.neighbors) else {
+            return;
+        };
+        let work = PairLoop {
+            edition: contacts.edition(neighbors),
+            sums: state.forces.sums(),
+            particles: &state.particles,
+            forces: ContactForces::<_, _, _, _, _, LEDGER> {
+                pass,
+                first: 0,
+                pairs: &contacts.pairs,
+                memories: contacts.memories.columns(),
+                bonds: state.bonds.as_ref(),
+            },
+        };
+        execution.run_pairs::<_, _, LEDGER>(work, &mut workspace.parts, &mut state.bookings);
+        for part in &workspace.parts {
+            part.contacts.add_to(&mut state.forces.sums());
+        }
+    }
+}
+
+struct AddAmbient<'a, S: Number> {
+    world: &'a mut World<S>,
+}
+
+impl<S: Number> WithAmbientLaw for AddAmbient<'_, S> {
+    fn call<L: AmbientLaw>(self, law: L) {
+        let state = &mut self.world.state;
+        let (particles, sums, bookings) =
+            (&state.particles, &mut state.forces, &mut state.bookings);
+        if self.world.model.ledger {
+            forces::ambient::<_, _, true>(law, particles, sums, bookings);
+        } else {
+            forces::ambient::<_, _, false>(law, particles, sums, bookings);
+        }
+    }
+}
+
+struct AddExternal<'a, S: Number> {
+    world: &'a mut World<S>,
+}
+
+impl<S: Number> WithExternalLaw for AddExternal<'_, S> {
+    type Output = ();
+    fn call<L: ExternalLaw>(self, law: L) {
+        let state = &mut self.world.state;
+        forces::external(law, &state.particles, &mut state.forces);
     }
 }

@@ -1,13 +1,23 @@
-//! Stops a run whose state has become senseless, and says why.
+//! Stops a run whose state is no longer physical, and reports the likely cause.
 
-use super::{Number, World};
+use super::number::Number;
+use super::simulation::World;
 use crate::error::StepError;
 use crate::integrators::{Oscillator, critical_step};
 use crate::model::{ContactNormal, ContactTangential, Model};
 
-/// Check every particle; see [`World::check`].
-pub(super) fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
-    let p = &world.particles;
+impl<S: Number> World<S> {
+    /// Check that the state is finite and that no particle moves farther than a cell per step.
+    ///
+    /// # Errors
+    /// The first particle that violates either.
+    pub fn check(&self) -> Result<(), StepError> {
+        check(self)
+    }
+}
+
+fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
+    let p = &world.state.particles;
     let step = world.model.time_step;
     let cell = farthest(world);
     for i in 0..p.len() {
@@ -20,7 +30,7 @@ pub(super) fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
                 particle: i,
                 link: most_strained_link(world, i),
                 time: world.time(),
-                steps: world.steps,
+                steps: world.state.steps,
                 time_step: step,
                 bound: stable_step_estimate(world),
             });
@@ -44,9 +54,9 @@ pub(super) fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
 /// How far a particle may move in one step in m: a cell, where there are contacts; with bonds alone
 /// the largest diameter, which no bond survives; without links any distance.
 fn farthest<S: Number>(world: &World<S>) -> f64 {
-    match (&world.weak, &world.strong) {
-        (Some(weak), _) => weak.neighbors().cell_side(),
-        (None, Some(_)) => 2.0 * world.particles.largest_radius(),
+    match (&world.workspace.neighbors, &world.state.bonds) {
+        (Some(neighbors), _) => neighbors.cell_side(),
+        (None, Some(_)) => 2.0 * world.state.particles.largest_radius(),
         (None, None) => f64::INFINITY,
     }
 }
@@ -61,7 +71,7 @@ fn most_strained_link<S: Number>(world: &World<S>, particle: usize) -> Option<[u
             f64::INFINITY
         }
     };
-    let links = world.links();
+    let links = world.interactions();
     let touching = links.iter().filter(|link| {
         let (i, j) = link.pair.indices();
         i == particle || j == particle
@@ -79,7 +89,7 @@ fn most_strained_link<S: Number>(world: &World<S>, particle: usize) -> Option<[u
 /// over its inertia; the same holds for damping. The largest of both are taken together. Contacts count
 /// as if every pair near enough to touch did.
 pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
-    let number = world.particles.len();
+    let number = world.state.particles.len();
     let mut stiffness = vec![0.0; number];
     let mut damping = vec![0.0; number];
     let mut add = |(i, j): (usize, usize), k: f64, c: f64| {
@@ -88,18 +98,18 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
             damping[particle] += c;
         }
     };
-    if let (Some(strong), Some((k, c))) = (&world.strong, bond_constants(&world.model)) {
+    if let (Some(strong), Some((k, c))) = (&world.state.bonds, bond_constants(&world.model)) {
         strong
             .pairs
             .iter()
             .for_each(|pair| add(pair.indices(), k, c));
     }
-    if let (Some(weak), Some(contact)) = (&world.weak, world.model.contact) {
+    if let (Some(weak), Some(contact)) = (&world.state.contacts, world.model.contact) {
         for pair in &weak.pairs {
             let (i, j) = pair.indices();
             let radii = [
-                world.particles.radius[i].to_f64(),
-                world.particles.radius[j].to_f64(),
+                world.state.particles.radius[i].to_f64(),
+                world.state.particles.radius[j].to_f64(),
             ];
             let (k, c) = contact_constants(&contact.normal, &contact.tangential, radii);
             add((i, j), k, c);
@@ -108,7 +118,7 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
     let largest = |sums: &[f64]| {
         let per_mass = sums
             .iter()
-            .zip(&world.inverse_mass)
+            .zip(&world.workspace.inverse_mass)
             .map(|(sum, m)| 2.0 * sum * m.to_f64());
         per_mass.fold(0.0, f64::max)
     };

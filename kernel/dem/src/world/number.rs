@@ -1,16 +1,16 @@
 //! Which numbers a world can be made of, and where its passes are compiled.
 
-use super::World;
+use super::simulation::World;
 use crate::balance::Energy;
 use crate::error::StepError;
 use crate::forces::Interaction;
 use gouge_common::lanes::Lanes;
 
-/// A number of which a world can be made.
+/// A number type of which a world can be made.
 ///
-/// Generic functions are compiled in every crate that calls them, and those of a world hold every pass for
-/// every choice of laws. They are therefore asked of the number: for `f64`, which all crates use, they are
-/// compiled once, with the kernel. Other numbers need no methods of their own.
+/// Generic functions are compiled in every crate that calls them, and those of a world contain every pass for
+/// every choice of laws. They are therefore methods of the number type: for `f64`, which all crates use, they
+/// are compiled once, with the kernel. Other number types need no methods of their own.
 pub trait Number: Lanes {
     /// What [`World::step`] does.
     ///
@@ -26,9 +26,9 @@ pub trait Number: Lanes {
     fn evaluate(world: &mut World<Self>) -> Result<(), StepError> {
         world.evaluate_first()
     }
-    /// What [`World::links`] finds.
-    fn links(world: &World<Self>) -> Vec<Interaction> {
-        world.find_links()
+    /// What [`World::interactions`] finds.
+    fn interactions(world: &World<Self>) -> Vec<Interaction> {
+        world.find_interactions()
     }
     /// The energies of [`World::energy`] that are functions of the state, in J.
     fn state_energy(world: &World<Self>) -> Energy<Self> {
@@ -43,8 +43,8 @@ impl Number for f64 {
     fn evaluate(world: &mut World) -> Result<(), StepError> {
         world.evaluate_first()
     }
-    fn links(world: &World) -> Vec<Interaction> {
-        world.find_links()
+    fn interactions(world: &World) -> Vec<Interaction> {
+        world.find_interactions()
     }
     fn state_energy(world: &World) -> Energy<f64> {
         world.sum_state_energy()

@@ -1,291 +1,363 @@
-//! The whole state of a world as a list of words, for checkpoints.
+//! The whole state of a world as named columns, for checkpoints.
 
-use super::{Drive, Start, World};
+use super::begin::Start;
+use super::simulation::World;
+use super::state::{Drive, State};
 use crate::balance::Ledger;
 use crate::bonds::{Bond, Bonds, Rest};
 use crate::contacts::ContactMemory;
-use crate::forces::{Forces, Tally};
-use crate::integrators::Previous;
+use crate::forces::{Bookings, Forces};
+use crate::integrators::{Integrator, Previous};
 use crate::model::Model;
 use crate::particles::{Particles, Role};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
+use gouge_common::record::{Column, Record, Shape};
 
-/// Words in the order in which they were written.
-struct Reader<'a> {
-    words: &'a [u64],
-}
+/// Name of the model in records.
+pub const NAME: &str = "dem";
 
-impl Reader<'_> {
-    fn word(&mut self) -> Option<u64> {
-        let (first, rest) = self.words.split_first()?;
-        self.words = rest;
-        Some(*first)
-    }
-    fn number(&mut self) -> Option<f64> {
-        self.word().map(f64::from_bits)
-    }
-    fn vector(&mut self) -> Option<Vec2> {
-        Some(Vec2::new(self.number()?, self.number()?))
-    }
-    fn pair(&mut self) -> Option<Pair> {
-        let word = self.word()?;
-        Some(Pair {
-            i: (word >> 32) as u32,
-            j: word as u32,
-        })
-    }
-    /// A list that is preceded by its length.
-    fn list<T>(&mut self, read: impl Fn(&mut Self) -> Option<T>) -> Option<Vec<T>> {
-        let length = usize::try_from(self.word()?).ok()?;
-        // A damaged length must not reserve memory that the words cannot fill.
-        if length > self.words.len() {
-            return None;
-        }
-        let mut list = Vec::with_capacity(length);
-        for _ in 0..length {
-            list.push(read(self)?);
-        }
-        Some(list)
-    }
-}
+/// Columns of every record, in order.
+const COLUMNS: [(&str, Shape); 17] = [
+    ("steps", Shape::Words(1)),
+    ("is_evaluated", Shape::Words(1)),
+    ("position", Shape::List(2)),
+    ("velocity", Shape::List(2)),
+    ("angle", Shape::List(1)),
+    ("angular_velocity", Shape::List(1)),
+    ("radius", Shape::List(1)),
+    ("mass", Shape::List(1)),
+    ("moment_of_inertia", Shape::List(1)),
+    ("role", Shape::List(1)),
+    ("force", Shape::List(2)),
+    ("torque", Shape::List(1)),
+    ("drive", Shape::Words(6)),
+    ("bonds", Shape::List(7)),
+    ("contacts", Shape::List(6)),
+    ("ledger", Shape::Words(6)),
+    ("bookings", Shape::Words(6)),
+];
+/// Columns that follow where a method keeps something of the previous evaluation.
+const PREVIOUS: [(&str, Shape); 5] = [
+    ("previous_is_set", Shape::Words(1)),
+    ("previous_linear", Shape::List(2)),
+    ("older_linear", Shape::List(2)),
+    ("previous_angular", Shape::List(1)),
+    ("older_angular", Shape::List(1)),
+];
 
-#[derive(Default)]
-struct Writer {
-    words: Vec<u64>,
-}
-
-impl Writer {
-    fn word(&mut self, word: u64) {
-        self.words.push(word);
-    }
-    fn number(&mut self, number: f64) {
-        self.word(number.to_bits());
-    }
-    fn vector(&mut self, vector: Vec2) {
-        self.number(vector.x);
-        self.number(vector.y);
-    }
-    fn pair(&mut self, pair: Pair) {
-        self.word(u64::from(pair.i) << 32 | u64::from(pair.j));
-    }
-    fn list<T>(&mut self, items: &[T], write: impl Fn(&mut Self, &T)) {
-        self.word(items.len() as u64);
-        items.iter().for_each(|item| write(self, item));
-    }
-}
-
-fn write_particles(writer: &mut Writer, p: &Particles) {
-    writer.list(&p.position, |w, &x| w.vector(x));
-    writer.list(&p.velocity, |w, &v| w.vector(v));
-    for column in [
-        &p.angle,
-        &p.angular_velocity,
-        &p.radius,
-        &p.mass,
-        &p.moment_of_inertia,
-    ] {
-        writer.list(column, |w, &x| w.number(x));
-    }
-    writer.list(&p.role, |w, &role| w.word(role as u64));
-}
-
-fn read_particles(reader: &mut Reader) -> Option<Particles> {
-    let role = |r: &mut Reader| match r.word()? {
-        0 => Some(Role::Free),
-        1 => Some(Role::Driven),
-        2 => Some(Role::Fixed),
-        _ => None,
+/// Columns of the records of a method.
+fn layout(integrator: Integrator) -> Vec<(&'static str, Shape)> {
+    let previous: &[_] = match integrator.needs_previous() {
+        true => &PREVIOUS,
+        false => &[],
     };
-    let particles = Particles {
-        position: reader.list(Reader::vector)?,
-        velocity: reader.list(Reader::vector)?,
-        angle: reader.list(Reader::number)?,
-        angular_velocity: reader.list(Reader::number)?,
-        radius: reader.list(Reader::number)?,
-        mass: reader.list(Reader::number)?,
-        moment_of_inertia: reader.list(Reader::number)?,
-        role: reader.list(role)?,
-    };
-    let number = particles.len();
-    let lengths = [
-        particles.velocity.len(),
-        particles.angle.len(),
-        particles.angular_velocity.len(),
-        particles.radius.len(),
-        particles.mass.len(),
-        particles.moment_of_inertia.len(),
-        particles.role.len(),
-    ];
-    lengths
-        .iter()
-        .all(|&length| length == number)
-        .then_some(particles)
-}
-
-fn write_strong_link(writer: &mut Writer, link: &Bond<f64>) {
-    writer.pair(link.pair);
-    writer.vector(link.rest.reference);
-    link.rest
-        .angles
-        .iter()
-        .for_each(|&angle| writer.number(angle));
-    writer.number(link.rest.distance);
-    writer.number(link.strength_factor);
-}
-
-fn read_strong_link(reader: &mut Reader) -> Option<Bond<f64>> {
-    Some(Bond {
-        pair: reader.pair()?,
-        rest: Rest {
-            reference: reader.vector()?,
-            angles: [reader.number()?, reader.number()?],
-            distance: reader.number()?,
-        },
-        strength_factor: reader.number()?,
-    })
-}
-
-fn write_contact(writer: &mut Writer, (pair, memory): &(Pair, ContactMemory<f64>)) {
-    writer.pair(*pair);
-    writer.vector(memory.reference);
-    memory.ends.iter().for_each(|&angle| writer.number(angle));
-    writer.number(memory.state);
-}
-
-fn read_contact(reader: &mut Reader) -> Option<(Pair, ContactMemory<f64>)> {
-    let pair = reader.pair()?;
-    let memory = ContactMemory {
-        touches: true,
-        reference: reader.vector()?,
-        ends: [reader.number()?, reader.number()?],
-        state: reader.number()?,
-    };
-    Some((pair, memory))
+    [&COLUMNS[..], previous].concat()
 }
 
 impl World {
-    /// The whole state as words; [`from_words`](Self::from_words) continues from it with the same bits.
+    /// The whole state; [`from_record`](Self::from_record) continues from it with the same bits.
+    pub fn record(&self) -> Record {
+        let columns = layout(self.model.integrator);
+        let words = words_of(&self.state, columns.len() > COLUMNS.len());
+        let columns = columns.iter().zip(words).map(|(&(name, shape), words)| {
+            let name = name.to_owned();
+            Column { name, shape, words }
+        });
+        Record {
+            model: NAME.to_owned(),
+            columns: columns.collect(),
+        }
+    }
+
+    /// The world of a model in a recorded state; none if the record is not such a state.
+    pub fn from_record(model: Model, record: &Record) -> Option<Self> {
+        let layout = layout(model.integrator);
+        let fits = |(column, &(name, shape)): (&Column, &(&str, Shape))| {
+            column.name == name && column.shape == shape && column.is_whole()
+        };
+        let is_of_model = record.model == NAME
+            && record.columns.len() == layout.len()
+            && record.columns.iter().zip(&layout).all(fits);
+        if !is_of_model {
+            return None;
+        }
+        let columns: Vec<&[u64]> = record.columns.iter().map(|one| &one.words[..]).collect();
+        restore(model, &columns)
+    }
+
+    /// The words of the record, one after the other.
     pub fn to_words(&self) -> Vec<u64> {
-        let mut writer = Writer::default();
-        writer.word(self.steps);
-        writer.word(u64::from(self.is_evaluated));
-        write_particles(&mut writer, &self.particles);
-        writer.list(&self.forces.force, |w, &force| w.vector(force));
-        writer.list(&self.forces.torque, |w, &torque| w.number(torque));
-        [self.drive.force, self.drive.applied, self.drive.reaction]
-            .iter()
-            .for_each(|&v| writer.vector(v));
-        let strong: Vec<_> = self
-            .strong
-            .as_ref()
-            .map_or_else(Vec::new, |strong| strong.iter().collect());
-        writer.list(&strong, write_strong_link);
-        let contacts: Vec<_> = self
-            .weak
-            .as_ref()
-            .map_or_else(Vec::new, |weak| weak.remembered().collect());
-        writer.list(&contacts, write_contact);
-        self.ledger
-            .unwrap_or_default()
-            .numbers()
-            .iter()
-            .for_each(|&x| writer.number(x));
-        self.tally.numbers().iter().for_each(|&x| writer.number(x));
-        if self.model.integrator.needs_previous() {
-            let previous = &self.previous;
-            writer.word(u64::from(previous.is_set));
-            for column in [&previous.linear, &previous.older_linear] {
-                writer.list(column, |w, &a| w.vector(a));
-            }
-            for column in [&previous.angular, &previous.older_angular] {
-                writer.list(column, |w, &a| w.number(a));
-            }
-        }
-        writer.words
+        self.record().words()
     }
 
-    /// The world of a model in a recorded state; nothing if the words are not such a state.
+    /// The world of a model in the state of such words; none if they are not such a state.
     pub fn from_words(model: Model, words: &[u64]) -> Option<Self> {
-        let mut reader = Reader { words };
-        let steps = reader.word()?;
-        let is_evaluated = reader.word()? == 1;
-        let particles = read_particles(&mut reader)?;
-        let number = particles.len();
-        let forces = Forces {
-            force: reader.list(Reader::vector)?,
-            torque: reader.list(Reader::number)?,
-        };
-        if forces.force.len() != number || forces.torque.len() != number {
-            return None;
-        }
-        let drive = Drive {
-            force: reader.vector()?,
-            applied: reader.vector()?,
-            reaction: reader.vector()?,
-            ..Drive::default()
-        };
-        let links = reader.list(read_strong_link)?;
-        let contacts = reader.list(read_contact)?;
-        let bonded = links.iter().map(|link| link.pair);
-        let touching = contacts.iter().map(|&(pair, _)| pair);
-        if !can_be(bonded, number) || !can_be(touching, number) {
-            return None;
-        }
-        let mut world = Self::new(model, particles, &Start::default()).ok()?;
-        world.adopt_links(links, contacts);
-        (world.steps, world.is_evaluated) = (steps, is_evaluated);
-        (world.forces, world.drive) = (forces, drive);
-        let ledger = Ledger::from_numbers(reader.numbers()?);
-        world.ledger = world.ledger.map(|_| ledger);
-        world.tally = Tally::from_numbers(reader.numbers()?);
-        if model.integrator.needs_previous() {
-            world.previous = read_previous(&mut reader, &world.previous)?;
-        }
-        reader.words.is_empty().then_some(world)
+        let record = Record::from_words(NAME, &layout(model.integrator), words)?;
+        Self::from_record(model, &record)
     }
 
-    /// Replace all links.
-    pub(super) fn adopt_links(
+    /// Replace all bonds and all memories of contacts.
+    pub(super) fn adopt(
         &mut self,
-        links: Vec<Bond<f64>>,
+        bonds: Vec<Bond<f64>>,
         contacts: Vec<(Pair, ContactMemory<f64>)>,
     ) {
-        if let Some(strong) = &mut self.strong {
-            *strong = Bonds::from_links(&links, &self.particles);
+        if let Some(own) = &mut self.state.bonds {
+            *own = Bonds::from_bonds(&bonds, &self.state.particles);
         }
-        if let Some(weak) = &mut self.weak {
-            weak.restore(&contacts);
+        if let Some(own) = &mut self.state.contacts {
+            own.restore(&contacts);
         }
-        self.make_room();
+        self.reserve();
         self.find_neighbors();
     }
 }
 
-/// Whether pairs are such that links have: in order, each once, of so many particles.
-fn can_be(mut pairs: impl Iterator<Item = Pair> + Clone, particles: usize) -> bool {
+/// The words of every column.
+fn words_of(state: &State<f64>, with_previous: bool) -> Vec<Vec<u64>> {
+    let (p, drive, previous) = (&state.particles, &state.drive, &state.previous);
+    let bonds = state.bonds.iter().flat_map(Bonds::iter);
+    let contacts = state.contacts.iter().flat_map(|all| all.remembered());
+    let mut words = vec![
+        vec![state.steps],
+        vec![u64::from(state.is_evaluated)],
+        vectors(&p.position),
+        vectors(&p.velocity),
+        numbers(&p.angle),
+        numbers(&p.angular_velocity),
+        numbers(&p.radius),
+        numbers(&p.mass),
+        numbers(&p.moment_of_inertia),
+        p.role.iter().map(|&role| role as u64).collect(),
+        vectors(&state.forces.force),
+        numbers(&state.forces.torque),
+        vectors(&[drive.force, drive.applied, drive.reaction]),
+        bonds.flat_map(|bond| bond_words(&bond)).collect(),
+        contacts.flat_map(|one| contact_words(&one)).collect(),
+        numbers(&state.ledger.unwrap_or_default().numbers()),
+        numbers(&state.bookings.numbers()),
+    ];
+    if with_previous {
+        words.extend([
+            vec![u64::from(previous.is_set)],
+            vectors(&previous.linear),
+            vectors(&previous.older_linear),
+            numbers(&previous.angular),
+            numbers(&previous.older_angular),
+        ]);
+    }
+    words
+}
+
+fn numbers(column: &[f64]) -> Vec<u64> {
+    column.iter().map(|x| x.to_bits()).collect()
+}
+
+fn vectors(column: &[Vec2]) -> Vec<u64> {
+    column
+        .iter()
+        .flat_map(|v| [v.x.to_bits(), v.y.to_bits()])
+        .collect()
+}
+
+fn pair_word(pair: Pair) -> u64 {
+    u64::from(pair.i) << 32 | u64::from(pair.j)
+}
+
+fn bond_words(bond: &Bond<f64>) -> [u64; 7] {
+    let Rest {
+        reference,
+        angles,
+        distance,
+    } = bond.rest;
+    let numbers = [
+        reference.x,
+        reference.y,
+        angles[0],
+        angles[1],
+        distance,
+        bond.strength_factor,
+    ];
+    let [a, b, c, d, e, f] = numbers.map(f64::to_bits);
+    [pair_word(bond.pair), a, b, c, d, e, f]
+}
+
+fn contact_words((pair, memory): &(Pair, ContactMemory<f64>)) -> [u64; 6] {
+    let ContactMemory {
+        reference,
+        ends,
+        state,
+        ..
+    } = *memory;
+    let [a, b, c, d, e] = [reference.x, reference.y, ends[0], ends[1], state].map(f64::to_bits);
+    [pair_word(*pair), a, b, c, d, e]
+}
+
+/// The world of a model whose columns have the right shapes; none if their contents do not fit each other.
+fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
+    let (common, previous) = columns.split_at_checked(COLUMNS.len())?;
+    let &[
+        &[steps],
+        &[is_evaluated],
+        ref of_particles @ ..,
+        force,
+        torque,
+        drive,
+        bonds,
+        contacts,
+        ledger,
+        bookings,
+    ] = common
+    else {
+        return None;
+    };
+    let particles = read_particles(of_particles)?;
+    let number = particles.len();
+    let forces = Forces {
+        force: read_vectors(force),
+        torque: read_numbers(torque),
+    };
+    let bonds: Vec<Bond<f64>> = read_items(bonds, read_bond);
+    let contacts: Vec<(Pair, ContactMemory<f64>)> = read_items(contacts, read_contact);
+    let can_be = can_exist(bonds.iter().map(|bond| bond.pair), number)
+        && can_exist(contacts.iter().map(|one| one.0), number)
+        && forces.force.len() == number
+        && forces.torque.len() == number;
+    if !can_be {
+        return None;
+    }
+    let mut world = World::new(model, particles, &Start::default()).ok()?;
+    world.adopt(bonds, contacts);
+    let state = &mut world.state;
+    (state.steps, state.is_evaluated) = (steps, is_evaluated == 1);
+    state.forces = forces;
+    state.drive = read_drive(drive)?;
+    let ledger = Ledger::from_numbers(read_numbers(ledger).try_into().ok()?);
+    state.ledger = state.ledger.map(|_| ledger);
+    state.bookings = Bookings::from_numbers(read_numbers(bookings).try_into().ok()?);
+    if model.integrator.needs_previous() {
+        state.previous = read_previous(previous, &state.previous)?;
+    }
+    Some(world)
+}
+
+fn read_numbers(words: &[u64]) -> Vec<f64> {
+    words.iter().map(|&word| f64::from_bits(word)).collect()
+}
+
+fn read_vectors(words: &[u64]) -> Vec<Vec2> {
+    read_items(words, |[x, y]| {
+        Vec2::new(f64::from_bits(x), f64::from_bits(y))
+    })
+}
+
+/// Items of a fixed number of words each.
+fn read_items<T, const WIDTH: usize>(words: &[u64], read: impl Fn([u64; WIDTH]) -> T) -> Vec<T> {
+    let (items, _) = words.as_chunks();
+    items.iter().copied().map(read).collect()
+}
+
+fn read_particles(columns: &[&[u64]]) -> Option<Particles> {
+    let &[
+        position,
+        velocity,
+        angle,
+        angular_velocity,
+        radius,
+        mass,
+        moment_of_inertia,
+        role,
+    ] = columns
+    else {
+        return None;
+    };
+    let roles = role.iter().map(|word| match word {
+        0 => Some(Role::Free),
+        1 => Some(Role::Driven),
+        2 => Some(Role::Fixed),
+        _ => None,
+    });
+    let number = position.len() / 2;
+    let others = [
+        angle,
+        angular_velocity,
+        radius,
+        mass,
+        moment_of_inertia,
+        role,
+    ];
+    let is_whole =
+        velocity.len() == 2 * number && others.iter().all(|column| column.len() == number);
+    is_whole.then_some(Particles {
+        position: read_vectors(position),
+        velocity: read_vectors(velocity),
+        angle: read_numbers(angle),
+        angular_velocity: read_numbers(angular_velocity),
+        radius: read_numbers(radius),
+        mass: read_numbers(mass),
+        moment_of_inertia: read_numbers(moment_of_inertia),
+        role: roles.collect::<Option<_>>()?,
+    })
+}
+
+fn read_drive(words: &[u64]) -> Option<Drive<f64>> {
+    let [force, applied, reaction] = read_vectors(words).try_into().ok()?;
+    Some(Drive {
+        force,
+        applied,
+        reaction,
+        ..Drive::default()
+    })
+}
+
+fn read_pair(word: u64) -> Pair {
+    Pair {
+        i: (word >> 32) as u32,
+        j: word as u32,
+    }
+}
+
+fn read_bond([pair, numbers @ ..]: [u64; 7]) -> Bond<f64> {
+    let [x, y, a, b, distance, strength_factor] = numbers.map(f64::from_bits);
+    Bond {
+        pair: read_pair(pair),
+        rest: Rest {
+            reference: Vec2::new(x, y),
+            angles: [a, b],
+            distance,
+        },
+        strength_factor,
+    }
+}
+
+fn read_contact([pair, numbers @ ..]: [u64; 6]) -> (Pair, ContactMemory<f64>) {
+    let [x, y, a, b, state] = numbers.map(f64::from_bits);
+    let memory = ContactMemory {
+        touches: true,
+        reference: Vec2::new(x, y),
+        ends: [a, b],
+        state,
+    };
+    (read_pair(pair), memory)
+}
+
+/// Whether pairs are in order, each once, of so many particles.
+fn can_exist(mut pairs: impl Iterator<Item = Pair> + Clone, particles: usize) -> bool {
     let exists = |pair: Pair| pair.i < pair.j && (pair.j as usize) < particles;
     pairs.clone().is_sorted_by(|a, b| a < b) && pairs.all(exists)
 }
 
-impl Reader<'_> {
-    fn numbers<const N: usize>(&mut self) -> Option<[f64; N]> {
-        let mut numbers = [0.0; N];
-        for number in &mut numbers {
-            *number = self.number()?;
-        }
-        Some(numbers)
-    }
-}
-
-fn read_previous(reader: &mut Reader, blank: &Previous<f64>) -> Option<Previous<f64>> {
-    let is_set = reader.word()? == 1;
+fn read_previous(columns: &[&[u64]], blank: &Previous<f64>) -> Option<Previous<f64>> {
+    let &[&[is_set], linear, older_linear, angular, older_angular] = columns else {
+        return None;
+    };
     let previous = Previous {
-        is_set,
-        linear: reader.list(Reader::vector)?,
-        older_linear: reader.list(Reader::vector)?,
-        angular: reader.list(Reader::number)?,
-        older_angular: reader.list(Reader::number)?,
+        is_set: is_set == 1,
+        linear: read_vectors(linear),
+        older_linear: read_vectors(older_linear),
+        angular: read_numbers(angular),
+        older_angular: read_numbers(older_angular),
     };
     let fits = previous.linear.len() == blank.linear.len()
         && previous.angular.len() == blank.angular.len()

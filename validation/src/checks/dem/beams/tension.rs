@@ -160,7 +160,7 @@ fn responses(rest: &Rest, displacement: &[f64], grips: [f64; 2]) -> Result<[f64;
         .map(|i| [position[i].y, displacement[3 * i + 1]])
         .collect::<Vec<_>>();
     let mut stress = [0.0; 2];
-    for link in world.links() {
+    for link in world.interactions() {
         let (i, j) = link.pair.indices();
         if gauge.contains(&(0.5 * (position[i].y + position[j].y))) {
             let force = link.normal * link.normal_force

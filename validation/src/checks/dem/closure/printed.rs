@@ -79,7 +79,7 @@ fn links(world: &World) -> Vec<Link> {
             turning: [i, j].map(|n| p.angular_velocity[n] - frame_rate),
         }
     };
-    let mut all: Vec<Link> = world.links().iter().map(of).collect();
+    let mut all: Vec<Link> = world.interactions().iter().map(of).collect();
     all.sort_by_key(|link| link.pair);
     all
 }
@@ -156,7 +156,7 @@ fn gears() -> Outcome {
         + &particle([RADIUS.next_down(), 0.0], [-0.5, 0.0], -spin, RADIUS);
     let mut world = world(&text)?;
     let printed = follow(&mut world, u64::from(STEPS))?;
-    let links = world.links();
+    let links = world.interactions();
     let [zeta, other] = links
         .first()
         .map_or([f64::NAN; 2], |link| link.tangential_displacement);

@@ -3,7 +3,6 @@
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
 use gouge_dem::World;
-use gouge_dem::estimators::contact_network;
 
 pub fn checks() -> Vec<Check> {
     vec![begin(), end(), given()]
@@ -52,10 +51,14 @@ fn measure_begin() -> Outcome {
             let mut world = pair(radii, factor * (radii[0] + radii[1]), 0.0, "")?;
             world.evaluate_if_pending()?;
             let remembered = world.contacts().map_or(0, |weak| weak.remembered().count());
-            for found in [world.number_of_contacts(), world.links().len(), remembered] {
+            for found in [
+                world.number_of_contacts(),
+                world.interactions().len(),
+                remembered,
+            ] {
                 all.push(Measurement::count(found.abs_diff(expected)));
             }
-            let number = contact_network(&world).coordination_number();
+            let number = world.contact_network().coordination_number();
             all.push(Measurement::absolute(expected as f64, number, 0.0));
         }
     }

@@ -4,7 +4,7 @@ use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
 use gouge_common::estimators::packing_fraction;
 use gouge_dem::World;
-use gouge_dem::estimators::{contact_network, friction_feedback, friction_load};
+use gouge_dem::estimators::{friction_feedback, friction_load};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use std::f64::consts::PI;
@@ -81,7 +81,9 @@ fn measure_chain() -> Outcome {
             i - 1
         );
     }
-    let stress = contact_network(&world(&text)?).mean_stress(9.0 * 2.002e-3 * 1e-6);
+    let stress = world(&text)?
+        .contact_network()
+        .mean_stress(9.0 * 2.002e-3 * 1e-6);
     let tension = 1e7 * 2e-6 / 1e-6;
     let mut all = Vec::new();
     for (row, a) in stress.iter().zip(direction) {
@@ -145,7 +147,7 @@ fn virial() -> Check {
 fn measure_virial() -> Outcome {
     const VOLUME: f64 = 2.0;
     let world = frame()?;
-    let stress = contact_network(&world).mean_stress(VOLUME);
+    let stress = world.contact_network().mean_stress(VOLUME);
     let forces = world.forces();
     let mut virial = [[0.0; 2]; 2];
     for (force, x) in forces.force.iter().zip(&world.particles().position) {
@@ -200,7 +202,7 @@ fn measure_packing() -> Outcome {
     let mean = 2.0 * links as f64 / p.len() as f64;
     Ok(Measurement::worst([
         Measurement::relative(PI / (2.0 * 3.0_f64.sqrt()), filled, 1e-13),
-        Measurement::relative(mean, contact_network(&world).coordination_number(), 1e-15),
+        Measurement::relative(mean, world.contact_network().coordination_number(), 1e-15),
     ])
     .into())
 }

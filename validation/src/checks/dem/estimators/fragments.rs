@@ -99,6 +99,6 @@ fn measure_broken() -> Outcome {
         .map(|i| (i, i + 1))
         .collect();
     let left = world.bonds().map_or(0, |strong| strong.len());
-    let wrong = differences(&fragments(&world), &edges) + usize::from(left != edges.len());
+    let wrong = differences(&fragments(world.state()), &edges) + usize::from(left != edges.len());
     Ok(Measurement::count(wrong).into())
 }

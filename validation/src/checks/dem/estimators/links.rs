@@ -60,7 +60,7 @@ fn link(laws: &str, list: &str) -> Result<Interaction, Failure> {
             "{list}\nbetween = [0, 1]\ninitial_angles = [{:e}, {:e}]\n",
             initial[0], initial[1]
         );
-    let links = world(&text)?.links();
+    let links = world(&text)?.interactions();
     let only = links.first().filter(|_| links.len() == 1).copied();
     only.ok_or_else(|| Failure::Oracle("there is not one link".to_owned()))
 }
@@ -120,8 +120,8 @@ fn measure_state() -> Outcome {
     motion(&contact, &mut all);
     forces(&bond, &contact, &mut all);
     let kinds = [
-        bond.kind == InteractionKind::Strong,
-        contact.kind == InteractionKind::Weak,
+        bond.kind == InteractionKind::Bond,
+        contact.kind == InteractionKind::Contact,
     ];
     let wrong = kinds.iter().filter(|right| !**right).count();
     all.push(Measurement::count(wrong));

@@ -90,7 +90,7 @@ fn contact_at(
     let forces = world.forces();
     let finite = forces.force.iter().all(|force| force.is_finite())
         && forces.torque.iter().all(|torque| torque.is_finite());
-    let link = world.links().into_iter().next();
+    let link = world.interactions().into_iter().next();
     let missing = || Failure::Oracle("no contact".to_owned());
     Ok((link.ok_or_else(missing)?, finite))
 }

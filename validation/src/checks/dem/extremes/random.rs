@@ -74,9 +74,9 @@ fn is_wrong(world: &World, range: Range) -> bool {
     let alone = model.ambient.is_none() && model.external.is_none() && model.driving.is_none();
     let unbalanced = alone && force[0] != -force[1];
     let attracts = world
-        .links()
+        .interactions()
         .iter()
-        .any(|link| link.kind == InteractionKind::Weak && link.normal_force > 0.0);
+        .any(|link| link.kind == InteractionKind::Contact && link.normal_force > 0.0);
     unbalanced || attracts
 }
 

@@ -161,7 +161,7 @@ fn change(multiple: f64) -> [f64; 2] {
         number: 2.0,
         velocity: 6.0 * multiple,
         known_velocity: 0.0,
-        haste: 1.0,
+        velocity_gain: 1.0,
         reaction: Vec2::new(0.0, 10.0 * multiple),
         inverse_mass: 1.0,
         acceleration: 0.0,

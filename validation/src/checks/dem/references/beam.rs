@@ -78,7 +78,7 @@ struct Stiffening {
 /// The difference of the laws for equal radii: the engine's shearing moment is that of the thesis times the
 /// square of the distance over that at rest.
 fn stiffening(world: &World) -> Result<Stiffening, Failure> {
-    let links = world.links();
+    let links = world.interactions();
     let bond = world.model().bond.and_then(|bond| bond.tangential);
     let (Some(link), Some(beam)) = (links.first(), bond) else {
         return Err(Failure::Oracle("the scene has no bent bond".to_owned()));

@@ -144,7 +144,7 @@ pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Differen
 /// Largest overlap of a contact in units of the smallest radius.
 fn depth(world: &World) -> f64 {
     let radius = smallest_radius(world);
-    let links = world.links();
+    let links = world.interactions();
     let depths = links.iter().map(|link| link.normal_displacement / radius);
     depths.fold(0.0, f64::max)
 }

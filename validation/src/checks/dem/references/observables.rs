@@ -99,7 +99,7 @@ fn is_grain(world: &World, i: usize) -> bool {
 
 /// Contacts of all grains, with each other counted twice.
 fn touches(world: &World) -> usize {
-    let links = world.links();
+    let links = world.interactions();
     let ends = |(i, j): (usize, usize)| [i, j].into_iter().filter(|&i| is_grain(world, i)).count();
     links.iter().map(|link| ends(link.pair.indices())).sum()
 }

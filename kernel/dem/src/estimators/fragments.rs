@@ -1,0 +1,14 @@
+//! What bonds hold together.
+
+use crate::world::State;
+use gouge_common::estimators::{Fragments, connected};
+use gouge_common::scalar::Real;
+
+/// The fragments of a state: what its bonds hold together; a particle without bonds is a fragment of its own.
+pub fn fragments<S: Real>(state: &State<S>) -> Fragments {
+    let pairs = state.bonds().map_or(&[][..], |bonds| bonds.pairs());
+    connected(
+        state.particles().len(),
+        pairs.iter().map(|pair| pair.indices()),
+    )
+}

@@ -1,0 +1,141 @@
+//! One bond: its kinematics, and the laws applied to it.
+
+use super::ends::{Columns, Ends};
+use super::turning::{turned, turned_far};
+use crate::bonds::{Bonds, Rest};
+use crate::geometry::{PairFrame, PairMotion};
+use crate::laws::{AdjustedKelvinVoigt, BeamLaw, YieldLaw};
+use crate::particles::Particles;
+use gouge_common::geometry::{Metric, Vec2};
+use gouge_common::lanes::Lanes;
+use gouge_common::pair::Pair;
+
+/// The laws and choices of the pass over bonds.
+#[derive(Clone, Copy)]
+pub(crate) struct BondPass<M, B, Y> {
+    pub metric: M,
+    pub normal: AdjustedKelvinVoigt,
+    pub beam: B,
+    pub yielding: Y,
+    /// Whether angles are wrapped to [-pi, pi), as the thesis author's program does.
+    pub wraps_angles: bool,
+}
+
+/// A bond in its present state.
+pub(crate) struct BondState<S> {
+    pub frame: PairFrame<S>,
+    pub motion: PairMotion<S>,
+    pub xi_adjusted: S,
+    pub zeta: [S; 2],
+    pub d_zeta: [S; 2],
+    pub normal_force: S,
+    pub tangential_force: S,
+    pub torques: [S; 2],
+}
+
+impl<S: Lanes> BondState<S> {
+    /// Force on i in N.
+    #[inline(always)]
+    pub fn force(&self) -> Vec2<S> {
+        self.frame.vector(self.normal_force, self.tangential_force)
+    }
+}
+
+impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
+    /// Forces of a bond whose ends are at the given angles, in rad, to their unbent directions; thesis
+    /// eqs. (33)-(34) and (43)-(45).
+    #[inline(always)]
+    fn state<S: Lanes>(
+        &self,
+        ends: &Ends<S>,
+        frame: PairFrame<S>,
+        rest_distance: S,
+        angles: [S; 2],
+    ) -> BondState<S> {
+        let motion = PairMotion::new(&frame, ends.velocity);
+        let xi_adjusted = rest_distance - frame.distance;
+        let normal_force = self.normal.force(xi_adjusted, motion.normal_velocity);
+        let (mut zeta, mut d_zeta) = ([S::zero(); 2], [S::zero(); 2]);
+        let (mut torques, mut tangential_force) = ([S::zero(); 2], S::zero());
+        if !B::ABSENT {
+            for end in 0..2 {
+                zeta[end] = ends.radii[end] * angles[end];
+                d_zeta[end] = ends.radii[end] * (ends.spins[end] - motion.frame_rate);
+                torques[end] = ends.radii[end] * self.beam.force(zeta[end], d_zeta[end]);
+            }
+            tangential_force = (torques[0] + torques[1]) * frame.inverse_distance;
+        }
+        BondState {
+            frame,
+            motion,
+            xi_adjusted,
+            zeta,
+            d_zeta,
+            normal_force,
+            tangential_force,
+            torques,
+        }
+    }
+
+    /// The state of a bond whose frame has turned little and whose angles need no wrapping, thesis eqs.
+    /// (28)-(34), and whether this bond is one; otherwise [`any`](Self::any) has its state.
+    #[inline(always)]
+    pub fn regular<S: Lanes>(
+        &self,
+        ends: &Ends<S>,
+        frame: PairFrame<S>,
+        rest: &Rest<S>,
+    ) -> (BondState<S>, bool) {
+        if B::ABSENT {
+            return (self.state(ends, frame, rest.distance, [S::zero(); 2]), true);
+        }
+        let unbent = (rest.reference, rest.angles);
+        let (angles, is_regular) = turned(ends.angles, unbent, frame.normal, self.wraps_angles);
+        (self.state(ends, frame, rest.distance, angles), is_regular)
+    }
+
+    /// The state of any bond; takes a new reference if its frame has turned far.
+    pub fn any<S: Lanes>(&self, ends: &Ends<S>, rest: &mut Rest<S>) -> BondState<S> {
+        let frame = PairFrame::new(self.metric.nearest(ends.difference));
+        if B::ABSENT {
+            return self.state(ends, frame, rest.distance, [S::zero(); 2]);
+        }
+        let unbent = (&mut rest.reference, &mut rest.angles);
+        let angles = turned_far(ends.angles, unbent, frame.normal, self.wraps_angles);
+        self.state(ends, frame, rest.distance, angles)
+    }
+
+    /// The present state of a bond.
+    pub fn state_of<S: Lanes>(
+        &self,
+        particles: &Particles<S>,
+        pair: Pair,
+        mut rest: Rest<S>,
+    ) -> BondState<S> {
+        let ends = Columns::of(particles).ends(pair);
+        self.any(&ends, &mut rest)
+    }
+
+    /// Energy stored in a bond in J.
+    #[inline(always)]
+    pub fn stored<S: Lanes>(&self, state: &BondState<S>) -> S {
+        self.normal.stored_energy(state.xi_adjusted)
+            + (self.beam.stored_energy(state.zeta[0]) + self.beam.stored_energy(state.zeta[1]))
+    }
+
+    /// Power turned into heat in a bond in W.
+    #[inline(always)]
+    pub fn heat_rate<S: Lanes>(&self, state: &BondState<S>) -> S {
+        self.normal.heat_rate(state.motion.normal_velocity)
+            + (self.beam.heat_rate(state.d_zeta[0]) + self.beam.heat_rate(state.d_zeta[1]))
+    }
+
+    /// Energy stored in all bonds in J, thesis eq. (77).
+    pub fn stored_in_all<S: Lanes>(&self, particles: &Particles<S>, bonds: &Bonds<S>) -> S {
+        let mut sum = S::zero();
+        for bond in bonds.iter() {
+            sum += self.stored(&self.state_of(particles, bond.pair, bond.rest));
+        }
+        sum
+    }
+}

@@ -1,0 +1,51 @@
+//! What passes book besides forces.
+
+/// What an evaluation books for the energy balance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Bookings<S> {
+    /// Power that contacts and bonds turn into heat, in W.
+    pub friction_rate: S,
+    /// Heat of contacts and bonds that appeared at once, in J.
+    pub friction: S,
+    /// Power that the medium turns into heat, in W.
+    pub ambient_rate: S,
+    /// Power of the driving force, in W.
+    pub driving_rate: S,
+    /// Stored energy lost with bonds that broke, in J.
+    pub breaking: S,
+    /// Stored energy of contacts that replace broken bonds, in J.
+    pub bonding: S,
+}
+
+impl Bookings<f64> {
+    /// All entries, for a record of the state.
+    pub(crate) fn numbers(&self) -> [f64; 6] {
+        [
+            self.friction_rate,
+            self.friction,
+            self.ambient_rate,
+            self.driving_rate,
+            self.breaking,
+            self.bonding,
+        ]
+    }
+    /// The bookings with the given entries.
+    pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
+        let [
+            friction_rate,
+            friction,
+            ambient_rate,
+            driving_rate,
+            breaking,
+            bonding,
+        ] = numbers;
+        Self {
+            friction_rate,
+            friction,
+            ambient_rate,
+            driving_rate,
+            breaking,
+            bonding,
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! The loop over pairs, which contacts and bonds share.
+
+use super::block::{Block, IDLE, IRREGULAR, blocks};
+use super::cross_part::CrossPartForces;
+use super::ends::{Columns, Reads};
+use super::prefetch::is_large;
+use super::scatter::Scatter;
+use super::sums::Sums;
+use super::workspace::PartWorkspace;
+use crate::pairs::Edition;
+use crate::particles::Particles;
+use core::ops::Range;
+use gouge_common::instructions::Instructions;
+use gouge_common::lanes::Lanes;
+use gouge_common::pair::{Pair, pairs_before};
+use gouge_common::parts::{Ready, Work};
+use pulp::NullaryFnOnce;
+
+/// Consecutive contacts or bonds, as the loop sees them.
+pub(crate) trait PairForces<S: Lanes>: Sized + Send {
+    /// Whether heat and work are booked.
+    const LEDGER: bool;
+    /// Whether pairs exert torques.
+    const HAS_TORQUES: bool;
+    /// Whether the loop is compiled for wide instructions.
+    const IS_WIDE: bool;
+    /// What the laws read of particles.
+    const READS: Reads;
+
+    /// Position of the first pair among all.
+    fn first(&self) -> usize;
+    /// The pairs, in order.
+    fn pairs(&self) -> &[Pair];
+    /// The pairs before and from a position on.
+    fn split_at(self, at: usize) -> (Self, Self);
+    /// Prefetch what the pairs keep, from a position on.
+    fn prefetch(&self, position: usize);
+    /// Where their forces on earlier parts are noted, and the block.
+    fn cross_part(workspace: &mut PartWorkspace<S>) -> (&mut CrossPartForces<S>, &Block<S>);
+    /// Compute a block the short way; returns the union of its flags.
+    fn compute(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64;
+    /// Compute flagged pairs of a block in full; returns the union of flags that this adds.
+    fn compute_irregular(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64;
+    /// Keep what a block leaves besides forces; `has_idle` if some of its pairs exert nothing.
+    fn keep(&mut self, workspace: &mut PartWorkspace<S>, positions: Range<usize>, has_idle: bool);
+    /// Book what appears at once; called only with a ledger.
+    fn book(&self, workspace: &mut PartWorkspace<S>, positions: Range<usize>);
+}
+
+/// Adds the forces of contacts or bonds to their particles, block by block. Allocates nothing.
+pub(crate) struct PairLoop<'a, S, F> {
+    pub forces: F,
+    pub particles: &'a Particles<S>,
+    pub sums: Sums<'a, S>,
+    pub edition: Edition,
+}
+
+impl<S: Lanes, F: PairForces<S>> Work<PartWorkspace<S>> for PairLoop<'_, S, F> {
+    fn split_at(self, particle: usize) -> (Self, Self) {
+        let at = pairs_before(self.forces.pairs(), self.sums.first + particle);
+        let (forces, other_forces) = self.forces.split_at(at);
+        let (sums, other_sums) = self.sums.split_at(particle);
+        let left = Self {
+            forces,
+            sums,
+            ..self
+        };
+        let right = Self {
+            forces: other_forces,
+            sums: other_sums,
+            ..left
+        };
+        (left, right)
+    }
+
+    #[inline(always)]
+    fn act(mut self, workspace: &mut PartWorkspace<S>, instructions: Instructions) {
+        let (cross_part, _) = F::cross_part(workspace);
+        cross_part.begin(self.edition, self.forces.pairs(), self.sums.first);
+        let columns = Columns::of(self.particles);
+        let is_large = is_large(self.particles.len());
+        for positions in blocks(self.forces.first(), self.forces.pairs().len()) {
+            let block = &mut workspace.block;
+            let flags = self.compute_block(block, columns, positions.clone(), is_large);
+            let has_idle = flags & IDLE != 0;
+            self.forces.keep(workspace, positions.clone(), has_idle);
+            if F::LEDGER {
+                self.scatter::<true>(workspace, positions.clone(), has_idle, instructions);
+            } else {
+                self.scatter::<false>(workspace, positions.clone(), has_idle, instructions);
+            }
+            let (cross_part, block) = F::cross_part(workspace);
+            cross_part.note(
+                self.forces.pairs(),
+                positions.clone(),
+                &block.outputs,
+                F::HAS_TORQUES,
+            );
+            if F::LEDGER {
+                self.forces.book(workspace, positions);
+            }
+        }
+    }
+
+    fn start(ready: Ready<Self, PartWorkspace<S>>) {
+        if F::IS_WIDE {
+            S::run(ready.instructions, ready);
+        } else {
+            ready.call();
+        }
+    }
+}
+
+impl<S: Lanes, F: PairForces<S>> PairLoop<'_, S, F> {
+    /// Compute the forces of a block; returns the union of its flags.
+    #[inline(always)]
+    fn compute_block(
+        &mut self,
+        block: &mut Block<S>,
+        columns: Columns<S>,
+        positions: Range<usize>,
+        is_large: bool,
+    ) -> u64 {
+        block.gather(
+            columns,
+            (self.forces.pairs(), positions.clone()),
+            F::READS,
+            is_large.then_some(&self.sums),
+            |position| self.forces.prefetch(position),
+        );
+        let mut flags = self.forces.compute(block, positions.clone());
+        if flags & IRREGULAR != 0 {
+            flags |= self.forces.compute_irregular(block, positions);
+        }
+        flags
+    }
+
+    /// Add the forces of a block to the sums.
+    #[inline(always)]
+    fn scatter<const LEDGER: bool>(
+        &mut self,
+        workspace: &mut PartWorkspace<S>,
+        positions: Range<usize>,
+        has_idle: bool,
+        instructions: Instructions,
+    ) {
+        let scatter = Scatter::<_, LEDGER> {
+            pairs: &self.forces.pairs()[positions],
+            outputs: &workspace.block.outputs,
+            has_torques: F::HAS_TORQUES,
+            has_idle,
+            sums: self.sums.reborrow(),
+            bookings: &mut workspace.bookings,
+        };
+        S::run(instructions, scatter);
+    }
+}

@@ -1,0 +1,142 @@
+//! How a world advances by a step.
+
+use super::dispatch::{WithMethod, with_method};
+use super::number::Number;
+use super::simulation::World;
+use crate::error::StepError;
+use crate::integrators::{Advance, Motion, Stage};
+use core::marker::PhantomData;
+use gouge_common::geometry::{Metric, WithMetric};
+use gouge_common::neighbors::Staleness;
+
+impl<S: Number> World<S> {
+    /// Advance by one time step.
+    ///
+    /// # Errors
+    /// A state that is no longer finite, or a particle that moved farther than a cell. The state is then
+    /// that of the failure, not of the last good step.
+    pub fn step(&mut self) -> Result<(), StepError> {
+        S::step(self)
+    }
+
+    pub(super) fn take_step(&mut self) -> Result<(), StepError> {
+        self.evaluate_if_pending()?;
+        let before = self.state.bookings;
+        with_method(self.model.integrator, Take { world: self })?;
+        let state = &mut self.state;
+        state.steps += 1;
+        state.is_evaluated = !self.model.integrator.evaluates_first();
+        if let Some(ledger) = &mut state.ledger {
+            let after = if state.is_evaluated {
+                state.bookings
+            } else {
+                before
+            };
+            ledger.advance(&before, &after, self.model.time_step);
+        }
+        Ok(())
+    }
+
+    /// Note the mean velocity of the driven particles, before it is predicted.
+    pub(super) fn note_drive_velocity(&mut self) {
+        let driven = &self.workspace.driven;
+        if !driven.is_empty() {
+            let mut sum = S::zero();
+            for &i in driven {
+                sum += self.state.particles.velocity[i as usize].x;
+            }
+            self.state.drive.known_velocity = sum * (1.0 / driven.len() as f64);
+        }
+    }
+
+    /// Advance all particles by a stage of a method; rotations only where something turns.
+    fn advance<T: Stage>(&mut self) {
+        let domain = self.model.domain;
+        domain.with_metric(AdvanceAll {
+            world: self,
+            stage: PhantomData::<fn() -> T>,
+        });
+        let (forces, previous) = (&mut self.state.forces, &mut self.state.previous);
+        if T::MOVES {
+            self.workspace.is_stale = Some(self.workspace.stale_parts.contains(&true));
+        }
+        if T::KEEPS_FORCES {
+            core::mem::swap(&mut forces.force, &mut previous.linear);
+            core::mem::swap(&mut forces.torque, &mut previous.angular);
+        }
+    }
+}
+
+/// Moves a world by a method; what happens before and after is not part of it.
+struct Take<'a, S: Number> {
+    world: &'a mut World<S>,
+}
+
+impl<S: Number> WithMethod for Take<'_, S> {
+    type Output = Result<(), StepError>;
+
+    fn single<T: Stage>(self) -> Self::Output {
+        self.world.advance::<T>();
+        Ok(())
+    }
+
+    fn double<T: Stage, U: Stage>(self) -> Self::Output {
+        self.world.note_drive_velocity();
+        self.world.advance::<T>();
+        let outcome = self.world.evaluate(true, T::KEEPS_FORCES);
+        self.world.advance::<U>();
+        outcome
+    }
+
+    fn double_begun_by<B: Stage, T: Stage, U: Stage>(self) -> Self::Output {
+        if !self.world.state.previous.is_set {
+            self.world.advance::<B>();
+            self.world.state.previous.is_set = true;
+        }
+        self.double::<T, U>()
+    }
+}
+
+/// Advances all particles by a stage.
+struct AdvanceAll<'a, S: Number, T> {
+    world: &'a mut World<S>,
+    stage: PhantomData<fn() -> T>,
+}
+
+impl<S: Number, T: Stage> WithMetric for AdvanceAll<'_, S, T> {
+    type Output = ();
+
+    fn call<M: Metric>(self, metric: M) {
+        let World {
+            model,
+            state,
+            workspace,
+            execution,
+        } = self.world;
+        let (p, forces, previous) = (&mut state.particles, &state.forces, &mut state.previous);
+        let linear = Motion {
+            coordinate: &mut p.position,
+            velocity: &mut p.velocity,
+            force: &forces.force,
+            inverse_inertia: &workspace.inverse_mass,
+            previous: &mut previous.linear,
+            older: &mut previous.older_linear,
+        };
+        let angular = workspace.has_rotation.then_some(Motion {
+            coordinate: &mut p.angle,
+            velocity: &mut p.angular_velocity,
+            force: &forces.torque,
+            inverse_inertia: &workspace.inverse_inertia,
+            previous: &mut previous.angular,
+            older: &mut previous.older_angular,
+        });
+        let work = Advance {
+            stage: self.stage,
+            step: model.time_step,
+            linear,
+            angular,
+            staleness: Staleness::of(workspace.neighbors.as_ref(), metric),
+        };
+        execution.run(work, &mut workspace.stale_parts);
+    }
+}

@@ -1,0 +1,150 @@
+//! The initial state of a world.
+
+use super::execution::Execution;
+use super::number::Number;
+use super::simulation::World;
+use super::state::{Drive, State};
+use super::workspace::Workspace;
+use crate::balance::Ledger;
+use crate::bonds::{BondStart, Bonds};
+use crate::contacts::{ContactStart, Contacts};
+use crate::error::ModelError;
+use crate::forces::{Bookings, Forces};
+use crate::integrators::Previous;
+use crate::model::Model;
+use crate::particles::Particles;
+use gouge_common::geometry::{Metric, Vec2, WithMetric};
+use gouge_common::scalar::Real;
+
+/// The initial state of a scene, besides its particles.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// Bonds.
+    pub bonds: Vec<BondStart>,
+    /// Memory of contacts that began earlier.
+    pub contacts: Vec<ContactStart>,
+    /// Total driving force in N.
+    pub drive_force: Vec2,
+}
+
+impl<S: Number> World<S> {
+    /// The world of a model, with its particles, contacts and bonds at t = 0.
+    ///
+    /// # Errors
+    /// Contacts or bonds that cannot exist, a periodic box narrower than two cells, driving without driven
+    /// particles, masses or moments of inertia that are not finite or have no finite inverse.
+    pub fn new(model: Model, particles: Particles<S>, start: &Start) -> Result<Self, ModelError> {
+        check_width(&model, &particles)?;
+        check_inertia(&particles)?;
+        let workspace = Workspace::new(&model, &particles);
+        if model.driving.is_some() && workspace.driven.is_empty() {
+            return Err(ModelError::NothingDriven);
+        }
+        let mut world = Self {
+            execution: Execution::serial(particles.len()),
+            state: blank(&model, particles, start.drive_force.cast()),
+            workspace,
+            model,
+        };
+        model.domain.with_metric(MakeInteractions {
+            world: &mut world,
+            start,
+        })?;
+        world.reserve();
+        world.begin_ledger();
+        Ok(world)
+    }
+
+    /// Measure the energy balance from the present state, if the model books it.
+    pub(super) fn begin_ledger(&mut self) {
+        if self.model.ledger {
+            self.state.ledger = Some(Ledger::starting_from(&S::state_energy(self)));
+        }
+    }
+}
+
+/// The state of particles without contacts and bonds.
+fn blank<S: Number>(model: &Model, particles: Particles<S>, drive_force: Vec2<S>) -> State<S> {
+    State {
+        bonds: None,
+        contacts: None,
+        forces: Forces::new(particles.len()),
+        drive: Drive {
+            force: drive_force,
+            applied: drive_force,
+            ..Drive::default()
+        },
+        previous: Previous::new(model.integrator, particles.len()),
+        ledger: None,
+        bookings: Bookings::default(),
+        steps: 0,
+        is_evaluated: false,
+        particles,
+    }
+}
+
+/// Makes the bonds and finds the contacts of a new world.
+struct MakeInteractions<'a, S: Number> {
+    world: &'a mut World<S>,
+    start: &'a Start,
+}
+
+impl<S: Number> WithMetric for MakeInteractions<'_, S> {
+    type Output = Result<(), ModelError>;
+
+    fn call<M: Metric>(self, metric: M) -> Self::Output {
+        let World {
+            model,
+            state,
+            workspace,
+            ..
+        } = self.world;
+        if let Some(laws) = model.bond {
+            let bonds = &self.start.bonds;
+            let edges = laws.has_unbreakable_edges();
+            let bonds = Bonds::new(metric, &state.particles, bonds, edges, model.period())?;
+            state.bonds = Some(bonds);
+        }
+        if let (Some(laws), Some(neighbors)) = (model.contact, &mut workspace.neighbors) {
+            let mut contacts = Contacts::new(laws.remembers());
+            contacts.rebuild(metric, &state.particles, state.bonds.as_ref(), neighbors);
+            contacts.remember(metric, &state.particles, &self.start.contacts)?;
+            state.contacts = Some(contacts);
+        }
+        Ok(())
+    }
+}
+
+/// Whatever can move has a mass and a moment of inertia that are finite and have finite inverses.
+fn check_inertia<S: Real>(particles: &Particles<S>) -> Result<(), ModelError> {
+    let columns = [
+        ("the mass of a particle", &particles.mass),
+        (
+            "the moment of inertia of a particle",
+            &particles.moment_of_inertia,
+        ),
+    ];
+    for (name, column) in columns {
+        for (i, &inertia) in column.iter().enumerate() {
+            let inverse = S::from_f64(1.0) / inertia;
+            let is_usable = inertia.is_finite() && inverse.is_finite();
+            if !particles.is_fixed(i) && !is_usable {
+                return Err(ModelError::Parameter {
+                    name,
+                    value: inertia.to_f64(),
+                    accepted: "finite, and so must be its inverse",
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A periodic box holds at least two cells across, so that a pair never meets twice.
+fn check_width<S: Real>(model: &Model, particles: &Particles<S>) -> Result<(), ModelError> {
+    let cell = 2.0 * particles.largest_radius();
+    match model.period() {
+        Some(width) if width < 2.0 * cell => Err(ModelError::NarrowBox { width, cell }),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,86 @@
+//! The energies of a world.
+
+use super::dispatch::{
+    WithBondPass, WithContactPass, WithExternalLaw, with_bond_pass, with_contact_pass,
+    with_external_law,
+};
+use super::number::Number;
+use super::simulation::World;
+use super::state::State;
+use crate::balance::Energy;
+use crate::forces::{BondPass, ContactPass};
+use crate::geometry::Arm;
+use crate::laws::{BeamLaw, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
+use gouge_common::geometry::Metric;
+
+impl<S: Number> World<S> {
+    /// Every term of the energy balance (72) in J; those of the ledger are zero without one.
+    pub fn energy(&self) -> Energy<S> {
+        let energy = S::state_energy(self);
+        match &self.state.ledger {
+            Some(ledger) => ledger.balance(energy),
+            None => energy,
+        }
+    }
+
+    /// The energies that are functions of the state, in J.
+    pub(super) fn sum_state_energy(&self) -> Energy<S> {
+        let (model, state) = (&self.model, &self.state);
+        let mut energy = Energy::kinetic_of(&state.particles);
+        if let Some(external) = model.external {
+            energy.external = with_external_law(external, Potential { state });
+        }
+        if let Some(laws) = model.contact {
+            energy.contact += with_contact_pass(model, laws, 0.0, Stored { state });
+        }
+        if let Some(laws) = model.bond {
+            energy.contact += with_bond_pass(model, laws, Stored { state });
+        }
+        energy
+    }
+}
+
+/// Energy in the external potential in J.
+struct Potential<'a, S> {
+    state: &'a State<S>,
+}
+
+impl<S: Number> WithExternalLaw for Potential<'_, S> {
+    type Output = S;
+    fn call<L: ExternalLaw>(self, law: L) -> S {
+        let p = &self.state.particles;
+        let mut sum = S::zero();
+        for (&mass, &position) in p.mass.iter().zip(&p.position) {
+            sum += law.potential(mass, position);
+        }
+        sum
+    }
+}
+
+/// Energy stored in contacts or bonds in J.
+struct Stored<'a, S> {
+    state: &'a State<S>,
+}
+
+impl<S: Number> WithContactPass for Stored<'_, S> {
+    type Output = S;
+    fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+        self,
+        pass: ContactPass<M, A, N, T>,
+    ) -> S {
+        let contacts = self.state.contacts.as_ref();
+        contacts.map_or(S::zero(), |contacts| {
+            pass.stored_in_all(&self.state.particles, contacts)
+        })
+    }
+}
+
+impl<S: Number> WithBondPass for Stored<'_, S> {
+    type Output = S;
+    fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) -> S {
+        let bonds = self.state.bonds.as_ref();
+        bonds.map_or(S::zero(), |bonds| {
+            pass.stored_in_all(&self.state.particles, bonds)
+        })
+    }
+}

@@ -1,0 +1,99 @@
+//! The contacts and bonds of a world, for inspection and for estimators.
+
+use super::dispatch::{WithBondPass, WithContactPass, with_bond_pass, with_contact_pass};
+use super::number::Number;
+use super::simulation::World;
+use super::state::State;
+use crate::forces::{self, BondPass, ContactPass, Interaction};
+use crate::geometry::Arm;
+use crate::laws::{BeamLaw, NormalLaw, TangentialLaw, YieldLaw};
+use gouge_common::estimators::{ContactNetwork, NetworkContact};
+use gouge_common::geometry::{Metric, WithMetric};
+use gouge_common::pair::Pair;
+
+impl<S: Number> World<S> {
+    /// Every contact and bond of the present state: contacts first, each in the order of pairs.
+    pub fn interactions(&self) -> Vec<Interaction> {
+        S::interactions(self)
+    }
+
+    pub(super) fn find_interactions(&self) -> Vec<Interaction> {
+        let (model, state) = (&self.model, &self.state);
+        let mut all = Vec::new();
+        if let Some(laws) = model.contact {
+            all.extend(with_contact_pass(model, laws, 0.0, Inspect { state }));
+        }
+        if let Some(laws) = model.bond {
+            all.extend(with_bond_pass(model, laws, Inspect { state }));
+        }
+        all
+    }
+
+    /// The network of contacts and bonds that estimators read.
+    pub fn contact_network(&self) -> ContactNetwork {
+        let contact = |one: Interaction| {
+            let (normal, tangent) = (one.normal, one.normal.perpendicular());
+            NetworkContact {
+                pair: one.pair,
+                branch: normal * one.distance,
+                force: normal * one.normal_force + tangent * one.tangential_force,
+            }
+        };
+        ContactNetwork {
+            particles: self.state.particles.len(),
+            contacts: self.interactions().into_iter().map(contact).collect(),
+        }
+    }
+
+    /// Number of pairs that overlap without being bonded.
+    pub fn number_of_contacts(&self) -> usize {
+        let state = &self.state;
+        self.model.domain.with_metric(CountOverlaps { state })
+    }
+}
+
+struct Inspect<'a, S> {
+    state: &'a State<S>,
+}
+
+impl<S: Number> WithContactPass for Inspect<'_, S> {
+    type Output = Vec<Interaction>;
+    fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+        self,
+        pass: ContactPass<M, A, N, T>,
+    ) -> Vec<Interaction> {
+        let contacts = self.state.contacts.as_ref();
+        contacts.map_or_else(Vec::new, |contacts| {
+            forces::contact_states(pass, &self.state.particles, contacts)
+        })
+    }
+}
+
+impl<S: Number> WithBondPass for Inspect<'_, S> {
+    type Output = Vec<Interaction>;
+    fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) -> Vec<Interaction> {
+        let bonds = self.state.bonds.as_ref();
+        bonds.map_or_else(Vec::new, |bonds| {
+            forces::bond_states(pass, &self.state.particles, bonds)
+        })
+    }
+}
+
+struct CountOverlaps<'a, S> {
+    state: &'a State<S>,
+}
+
+impl<S: Number> WithMetric for CountOverlaps<'_, S> {
+    type Output = usize;
+    fn call<M: Metric>(self, metric: M) -> usize {
+        let p = &self.state.particles;
+        let overlaps = |pair: &&Pair| {
+            let (i, j) = pair.indices();
+            let d = metric.displacement(p.position[i], p.position[j]);
+            let reach = p.radius[i] + p.radius[j];
+            d.norm_squared() < reach * reach
+        };
+        let contacts = self.state.contacts.as_ref();
+        contacts.map_or(0, |contacts| contacts.pairs.iter().filter(overlaps).count())
+    }
+}

@@ -1,0 +1,70 @@
+//! What changes with time.
+
+use crate::balance::Ledger;
+use crate::bonds::Bonds;
+use crate::contacts::Contacts;
+use crate::forces::{Bookings, Forces};
+use crate::integrators::Previous;
+use crate::particles::Particles;
+use gouge_common::geometry::Vec2;
+
+/// Total driving force and what it meets.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Drive<S> {
+    /// Total driving force in N, for the next step.
+    pub force: Vec2<S>,
+    /// Total driving force in N in the step that led to the present state.
+    pub applied: Vec2<S>,
+    /// Sum of all other forces on the driven particles in N, at the latest evaluation.
+    pub reaction: Vec2<S>,
+    /// Mean horizontal velocity of the driven particles in m/s when the step began.
+    pub known_velocity: S,
+}
+
+/// Everything that changes with time: what a checkpoint saves and estimators read.
+///
+/// Arrays exist only where the model needs them.
+#[derive(Clone, Debug)]
+pub struct State<S = f64> {
+    pub(super) particles: Particles<S>,
+    pub(super) bonds: Option<Bonds<S>>,
+    pub(super) contacts: Option<Contacts<S>>,
+    pub(super) forces: Forces<S>,
+    pub(super) drive: Drive<S>,
+    pub(super) previous: Previous<S>,
+    pub(super) ledger: Option<Ledger<S>>,
+    pub(super) bookings: Bookings<S>,
+    pub(super) steps: u64,
+    pub(super) is_evaluated: bool,
+}
+
+impl<S> State<S> {
+    /// The particles.
+    pub fn particles(&self) -> &Particles<S> {
+        &self.particles
+    }
+    /// The bonds, if the model has them.
+    pub fn bonds(&self) -> Option<&Bonds<S>> {
+        self.bonds.as_ref()
+    }
+    /// The pairs that may touch, if the model has contacts.
+    pub fn contacts(&self) -> Option<&Contacts<S>> {
+        self.contacts.as_ref()
+    }
+    /// The driving force.
+    pub fn drive(&self) -> &Drive<S> {
+        &self.drive
+    }
+    /// Forces and torques of the latest evaluation.
+    pub fn forces(&self) -> &Forces<S> {
+        &self.forces
+    }
+    /// Completed steps.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+    /// Whether forces are those at the present positions and velocities.
+    pub fn is_evaluated(&self) -> bool {
+        self.is_evaluated
+    }
+}
