@@ -54,6 +54,15 @@ impl PartialOrd for Pair {
     }
 }
 
+/// A function of what belongs to both particles of a pair.
+///
+/// Unlike [`array::map`] it is always inlined, so that loops over pairs are vectorised however the compiler
+/// divides the crate.
+#[inline(always)]
+pub fn map_ends<T, U>([first, second]: [T; 2], function: impl Fn(T) -> U) -> [U; 2] {
+    [function(first), function(second)]
+}
+
 /// Number of pairs, in order, whose second particle comes before the given one.
 pub fn pairs_before(pairs: &[Pair], particle: usize) -> usize {
     pairs.partition_point(|pair| (pair.j as usize) < particle)

@@ -8,7 +8,7 @@ use crate::particles::{Particles, Role};
 use core::ops::{Deref, Range};
 use gouge_common::columns;
 use gouge_common::geometry::{Metric, Vec2};
-use gouge_common::pair::Pair;
+use gouge_common::pair::{Pair, map_ends};
 use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
@@ -125,7 +125,7 @@ impl<S: Real> BondColumns<'_, S> {
             angles: columns::part_mut(&mut self.angles, positions.clone()),
             distances: &self.distances[positions.clone()],
             sections: &self.sections[positions.clone()],
-            radii: self.radii.map(|radii| &radii[positions.clone()]),
+            radii: map_ends(self.radii, |radii| &radii[positions.clone()]),
         }
     }
     /// The unstrained state at a position.

@@ -12,7 +12,7 @@ use crate::particles::Particles;
 use core::ops::Range;
 use gouge_common::geometry::Metric;
 use gouge_common::lanes::Lanes;
-use gouge_common::pair::Pair;
+use gouge_common::pair::{Pair, map_ends};
 
 /// Consecutive bonds. Those that break exert no force and are listed.
 pub(crate) struct BondForces<'a, S: Lanes, M, B, Y, const LEDGER: bool> {
@@ -137,7 +137,7 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>
 #[inline(always)]
 fn with_radii<S: Lanes>(ends: Ends<S>, bonds: &BondColumns<S>, position: usize) -> Ends<S> {
     Ends {
-        radii: bonds.radii.map(|radii| radii[position]),
+        radii: map_ends(bonds.radii, |radii| radii[position]),
         ..ends
     }
 }

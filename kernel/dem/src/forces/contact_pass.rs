@@ -10,6 +10,7 @@ use crate::model::Reading;
 use crate::particles::Particles;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
+use gouge_common::pair::map_ends;
 
 /// The laws and choices of the pass over contacts.
 #[derive(Clone, Copy)]
@@ -98,7 +99,9 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
         if Self::FOLLOWS_ANGLES {
             state.zeta = [arms[0] * angles[0], arms[1] * angles[1]];
         } else if T::REMEMBERS {
-            memory.ends = [0, 1].map(|end| memory.ends[end] + state.d_zeta[end] * self.elapsed);
+            memory.ends = map_ends([0, 1], |end| {
+                memory.ends[end] + state.d_zeta[end] * self.elapsed
+            });
             state.zeta = memory.ends;
         }
         let slide = Slide {

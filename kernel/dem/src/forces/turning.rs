@@ -5,6 +5,7 @@ use crate::geometry::{small_turn, turn, wrapped};
 use core::f64::consts::PI;
 use gouge_common::geometry::Vec2;
 use gouge_common::lanes::Lanes;
+use gouge_common::pair::map_ends;
 
 /// Angles in rad by which both particles have turned in the frame, and whether they hold: not if the frame has
 /// turned far from its reference, or if an angle must be wrapped to [-pi, pi).
@@ -39,10 +40,10 @@ pub(super) fn turned_far<S: Lanes>(
     let turned = in_frame(angles, *rest, of_frame);
     if !is_small {
         *reference = normal;
-        *rest = rest.map(|angle| angle + of_frame);
+        *rest = map_ends(*rest, |angle| angle + of_frame);
     }
     if wraps_angles {
-        turned.map(wrapped)
+        map_ends(turned, wrapped)
     } else {
         turned
     }
@@ -51,5 +52,5 @@ pub(super) fn turned_far<S: Lanes>(
 /// Angles of both ends less those at rest and the turn of the frame, all in rad.
 #[inline(always)]
 fn in_frame<S: Lanes>(angles: [S; 2], rest: [S; 2], of_frame: S) -> [S; 2] {
-    [0, 1].map(|end| angles[end] - rest[end] - of_frame)
+    map_ends([0, 1], |end| angles[end] - rest[end] - of_frame)
 }

@@ -2,6 +2,7 @@
 
 use super::{MixedArms, PairFrame, PairMotion, overlap_factor};
 use core::f64::consts::PI;
+use gouge_common::pair::map_ends;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
@@ -46,7 +47,7 @@ pub trait Arm: Copy + Send + Sync {
         spins: [S; 2],
     ) -> [S; 2] {
         let arms = self.distances(radii, frame.distance);
-        [0, 1].map(|end| arms[end] * (spins[end] - motion.frame_rate))
+        map_ends([0, 1], |end| arms[end] * (spins[end] - motion.frame_rate))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Lever arms as other programs mix them, for comparisons with those programs.
 
 use super::{Arm, FocalArm, PairFrame, PairMotion};
+use gouge_common::pair::map_ends;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
@@ -24,7 +25,7 @@ impl Lever {
             Self::Focal => FocalArm.distances(radii, distance),
             Self::HalfOverlap => {
                 let half_overlap = (radii[0] + radii[1] - distance) * 0.5;
-                radii.map(|radius| radius - half_overlap)
+                map_ends(radii, |radius| radius - half_overlap)
             }
         }
     }
@@ -90,6 +91,6 @@ impl Arm for MixedArms {
             Translation::Whole => motion.shear_velocity / (levers[0] + levers[1]),
             Translation::Levers => motion.frame_rate,
         };
-        [0, 1].map(|end| levers[end] * (spins[end] - turning))
+        map_ends([0, 1], |end| levers[end] * (spins[end] - turning))
     }
 }
