@@ -84,7 +84,7 @@ fn tests() -> BTreeSet<String> {
     let checks = topics.iter().flat_map(|topic| &topic.checks);
     let mut names: BTreeSet<String> = checks.map(|check| check.id.to_owned()).collect();
     let mut files = rust_files(&root().join("tests"));
-    files.extend(rust_files(&root().join("kernel/src")));
+    files.extend(kernel_files());
     for file in files {
         let text = read(&file);
         let mut is_test = false;
@@ -107,22 +107,30 @@ fn leading_name(text: &str) -> &str {
     &text[..end]
 }
 
-/// Files in which a path may be declared, and what is left of the path.
-fn places(path: &str) -> (Vec<PathBuf>, Vec<&str>) {
-    let source = root().join("kernel/src");
+/// Sources of the kernel's crates.
+const KERNELS: [&str; 2] = ["kernel/dem/src", "kernel/common/src"];
+
+/// All source files of the kernel's crates.
+pub fn kernel_files() -> Vec<PathBuf> {
+    let folders = KERNELS.iter().map(|folder| root().join(folder));
+    folders.flat_map(|folder| rust_files(&folder)).collect()
+}
+
+/// Files of a crate in which a path may be declared, and what is left of the path.
+fn places<'a>(source: &Path, path: &'a str) -> (Vec<PathBuf>, Vec<&'a str>) {
     let top = read(&source.join("lib.rs"));
     let mut rest: Vec<&str> = path.split("::").collect();
     let first = rest[0];
     if top.lines().any(|line| line == format!("pub mod {first};")) {
         rest.remove(0);
-        return (module_files(&source, first), rest);
+        return (module_files(source, first), rest);
     }
     // What the crate itself re-exports is declared in one of its private modules.
     let private = top
         .lines()
         .filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'));
     let files = private
-        .flat_map(|module| module_files(&source, module))
+        .flat_map(|module| module_files(source, module))
         .collect();
     (files, rest)
 }
@@ -168,9 +176,14 @@ fn declares_member(line: &str, name: &str) -> bool {
     field || method || variant || declares(line, name)
 }
 
-/// Whether a path leads to a public item of the kernel, or a public member of one.
+/// Whether a path leads to a public item of a kernel crate, or a public member of one.
 fn exists(path: &str) -> bool {
-    let (files, rest) = places(path);
+    let mut sources = KERNELS.iter().map(|source| root().join(source));
+    sources.any(|source| exists_in(&source, path))
+}
+
+fn exists_in(source: &Path, path: &str) -> bool {
+    let (files, rest) = places(source, path);
     let texts: Vec<String> = files.iter().map(|file| read(file)).collect();
     let mut lines = texts.iter().flat_map(|text| text.lines());
     match rest[..] {
@@ -188,7 +201,12 @@ fn exists(path: &str) -> bool {
 
 /// Whether the documentation of an item holds an example.
 fn has_example(path: &str) -> bool {
-    let (files, rest) = places(path);
+    let mut sources = KERNELS.iter().map(|source| root().join(source));
+    sources.any(|source| has_example_in(&source, path))
+}
+
+fn has_example_in(source: &Path, path: &str) -> bool {
+    let (files, rest) = places(source, path);
     let Some(item) = rest.last() else {
         return false;
     };
@@ -289,7 +307,7 @@ fn every_cited_erratum_has_its_section() {
             assert!(headings.contains(id), "{:?} cites {id}", row.numbers);
         }
     }
-    for file in rust_files(&root().join("kernel/src")) {
+    for file in kernel_files() {
         let text = read(&file);
         let comments = text
             .lines()
