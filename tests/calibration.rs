@@ -1,5 +1,6 @@
 //! Calibration against the laws of the kernel, integrated without its world, and the numbers of the thesis.
 
+use approx::assert_abs_diff_eq;
 use gouge_dem::calibration::{
     FrictionDecay, breaking_overlap_hertzian, breaking_overlap_linear, damping_bound,
     damping_ratio_for, dissipative_constant_from_restitution,
@@ -55,10 +56,18 @@ fn truncated_collisions_are_those_of_the_law() {
 fn the_damping_of_the_thesis_leaves_less_than_a_quarter() {
     let (mass, stiffness) = (0.5 * sphere_mass(2700.0, 1e-3), 1e7_f64);
     let critical = 2.0 * (stiffness * mass).sqrt();
-    assert!((truncated_restitution(10.0 / critical) / 0.222_77 - 1.0).abs() < 1e-4);
+    assert_abs_diff_eq!(
+        truncated_restitution(10.0 / critical) / 0.222_77,
+        1.0,
+        epsilon = 1e-4
+    );
     let seconds = truncated_duration(10.0 / critical) * (mass / stiffness).sqrt();
-    assert!((seconds / 1.698e-6 - 1.0).abs() < 1e-3);
-    assert!((damping_ratio_for(0.83) * critical / 0.926_70 - 1.0).abs() < 1e-4);
+    assert_abs_diff_eq!(seconds / 1.698e-6, 1.0, epsilon = 1e-3);
+    assert_abs_diff_eq!(
+        damping_ratio_for(0.83) * critical / 0.926_70,
+        1.0,
+        epsilon = 1e-4
+    );
 }
 
 #[test]
@@ -89,10 +98,10 @@ fn the_bound_is_the_damping_of_the_law_at_the_overlap_of_breaking() {
         constant,
         matching_stiffness(elastic, radius, strength, factor),
     );
-    assert!((damping / bound - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(damping / bound, 1.0, epsilon = 1e-12);
     // About a tenth of a radius: hardly the small overlap that the law assumes.
     let typical = breaking_overlap_hertzian(elastic, radius, strength, 1.0) / radius;
-    assert!((typical - 0.108).abs() < 5e-4);
+    assert_abs_diff_eq!(typical, 0.108, epsilon = 5e-4);
 }
 
 #[test]
@@ -127,13 +136,17 @@ fn metre_spheres_rebound_nearly_as_the_first_order_promises() {
 #[test]
 fn granite_gives_the_numbers_of_the_thesis() {
     let k = matching_stiffness(GRANITE.elastic(), 1e-3, 280e6, 1.0);
-    assert!((k / 8.141_582_8e6 - 1.0).abs() < 1e-7);
-    assert!((breaking_overlap_linear(1e7, 1e-3, 280e6, 1.0) / 8.796_459_43e-5 - 1.0).abs() < 1e-9);
+    assert_abs_diff_eq!(k / 8.141_582_8e6, 1.0, epsilon = 1e-7);
+    assert_abs_diff_eq!(
+        breaking_overlap_linear(1e7, 1e-3, 280e6, 1.0) / 8.796_459_43e-5,
+        1.0,
+        epsilon = 1e-9
+    );
     let printed = dissipative_constant_printed_from_restitution(0.83, 2700.0, 1.0);
-    assert!((printed / 6.269e-3 - 1.0).abs() < 1e-3);
+    assert_abs_diff_eq!(printed / 6.269e-3, 1.0, epsilon = 1e-3);
     let right = dissipative_constant_from_restitution(0.83, GRANITE.elastic(), 2700.0, 0.5, 1.0);
-    assert!((right / 1.6249e-4 - 1.0).abs() < 1e-4);
-    assert!((damping_bound(right, k) / 1.32e3 - 1.0).abs() < 5e-3);
+    assert_abs_diff_eq!(right / 1.6249e-4, 1.0, epsilon = 1e-4);
+    assert_abs_diff_eq!(damping_bound(right, k) / 1.32e3, 1.0, epsilon = 5e-3);
 }
 
 #[test]
@@ -142,7 +155,7 @@ fn both_laws_carry_the_breaking_force_at_their_overlaps() {
     let k = matching_stiffness(elastic, 1e-3, 280e6, 0.95);
     let linear = breaking_overlap_linear(k, 1e-3, 280e6, 0.95);
     let hertzian = breaking_overlap_hertzian(elastic, 1e-3, 280e6, 0.95);
-    assert!((linear / hertzian - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(linear / hertzian, 1.0, epsilon = 1e-12);
 }
 
 #[test]
@@ -172,7 +185,7 @@ fn damping_ratios_invert_restitutions() {
         let found = truncated_restitution(damping_ratio_for(wanted));
         assert!((found / wanted - 1.0).abs() < 1e-9, "{wanted} {found}");
     }
-    assert!((damping_ratio_for(0.83) / 0.061_616_358 - 1.0).abs() < 1e-7);
+    assert_abs_diff_eq!(damping_ratio_for(0.83) / 0.061_616_358, 1.0, epsilon = 1e-7);
 }
 
 #[test]
@@ -185,5 +198,5 @@ fn friction_rises_to_its_peak_and_decays_to_its_residual() {
     };
     assert_eq!([decay.at(1.0), decay.at(2.0)], [0.45, 0.9]);
     assert!((decay.at(2.0 + 1e-9) - 0.9).abs() < 1e-8);
-    assert!((decay.at(100.0) - 0.3).abs() < 1e-12);
+    assert_abs_diff_eq!(decay.at(100.0), 0.3, epsilon = 1e-12);
 }

@@ -2,6 +2,7 @@
 
 use crate::program::{run, stderr, stdout, write_scene};
 use crate::worlds::{head, particle};
+use approx::assert_abs_diff_eq;
 use serde_json::Value;
 
 const CONTACT: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
@@ -176,7 +177,7 @@ fn sums_of_the_balance_are_those_of_the_summary() {
         + term("breaking");
     let initial = 2.0 * 0.5 * 1.130973355292325e-5 * 0.25;
     let residual = left - initial - term("bonding") - term("driving");
-    assert!((residual - term("residual")).abs() < 1e-20);
+    assert_abs_diff_eq!(residual, term("residual"), epsilon = 1e-20);
     assert!(term("residual").abs() < 1e-5 * initial);
 }
 

@@ -1,5 +1,6 @@
 //! Distributions against quadrature and samples.
 
+use approx::assert_abs_diff_eq;
 use gouge_dem::distributions::{
     DENSEST_DISCS, Distribution, Power, Uniform, UniformProduct, UniformSum, WeakestProduct,
     Weibull, crystallises, discs_in_square, spheres_in_cube,
@@ -168,8 +169,8 @@ fn weibull_moments_are_those_of_its_limits() {
         scale: 2.0,
         shape: 1.0,
     };
-    assert!((exponential.mean() - 3.0).abs() < 1e-12);
-    assert!((exponential.variance() - 4.0).abs() < 1e-12);
+    assert_abs_diff_eq!(exponential.mean(), 3.0, epsilon = 1e-12);
+    assert_abs_diff_eq!(exponential.variance(), 4.0, epsilon = 1e-12);
     let rayleigh = Weibull {
         location: 0.0,
         scale: 2.0_f64.sqrt(),
@@ -186,10 +187,14 @@ fn size_bounds_are_on_the_verge_of_order() {
         high: sizes.maximum,
     };
     let relative = uniform.deviation() / uniform.mean();
-    assert!((uniform.mean() - 1.0).abs() < 1e-15);
-    assert!((sizes.maximum / sizes.minimum - 2.0_f64.sqrt()).abs() < 1e-15);
+    assert_abs_diff_eq!(uniform.mean(), 1.0, epsilon = 1e-15);
+    assert_abs_diff_eq!(
+        sizes.maximum / sizes.minimum,
+        2.0_f64.sqrt(),
+        epsilon = 1e-15
+    );
     // The thesis prints 0.99; the exact value lies inside the ordering region, not outside.
-    assert!((relative - 0.099_057_6).abs() < 1e-7);
+    assert_abs_diff_eq!(relative, 0.099_057_6, epsilon = 1e-7);
     assert!(crystallises(relative) && !crystallises(0.1));
     let back = Uniform::with_moments(uniform.mean(), uniform.deviation());
     assert!((back.low - uniform.low).abs() < 1e-15 && (back.high - uniform.high).abs() < 1e-15);
@@ -197,9 +202,13 @@ fn size_bounds_are_on_the_verge_of_order() {
 
 #[test]
 fn two_dimensions_save_a_factor_of_sixty_one() {
-    assert!((DENSEST_DISCS - std::f64::consts::PI / 12.0_f64.sqrt()).abs() < 1e-15);
+    assert_abs_diff_eq!(
+        DENSEST_DISCS,
+        std::f64::consts::PI / 12.0_f64.sqrt(),
+        epsilon = 1e-15
+    );
     let (flat, full) = (discs_in_square(0.1, 1e-3), spheres_in_cube(0.1, 1e-3));
-    assert!((full / flat - 6.0_f64.sqrt() / 4.0 * 100.0).abs() < 1e-9);
+    assert_abs_diff_eq!(full / flat, 6.0_f64.sqrt() / 4.0 * 100.0, epsilon = 1e-9);
     assert_eq!((full / flat).round(), 61.0);
 }
 
@@ -228,11 +237,11 @@ fn densities_are_integrals_over_one_of_their_variables() {
         for x in [0.7, 0.75, 0.9, 1.1, 1.4, 1.6] {
             let given = |y: f64| a.density(y) * b.density(x / y) / y;
             let expected = quadrature(a.low, a.high, given);
-            assert!((UniformProduct(a, b).density(x) - expected).abs() < 2e-4);
+            assert_abs_diff_eq!(UniformProduct(a, b).density(x), expected, epsilon = 2e-4);
         }
         for x in [1.65, 1.75, 2.0, 2.1, 2.35, 2.5] {
             let expected = quadrature(a.low, a.high, |y| a.density(y) * b.density(x - y));
-            assert!((UniformSum(a, b).density(x) - expected).abs() < 2e-4);
+            assert_abs_diff_eq!(UniformSum(a, b).density(x), expected, epsilon = 2e-4);
         }
     }
     // The smaller of two radii exceeds y if both do.
@@ -301,9 +310,9 @@ fn an_interval_of_ratio_root_two_is_that_of_the_thesis() {
         high: sizes.maximum,
     };
     let relative = relative_deviation_of_ratio(2.0_f64.sqrt());
-    assert!((relative - uniform.relative_deviation()).abs() < 1e-15);
+    assert_abs_diff_eq!(relative, uniform.relative_deviation(), epsilon = 1e-15);
     assert!((relative - (3.0_f64.sqrt() - 24.0_f64.sqrt() / 3.0)).abs() < 1e-15);
-    assert!((spheres_per_disc(0.1, 1e-3) - 61.237).abs() < 1e-3);
+    assert_abs_diff_eq!(spheres_per_disc(0.1, 1e-3), 61.237, epsilon = 1e-3);
 }
 
 #[test]
@@ -317,8 +326,8 @@ fn the_modulus_five_of_the_thesis_matches_only_without_a_location() {
         };
         law.variance().sqrt() / law.mean()
     };
-    assert!((spread(5.007) - 0.228_76).abs() < 1e-5);
-    assert!((spread(5.494) - 0.210_12).abs() < 1e-5);
+    assert_abs_diff_eq!(spread(5.007), 0.228_76, epsilon = 1e-5);
+    assert_abs_diff_eq!(spread(5.494), 0.210_12, epsilon = 1e-5);
     // Moments of a Weibull variable by quadrature of its survival.
     let law = Weibull {
         location: 0.465,
@@ -327,6 +336,6 @@ fn the_modulus_five_of_the_thesis_matches_only_without_a_location() {
     };
     let first = quadrature(0.0, 4.0, |x| 1.0 - law.cumulative(x));
     let second = quadrature(0.0, 4.0, |x| 2.0 * x * (1.0 - law.cumulative(x)));
-    assert!((law.mean() - first).abs() < 1e-8);
+    assert_abs_diff_eq!(law.mean(), first, epsilon = 1e-8);
     assert!((law.variance() - (second - first * first)).abs() < 1e-8);
 }

@@ -33,7 +33,7 @@ pub fn rust_files(folder: &Path) -> Vec<PathBuf> {
 }
 
 fn document(name: &str) -> String {
-    read(&root().join("docs").join(name))
+    read(&root().join("docs/thesis").join(name))
 }
 
 /// What stands between backticks.

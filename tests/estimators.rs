@@ -1,6 +1,7 @@
 //! Estimators against states whose answer is known.
 
 use crate::worlds::{advance, head, particle, world};
+use approx::assert_abs_diff_eq;
 use gouge_common::estimators::{
     Region, connected, packing_fraction, radial_distribution, visible_fraction,
 };
@@ -12,7 +13,7 @@ use rand_pcg::Pcg64;
 #[test]
 fn packing_fraction_of_touching_discs_is_that_of_their_lattice() {
     let q = packing_fraction(&[0.5; 100], 100.0);
-    assert!((q - std::f64::consts::FRAC_PI_4).abs() < 1e-14);
+    assert_abs_diff_eq!(q, std::f64::consts::FRAC_PI_4, epsilon = 1e-14);
 }
 
 #[test]
@@ -68,7 +69,7 @@ fn an_ideal_gas_has_no_excess_entropy() {
     }
     let spacing = 2.0 * gas.distance[0];
     let norm: f64 = gas.density.iter().sum::<f64>() * spacing;
-    assert!((norm - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(norm, 1.0, epsilon = 1e-12);
     assert!(gas.excess_entropy() <= 0.0 && gas.excess_entropy() > -1.0);
 }
 
@@ -122,7 +123,11 @@ fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
     let expected = 1e7 * 2e-6 / 1e-6;
     assert!((stress[0][0] / expected - 1.0).abs() < 1e-10, "{stress:?}");
     assert_eq!([stress[0][1], stress[1][0], stress[1][1]], [0.0; 3]);
-    assert!((world.contact_network().coordination_number() - 1.8).abs() < 1e-15);
+    assert_abs_diff_eq!(
+        world.contact_network().coordination_number(),
+        1.8,
+        epsilon = 1e-15
+    );
     assert_eq!(fragments(world.state()).number, 1);
 }
 
@@ -140,10 +145,14 @@ fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
     advance(&mut world, 100);
     world.evaluate_if_pending().expect("finite");
     let drag = 6.0 * std::f64::consts::PI * 10.0 * 1e-3 * 2.0;
-    assert!((world.particles().velocity[0].x - 2.0).abs() < 1e-14);
-    assert!((friction_load(world.drive()) / (drag / 3.0) - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(world.particles().velocity[0].x, 2.0, epsilon = 1e-14);
+    assert_abs_diff_eq!(
+        friction_load(world.drive()) / (drag / 3.0),
+        1.0,
+        epsilon = 1e-12
+    );
     let reaction = world.drive().reaction;
-    assert!((reaction.x / -drag - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(reaction.x / -drag, 1.0, epsilon = 1e-12);
     assert_eq!(friction_feedback(world.drive()), -reaction.x / reaction.y);
 }
 
@@ -233,7 +242,7 @@ fn entropy_of_simple_radial_distributions_is_closed_form() {
         }
     });
     let expected = -0.5 * number_density * area * 2.0_f64.ln();
-    assert!((ring.excess_entropy() / expected - 1.0).abs() < 1e-3);
+    assert_abs_diff_eq!(ring.excess_entropy() / expected, 1.0, epsilon = 1e-3);
 }
 
 #[test]

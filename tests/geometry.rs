@@ -1,5 +1,6 @@
 //! Geometry against identities and quadrature.
 
+use approx::assert_abs_diff_eq;
 use gouge_common::geometry::{Metric, Open, PeriodicX, Vec2};
 use gouge_common::scalar::Real;
 use gouge_dem::geometry::{
@@ -115,7 +116,7 @@ fn the_mean_distance_is_the_average_over_the_contact() {
     // The mean of the extremities overestimates u - y by a half near touch.
     let (r, y) = (1.0, 0.999);
     let ratio = (mean_distance_of_extremities(r, y) - y) / (mean_distance(r, y) - y);
-    assert!((ratio - 1.5).abs() < 1e-3);
+    assert_abs_diff_eq!(ratio, 1.5, epsilon = 1e-3);
 }
 
 #[test]
@@ -130,16 +131,32 @@ fn areas_and_volumes_are_those_of_quadrature() {
             a.min(b).max(0.0).sqrt()
         };
         let sphere = integral(-r, distance + s, |x| PI * half(x) * half(x));
-        assert!((displaced_volume(radii, distance) - sphere).abs() < 1e-6);
+        assert_abs_diff_eq!(displaced_volume(radii, distance), sphere, epsilon = 1e-6);
         let cylinder = integral(-r, distance + s, |x| 3.0 * 2.0 * half(x));
-        assert!((cylinder_displaced_volume(3.0, radii, distance) - cylinder).abs() < 1e-5);
+        assert_abs_diff_eq!(
+            cylinder_displaced_volume(3.0, radii, distance),
+            cylinder,
+            epsilon = 1e-5
+        );
         let z = contact_half_length(r, y);
-        assert!((contact_area(z) - PI * half(y) * half(y)).abs() < 1e-12);
-        assert!((cylinder_contact_area(3.0, z) - 6.0 * half(y)).abs() < 1e-12);
+        assert_abs_diff_eq!(contact_area(z), PI * half(y) * half(y), epsilon = 1e-12);
+        assert_abs_diff_eq!(
+            cylinder_contact_area(3.0, z),
+            6.0 * half(y),
+            epsilon = 1e-12
+        );
     }
     assert_eq!(displaced_volume([1.0, 2.0], 3.0), 0.0);
-    assert!((displaced_volume([1.0, 2.0], 0.5) - 4.0 / 3.0 * PI).abs() < 1e-14);
-    assert!((cylinder_displaced_volume(2.0, [1.0, 2.0], 0.5) - 2.0 * PI).abs() < 1e-14);
+    assert_abs_diff_eq!(
+        displaced_volume([1.0, 2.0], 0.5),
+        4.0 / 3.0 * PI,
+        epsilon = 1e-14
+    );
+    assert_abs_diff_eq!(
+        cylinder_displaced_volume(2.0, [1.0, 2.0], 0.5),
+        2.0 * PI,
+        epsilon = 1e-14
+    );
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Order and stability of the integrators, found by running the kernel on a damped oscillator.
 
 use crate::worlds::{advance, head, particle, world};
+use approx::assert_abs_diff_eq;
 use gouge_dem::World;
 use gouge_dem::integrators::{Integrator, Oscillator, critical_step};
 use std::f64::consts::PI;
@@ -126,6 +127,6 @@ fn critical_steps_have_their_closed_forms() {
         }
     }
     for integrator in [Integrator::SymplecticEuler, Integrator::VelocityVerlet] {
-        assert!((critical(integrator, 0.0) - 2.0).abs() < 1e-6);
+        assert_abs_diff_eq!(critical(integrator, 0.0), 2.0, epsilon = 1e-6);
     }
 }

@@ -1,16 +1,26 @@
 //! Who may use whom, and how long files may be.
 
-use crate::equations::{read, root, rust_files};
-use std::path::Path;
+use crate::equations::{kernel_files, read, root, rust_files};
+use std::path::{Path, PathBuf};
 
 /// Uses of what is listed further down: a model names its integrator, as plain data.
 const EXCEPTIONS: [(&str, &str); 1] = [("model", "integrators")];
 
+/// Crates from the lowest to the highest, and their folders: each may depend only on those before it.
+const CRATES: [(&str, &str); 5] = [
+    ("gouge-common", "kernel/common"),
+    ("gouge-dem", "kernel/dem"),
+    ("gouge-runner", "runner"),
+    ("gouge-validation", "validation"),
+    ("gouge", "cli"),
+];
+
 /// Longest file in lines.
 const LONGEST: usize = 500;
 
-fn kernel() -> std::path::PathBuf {
-    root().join("kernel/src")
+/// Folders of the kernel's crates.
+fn kernels() -> [PathBuf; 2] {
+    ["kernel/common/src", "kernel/dem/src"].map(|folder| root().join(folder))
 }
 
 /// Lines of code: no comments, nothing after the beginning of unit tests.
@@ -20,9 +30,9 @@ fn code(text: &str) -> impl Iterator<Item = &str> {
         .filter(|line| !line.trim_start().starts_with("//"))
 }
 
-/// The top module of a kernel file; none for the root of the crate.
-fn module(file: &Path) -> Option<String> {
-    let inside = file.strip_prefix(kernel()).expect("a kernel file");
+/// The top module of a file of a crate; none for the root of the crate.
+fn module(source: &Path, file: &Path) -> Option<String> {
+    let inside = file.strip_prefix(source).expect("a file of the crate");
     let first = inside.components().next().expect("a name").as_os_str();
     let name = Path::new(first)
         .file_stem()
@@ -43,9 +53,9 @@ fn used(line: &str) -> Vec<&str> {
     line.match_indices("crate::").map(after).collect()
 }
 
-/// Modules of the kernel from the lowest to the highest, as the root of the crate lists them.
-fn order() -> Vec<String> {
-    let text = read(&kernel().join("lib.rs"));
+/// Modules of a crate from the lowest to the highest, as the root of the crate lists them.
+fn order(source: &Path) -> Vec<String> {
+    let text = read(&source.join("lib.rs"));
     let name = |line: &str| {
         let line = line.strip_prefix("pub ").unwrap_or(line);
         Some(line.strip_prefix("mod ")?.strip_suffix(';')?.to_owned())
@@ -55,21 +65,21 @@ fn order() -> Vec<String> {
 
 #[test]
 fn the_kernel_is_listed_from_particles_to_estimators() {
-    // Read down, the root of the crate is chapter 3 of the thesis; what is not named here lies between.
+    // Read from the top, the root of the crate is chapter 3 of the thesis; other modules lie between.
     let chapter = [
-        "scalar",
         "geometry",
         "particles",
         "laws",
         "model",
-        "links",
+        "bonds",
+        "contacts",
         "forces",
         "integrators",
         "world",
         "estimators",
         "setup",
     ];
-    let order = order();
+    let order = order(&root().join("kernel/dem/src"));
     let listed: Vec<&String> = order
         .iter()
         .filter(|name| chapter.contains(&name.as_str()))
@@ -79,22 +89,102 @@ fn the_kernel_is_listed_from_particles_to_estimators() {
 
 #[test]
 fn modules_use_only_what_is_listed_above_them() {
-    let order = order();
-    let place = |name: &str| match order.iter().position(|other| other == name) {
-        Some(place) => place,
-        None => panic!("{name} is not in lib.rs"),
-    };
-    for file in rust_files(&kernel()) {
-        let Some(module) = module(&file) else {
-            continue;
+    for source in kernels() {
+        let order = order(&source);
+        let place = |name: &str| match order.iter().position(|other| other == name) {
+            Some(place) => place,
+            None => panic!("{name} is not in lib.rs"),
         };
-        let text = read(&file);
-        for line in code(&text) {
-            for other in used(line) {
+        for file in rust_files(&source) {
+            let Some(module) = module(&source, &file) else {
+                continue;
+            };
+            let text = read(&file);
+            for (line, other) in
+                code(&text).flat_map(|line| used(line).into_iter().map(move |o| (line, o)))
+            {
                 let allowed = other == module
                     || place(other) < place(&module)
                     || EXCEPTIONS.contains(&(module.as_str(), other));
                 assert!(allowed, "{}: {line}", file.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn no_two_files_of_the_kernel_use_each_other() {
+    let files = kernel_files();
+    let uses = |file: &Path| {
+        let text = read(file);
+        let siblings = code(&text).filter_map(|line| {
+            let rest = line.trim_start().strip_prefix("use super::")?;
+            let name = rest
+                .split(|c: char| !c.is_alphanumeric() && c != '_')
+                .next()?;
+            let sibling = file.with_file_name(format!("{name}.rs"));
+            sibling.exists().then_some(sibling)
+        });
+        siblings.collect::<Vec<_>>()
+    };
+    for file in &files {
+        for other in uses(file) {
+            assert!(
+                !uses(&other).contains(file),
+                "{} and {} use each other",
+                file.display(),
+                other.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn crates_depend_only_on_lower_ones() {
+    for (place, (name, folder)) in CRATES.iter().enumerate() {
+        let manifest = read(&root().join(folder).join("Cargo.toml"));
+        let used_at_run_time = manifest.split("[dev-dependencies]").next();
+        let lines = used_at_run_time.unwrap_or_default().lines();
+        for other in lines.filter_map(|line| line.strip_suffix(".workspace = true")) {
+            let position = CRATES.iter().position(|(lower, _)| *lower == other);
+            assert!(
+                position.is_none_or(|position| position < place),
+                "{name} depends on {other}"
+            );
+        }
+        assert!(
+            *folder != "cli"
+                || !manifest
+                    .split("[dev-dependencies]")
+                    .next()
+                    .unwrap_or_default()
+                    .contains("gouge-dem"),
+            "the command line only reads arguments and prints"
+        );
+    }
+}
+
+#[test]
+fn every_dependency_is_used() {
+    let folders = ["benches", "tools/equations", "tools/mutation"];
+    for folder in CRATES.iter().map(|(_, folder)| *folder).chain(folders) {
+        let manifest = read(&root().join(folder).join("Cargo.toml"));
+        let mut files = rust_files(&root().join(folder));
+        if folder == "cli" {
+            files.extend(rust_files(&root().join("tests")));
+        }
+        let sources: String = files.iter().map(|file| read(file)).collect();
+        let mut is_dependency = false;
+        for line in manifest.lines() {
+            if line.starts_with('[') {
+                is_dependency = line.contains("dependencies]");
+            } else if let (true, Some(name)) = (is_dependency, line.split(['.', ' ']).next()) {
+                let path = name.replace('-', "_");
+                let is_used = name.is_empty()
+                    || [format!("{path}::"), format!("use {path};")]
+                        .iter()
+                        .any(|use_of_it| sources.contains(use_of_it.as_str()));
+                assert!(is_used, "{folder}/Cargo.toml: {name} is used nowhere");
             }
         }
     }
@@ -115,7 +205,7 @@ fn the_kernel_touches_nothing_outside_itself() {
         "static ",
         "unsafe",
     ];
-    for file in rust_files(&kernel()) {
+    for file in kernel_files() {
         let text = read(&file);
         for line in code(&text) {
             let words = outside.iter().find(|word| line.contains(*word));
@@ -130,8 +220,9 @@ fn the_kernel_touches_nothing_outside_itself() {
 
 #[test]
 fn only_passes_write_forces_and_estimators_write_nothing() {
-    for file in rust_files(&kernel()) {
-        let (module, text) = (module(&file), read(&file));
+    let source = root().join("kernel/dem/src");
+    for file in rust_files(&source) {
+        let (module, text) = (module(&source, &file), read(&file));
         for line in code(&text) {
             let is_force = ["force[", "torque[", "add_pair("]
                 .iter()
@@ -170,7 +261,7 @@ fn oracles_never_call_the_kernel() {
 
 #[test]
 fn files_are_short() {
-    for folder in ["kernel/src", "validation/src"] {
+    for folder in ["kernel", "runner/src", "validation/src", "cli/src"] {
         for file in rust_files(&root().join(folder)) {
             let lines = read(&file).lines().count();
             assert!(lines <= LONGEST, "{} has {lines} lines", file.display());
@@ -179,16 +270,25 @@ fn files_are_short() {
 }
 
 #[test]
-fn the_paths_of_the_architecture_exist() {
-    let path = root().join("ARCHITECTURE.md");
-    if !path.exists() {
-        return;
-    }
-    for name in read(&path).split('`').skip(1).step_by(2) {
+fn the_map_of_the_architecture_is_true() {
+    let text = read(&root().join("ARCHITECTURE.md"));
+    let named: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
+    for name in &named {
         if name.contains('/') && !name.contains(' ') {
-            // Invariants name folders of the kernel by themselves.
-            let found = root().join(name).exists() || kernel().join(name).exists();
-            assert!(found, "ARCHITECTURE.md names {name}");
+            assert!(root().join(name).exists(), "ARCHITECTURE.md names {name}");
+        }
+    }
+    for (_, folder) in CRATES {
+        let source = root().join(folder).join("src");
+        for entry in std::fs::read_dir(&source).expect("a readable folder") {
+            let entry = entry.expect("readable");
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let path = format!("{folder}/src/{name}");
+            let is_named = name == "lib.rs"
+                || named
+                    .iter()
+                    .any(|other| other.trim_end_matches('/') == path);
+            assert!(is_named, "ARCHITECTURE.md lacks {path}");
         }
     }
 }

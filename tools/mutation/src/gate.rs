@@ -71,8 +71,7 @@ impl Gate {
     pub fn build(copy: &Path) -> Outcome<Self> {
         let output = Command::new(env!("CARGO"))
             .args(["test", "--no-run", "--message-format=json"])
-            .args(["-p", "gouge-validation"])
-            .args(["--lib", "--test", "gate"])
+            .args(["-p", "gouge", "--test", "gate"])
             .current_dir(copy)
             .stderr(Stdio::inherit())
             .output()?;
@@ -84,7 +83,7 @@ impl Gate {
         programs.sort();
         Ok(Self {
             programs,
-            folder: copy.join("validation"),
+            folder: copy.join("cli"),
         })
     }
 
@@ -288,7 +287,7 @@ fn program(line: &str) -> Option<PathBuf> {
     let message: serde_json::Value = serde_json::from_str(line).ok()?;
     let is_test = message["profile"]["test"].as_bool()?;
     let name = message["target"]["name"].as_str()?;
-    let wanted = is_test && ["gate", "gouge_kernel"].contains(&name);
+    let wanted = is_test && name == "gate";
     wanted.then(|| message["executable"].as_str().map(PathBuf::from))?
 }
 

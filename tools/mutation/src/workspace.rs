@@ -7,11 +7,13 @@ use crate::sites::find;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Where the kernel lives.
-const KERNEL: &str = "kernel/src";
+/// Where the lowest crate of the kernel lives, which holds what asks for the site to be scaled.
+const COMMON: &str = "kernel/common/src";
+/// Where the model's crate lives.
+const DEM: &str = "kernel/dem/src";
 
 /// Whose uses of the kernel's constants count as well.
-const USER: &str = "validation/src";
+const USERS: [&str; 2] = ["runner/src", "validation/src"];
 
 /// What is not copied.
 const LEFT_BEHIND: [&str; 3] = ["target", ".git", "mutation"];
@@ -29,9 +31,12 @@ pub struct Source {
 /// # Errors
 /// Files that cannot be read or parsed; macros that hide numbers.
 pub fn survey(root: &Path) -> Outcome<Vec<Source>> {
-    let mut parsed = parse(root, KERNEL, Side::Kernel)?;
+    let mut parsed = parse(root, COMMON, Side::Kernel)?;
+    parsed.extend(parse(root, DEM, Side::Kernel)?);
     let declared = Declared::in_files(parsed.iter().map(|(.., file)| file));
-    parsed.extend(parse(root, USER, Side::User)?);
+    for user in USERS {
+        parsed.extend(parse(root, user, Side::User)?);
+    }
     let mut sources = Vec::new();
     let mut next = 0;
     for (path, side, text, file) in parsed {
@@ -87,7 +92,7 @@ pub fn sites(sources: &[Source]) -> Vec<Site> {
 pub fn plant(root: &Path, copy: &Path, sources: &[Source]) -> Outcome<()> {
     let mut paths = Vec::new();
     list(root, &mut paths)?;
-    let module_path = copy.join(KERNEL).join("perturbation.rs");
+    let module_path = copy.join(COMMON).join("perturbation.rs");
     remove_others(root, copy, &module_path)?;
     for path in paths {
         let inside = path.strip_prefix(root)?;
@@ -95,7 +100,7 @@ pub fn plant(root: &Path, copy: &Path, sources: &[Source]) -> Outcome<()> {
         let bytes = match (source, inside == Path::new("Cargo.toml")) {
             (Some(source), _) => rewritten(source).into_bytes(),
             (None, true) => fs::read_to_string(&path)?
-                .replace(", \"mutation\"", "")
+                .replace("    \"tools/mutation\",\n", "")
                 .into_bytes(),
             (None, false) => fs::read(&path)?,
         };
@@ -151,9 +156,9 @@ fn list(folder: &Path, found: &mut Vec<PathBuf>) -> Outcome<()> {
 fn rewritten(source: &Source) -> String {
     // Insertions by place; what closes comes before what opens, inner ends before outer ones.
     let mut insertions: Vec<(usize, bool, String)> = Vec::new();
-    let library = match source.side {
-        Side::Kernel => "crate",
-        Side::User => "gouge_kernel",
+    let library = match source.path.starts_with(COMMON) {
+        true => "crate",
+        false => "gouge_common",
     };
     for site in &source.found.sites {
         let name = if site.shorthand {
@@ -184,7 +189,7 @@ fn rewritten(source: &Source) -> String {
         from = place;
     }
     result += &text[from..];
-    if source.path.ends_with("kernel/src/lib.rs") {
+    if source.path.ends_with("kernel/common/src/lib.rs") {
         result += "\n#[allow(missing_docs)]\npub mod perturbation;\n";
     }
     result
