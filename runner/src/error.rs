@@ -76,7 +76,7 @@ pub enum Error {
         reason: String,
     },
     /// The run stopped.
-    #[error("the run stopped in phase '{phase}': {source}")]
+    #[error("the run stopped in phase '{phase}': {source} (run `gouge stability` for the bounds)")]
     Step {
         /// The phase of the run.
         phase: String,
@@ -86,7 +86,7 @@ pub enum Error {
     /// The energies of a state left the range of numbers before the state itself did.
     #[error(
         "the run stopped in phase '{phase}': the {name} energy is not finite at {time} s; likely \
-             cause: the time step is above the stability bound (`gouge stability` tells)"
+             cause: the time step is above the stability bound (run `gouge stability` for the bounds)"
     )]
     Energy {
         /// The phase of the run.

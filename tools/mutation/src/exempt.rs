@@ -59,7 +59,7 @@ const EXEMPTIONS: &[Exemption] = &[
     ),
     exempt(
         "kernel/dem/src/geometry/angle.rs",
-        "turn",
+        "small_turn",
         "NEAR_COSINE",
         "where a series takes over from an arctangent that agrees with it",
     ),
@@ -184,14 +184,8 @@ const EXEMPTIONS: &[Exemption] = &[
         BEYOND,
     ),
     exempt(
-        "kernel/dem/src/forces/contact_pass.rs",
-        "stored_in_contacts",
-        "",
-        BEYOND,
-    ),
-    exempt(
         "kernel/dem/src/forces/driving.rs",
-        "haste: ",
+        "velocity_gain: ",
         "1.0",
         "a place holder, filled in by the method before it is read",
     ),

@@ -50,7 +50,7 @@ struct Arguments {
 fn main() -> Outcome<ExitCode> {
     let arguments = Arguments::parse();
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("..")
+        .join("../..")
         .canonicalize()?;
     let sources = workspace::survey(&root)?;
     let all = workspace::sites(&sources);

@@ -21,7 +21,6 @@ const LEFT_BEHIND: [&str; 3] = ["target", ".git", "mutation"];
 /// A source file with what was found in it.
 pub struct Source {
     path: PathBuf,
-    side: Side,
     text: String,
     found: Findings,
 }
@@ -49,12 +48,7 @@ pub fn survey(root: &Path) -> Outcome<Vec<Source>> {
             site.id = next;
             next += 1;
         }
-        sources.push(Source {
-            path,
-            side,
-            text,
-            found,
-        });
+        sources.push(Source { path, text, found });
     }
     Ok(sources)
 }
