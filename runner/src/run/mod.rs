@@ -200,7 +200,7 @@ impl<'a> Run<'a> {
         if self.scene.step > estimate && !self.manner.quiet {
             eprintln!(
                 "gouge: warning: {}: time.step = {:?}: above the estimated stability bound, \
-                 {estimate:.3e} s (`gouge stability` tells more)",
+                 {estimate:.3e} s (run `gouge stability` for the bounds)",
                 self.scene.file, self.scene.step
             );
         }

@@ -1,7 +1,7 @@
 //! A block of pairs that are computed together, with wide instructions.
 
 use super::ends::{Columns, Ends, Reads, vector};
-use super::prefetch::ahead_of;
+use super::prefetch::{BLOCKS_AHEAD, needed_at};
 use super::sums::Sums;
 use crate::geometry::PairFrame;
 use core::ops::Range;
@@ -96,7 +96,8 @@ impl<S: Lanes> Block<S> {
             return self.inputs.gather(columns, now, reads, |_| {});
         };
         self.inputs.gather(columns, now, reads, |lane| {
-            if let Some((position, particle)) = ahead_of(pairs, positions.start + lane) {
+            let position = positions.start + lane + BLOCKS_AHEAD * PAIRS;
+            if let Some(particle) = needed_at(pairs, position) {
                 prefetch_index(pairs, position + PAIRS);
                 prefetch(position);
                 columns.prefetch(particle, reads);

@@ -3,23 +3,20 @@
 //! The hardware prefetcher recognises a column that is read from beginning to end, but only a few cache lines
 //! ahead, and pairs read many columns alternately.
 
-use super::block::PAIRS;
 use gouge_common::pair::Pair;
 
 /// Number of particles that fit into the last-level cache: with their pairs they take some 500 bytes each.
 const SMALL: usize = 20_000;
-/// How many pairs ahead of those that are gathered to prefetch.
-const DISTANCE: usize = 4 * PAIRS;
+/// How many blocks ahead of the one that is gathered to prefetch.
+pub(super) const BLOCKS_AHEAD: usize = 4;
 
 /// Whether a world of so many particles profits from prefetching.
 pub(super) fn is_large(particles: usize) -> bool {
     particles > SMALL
 }
 
-/// Position of the pair to prefetch while the one at `now` is gathered, and its second particle; none near the
-/// end.
+/// The second particle of the pair at a position, whose own pairs are the first to need it; none beyond the end.
 #[inline(always)]
-pub(super) fn ahead_of(pairs: &[Pair], now: usize) -> Option<(usize, usize)> {
-    let later = now + DISTANCE;
-    Some((later, pairs.get(later)?.j as usize))
+pub(super) fn needed_at(pairs: &[Pair], position: usize) -> Option<usize> {
+    Some(pairs.get(position)?.j as usize)
 }
