@@ -37,7 +37,7 @@ pub trait Real:
     fn abs(self) -> Self;
     /// Largest integer not above the number.
     fn floor(self) -> Self;
-    /// Inverse sine of a number in [-1, 1], for the small angles of [`turn`](gouge_dem::geometry::turn).
+    /// Inverse sine of a number in [-1, 1], for small angles.
     fn asin_small(self) -> Self;
     /// Angle of the vector (x, y) = (`other`, `self`), in (-pi, pi].
     fn atan2(self, other: Self) -> Self;
