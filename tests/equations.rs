@@ -108,7 +108,7 @@ fn leading_name(text: &str) -> &str {
 }
 
 /// Sources of the kernel's crates.
-const KERNELS: [&str; 2] = ["kernel/dem/src", "kernel/common/src"];
+pub const KERNELS: [&str; 2] = ["kernel/dem/src", "kernel/common/src"];
 
 /// All source files of the kernel's crates.
 pub fn kernel_files() -> Vec<PathBuf> {

@@ -1,7 +1,7 @@
 //! Who may use whom, and how long files may be.
 
-use crate::equations::{kernel_files, read, root, rust_files};
-use std::path::{Path, PathBuf};
+use crate::equations::{KERNELS, kernel_files, read, root, rust_files};
+use std::path::Path;
 
 /// Uses of what is listed further down: a model names its integrator, as plain data.
 const EXCEPTIONS: [(&str, &str); 1] = [("model", "integrators")];
@@ -17,11 +17,6 @@ const CRATES: [(&str, &str); 5] = [
 
 /// Longest file in lines.
 const LONGEST: usize = 500;
-
-/// Folders of the kernel's crates.
-fn kernels() -> [PathBuf; 2] {
-    ["kernel/common/src", "kernel/dem/src"].map(|folder| root().join(folder))
-}
 
 /// Lines of code: no comments, nothing after the beginning of unit tests.
 fn code(text: &str) -> impl Iterator<Item = &str> {
@@ -89,7 +84,7 @@ fn the_kernel_is_listed_from_particles_to_estimators() {
 
 #[test]
 fn modules_use_only_what_is_listed_above_them() {
-    for source in kernels() {
+    for source in KERNELS.map(|folder| root().join(folder)) {
         let order = order(&source);
         let place = |name: &str| match order.iter().position(|other| other == name) {
             Some(place) => place,

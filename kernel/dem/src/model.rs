@@ -9,7 +9,7 @@ use crate::laws::{
 };
 use gouge_common::geometry::Domain;
 
-/// Which form is used of what `docs/errata.md` lists as changing forces or motion.
+/// Which form is used of what `docs/thesis/errata.md` lists as changing forces or motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
     /// What the errata decide.

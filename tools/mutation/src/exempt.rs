@@ -47,7 +47,7 @@ const EXEMPTIONS: &[Exemption] = &[
     ),
     exempt(
         "kernel/dem/src/setup/bonding.rs",
-        "*r *= «reach»",
+        "r * «reach»",
         "reach",
         "a search for candidates, of which the exact distance then chooses",
     ),

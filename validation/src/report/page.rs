@@ -114,7 +114,7 @@ fn how_to_read() -> Markup {
                 b { "Statistical" } ": a margin, a significance and a power fixed beforehand. "
                 "Digits are the correct decimal digits of the measured value, 16 at most; where nothing should come out they count absolutely. "
                 "In figures, lines are theory or other people's data and marks are what the kernel gave, unless the legend says otherwise. All quantities are in SI units. "
-                "Numbers in brackets are the thesis's equations; E1, E2, … are sections of docs/errata.md."
+                "Numbers in brackets are the thesis's equations; E1, E2, … are sections of docs/thesis/errata.md."
             }
         }
     }

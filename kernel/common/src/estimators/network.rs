@@ -1,6 +1,5 @@
 //! The network of contacts that a model shows to estimators.
 
-use crate::estimators::{Fragments, connected};
 use crate::geometry::Vec2;
 use crate::pair::Pair;
 
@@ -30,11 +29,5 @@ impl ContactNetwork {
     /// Each contact counts for both of its particles.
     pub fn coordination_number(&self) -> f64 {
         2.0 * self.contacts.len() as f64 / self.particles.max(1) as f64
-    }
-
-    /// The connected components of the network.
-    pub fn fragments(&self) -> Fragments {
-        let pairs = self.contacts.iter().map(|contact| contact.pair.indices());
-        connected(self.particles, pairs)
     }
 }

@@ -1,6 +1,6 @@
 //! Disorder of a packing: radial distribution and two-body excess entropy, thesis eqs. (69), (80)-(84).
 
-use crate::geometry::{Metric, Open, PeriodicX, Vec2};
+use crate::geometry::{Domain, Vec2};
 use core::f64::consts::{PI, TAU};
 use gouge_equations::rendered;
 
@@ -92,13 +92,18 @@ pub fn radial_distribution(
         .copied()
         .filter(|&x| region.contains(x))
         .collect();
+    let domain = Domain {
+        width: Some(region.width),
+        height: Some(region.height),
+        periodic: region.periodic,
+    };
     let limit = 0.25 * region.width;
     let spacing = limit / samples as f64;
     let distance: Vec<f64> = (0..samples).map(|k| (k as f64 + 0.5) * spacing).collect();
     let mut density = vec![0.0; samples];
     for (i, &a) in points.iter().enumerate() {
         for (j, &b) in points.iter().enumerate() {
-            let separation = displacement(region, a, b).norm();
+            let separation = domain.displacement(a, b).norm();
             if i == j || separation > limit + bandwidth {
                 continue;
             }
@@ -123,17 +128,6 @@ pub fn radial_distribution(
         density,
         g,
         number_density,
-    }
-}
-
-fn displacement(region: &Region, from: Vec2, to: Vec2) -> Vec2 {
-    if region.periodic {
-        PeriodicX {
-            length: region.width,
-        }
-        .displacement(from, to)
-    } else {
-        Open.displacement(from, to)
     }
 }
 

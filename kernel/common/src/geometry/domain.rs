@@ -1,6 +1,6 @@
 //! The box in which particles move.
 
-use super::{Metric, Open, PeriodicX};
+use super::{Metric, Open, PeriodicX, Vec2};
 
 /// The box: its boundary and, where known, its sides in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,5 +34,23 @@ impl Domain {
             Some(length) => action.call(PeriodicX { length }),
             None => action.call(Open),
         }
+    }
+
+    /// Displacement from one point to another, for occasional use; passes choose the metric once.
+    pub fn displacement(&self, from: Vec2, to: Vec2) -> Vec2 {
+        self.with_metric(Displacement { from, to })
+    }
+}
+
+struct Displacement {
+    from: Vec2,
+    to: Vec2,
+}
+
+impl WithMetric for Displacement {
+    type Output = Vec2;
+    #[inline]
+    fn call<M: Metric>(self, metric: M) -> Vec2 {
+        metric.displacement(self.from, self.to)
     }
 }

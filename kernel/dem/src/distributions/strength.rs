@@ -8,7 +8,7 @@ use gouge_equations::rendered;
 /// $$ P_{X^n}(q) = \frac{q^{(1-n)/n}}{n} P_X \left( q^{1/n} \right) $$
 ///
 /// Thesis eqs. (126)-(127), with the density of X where (126) prints that of A (E34 of
-/// `docs/errata.md`). The strength of a link is the square of its weakest radius times its factor.
+/// `docs/thesis/errata.md`). The strength of a link is the square of its weakest radius times its factor.
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<D> {

@@ -16,7 +16,7 @@ pub enum Controller {
     /// The constraints hold at once: the vertical force is the target load, and the horizontal one makes
     /// the mean acceleration of the driven particles zero, so that their mean velocity stays at the
     /// target; what it lacks, at first or by rounding, is made up within few steps (E59 of
-    /// `docs/errata.md`).
+    /// `docs/thesis/errata.md`).
     Exact,
 }
 

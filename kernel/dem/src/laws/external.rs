@@ -41,7 +41,7 @@ impl ExternalLaw for Gravity {
 ///
 /// Thesis eq. (67), which centres the well at half the height. A column of grains under it has a
 /// parabolic pressure, largest at the centre and zero at the edges, not a uniform one (E41 of
-/// `docs/errata.md`).
+/// `docs/thesis/errata.md`).
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HarmonicWell {

@@ -130,7 +130,7 @@ impl NormalLaw for Bshp {
 ///
 /// Shear and bulk viscosity in Pa s. This replaces thesis eq. (38), whose constant vanishes at
 /// 3 eta_K = eta_G and fails the test of proportional viscosities; the derivation is E2 of
-/// `docs/errata.md`. The printed form is [`dissipative_constant_printed`].
+/// `docs/thesis/errata.md`. The printed form is [`dissipative_constant_printed`].
 #[rendered]
 pub fn dissipative_constant(elastic: Elastic, shear_viscosity: f64, bulk_viscosity: f64) -> f64 {
     let nu = elastic.poissons_ratio;

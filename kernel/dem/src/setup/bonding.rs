@@ -1,9 +1,8 @@
 //! Bonds between nearest neighbours, thesis sections 3.5.2 and 3.7.5.
 
 use crate::particles::Particles;
-use gouge_common::geometry::Domain;
-use gouge_common::geometry::{Metric, Open, PeriodicX, Vec2};
-use gouge_common::neighbors::Neighbors;
+use gouge_common::geometry::{Domain, Metric, WithMetric};
+use gouge_common::neighbors::{Neighbors, Reaching};
 use gouge_common::pair::Pair;
 
 /// Reach of bonds in sums of radii that the thesis author used: the root of 3/2.
@@ -12,32 +11,41 @@ pub const REACH: f64 = 1.224_744_871_391_589;
 /// All pairs whose distance is at most `reach` times the sum of their radii, in the order of their first and
 /// then of their second particles.
 pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<Pair> {
-    let period = domain.period();
-    let displacement = |from: Vec2, to: Vec2| match period {
-        Some(length) => PeriodicX { length }.displacement(from, to),
-        None => Open.displacement(from, to),
+    let reaches: Vec<f64> = particles.radius.iter().map(|r| r * reach).collect();
+    let reaching = Reaching {
+        positions: &particles.position,
+        reaches: &reaches,
     };
-    let mut reaching = particles.clone();
-    reaching.radius.iter_mut().for_each(|r| *r *= reach);
-    let mut neighbors = Neighbors::new(reaching.reaching(), domain);
-    let mut pairs = Vec::new();
-    let may_interact = |i, j| particles.may_interact(i, j);
-    match period {
-        Some(length) => neighbors.rebuild(
-            PeriodicX { length },
-            reaching.reaching(),
-            may_interact,
-            &mut pairs,
-        ),
-        None => neighbors.rebuild(Open, reaching.reaching(), may_interact, &mut pairs),
-    }
+    let mut pairs = domain.with_metric(Candidates {
+        particles,
+        reaching,
+        neighbors: Neighbors::new(reaching, domain),
+    });
     pairs.retain(|pair| {
         let (i, j) = pair.indices();
-        let distance = displacement(particles.position[i], particles.position[j]).norm();
-        distance <= reach * (particles.radius[i] + particles.radius[j])
+        let branch = domain.displacement(particles.position[i], particles.position[j]);
+        branch.norm() <= reach * (particles.radius[i] + particles.radius[j])
     });
     pairs.sort_unstable_by_key(|pair| pair.indices());
     pairs
+}
+
+/// Finds the pairs that may be near enough.
+struct Candidates<'a> {
+    particles: &'a Particles,
+    reaching: Reaching<'a, f64>,
+    neighbors: Neighbors<f64>,
+}
+
+impl WithMetric for Candidates<'_> {
+    type Output = Vec<Pair>;
+    fn call<M: Metric>(mut self, metric: M) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        let may_interact = |i, j| self.particles.may_interact(i, j);
+        self.neighbors
+            .rebuild(metric, self.reaching, may_interact, &mut pairs);
+        pairs
+    }
 }
 
 /// So many independent strength factors, uniform in [1 - spread, 1 + spread).

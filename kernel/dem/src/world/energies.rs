@@ -28,7 +28,7 @@ impl<S: Number> World<S> {
         let (model, state) = (&self.model, &self.state);
         let mut energy = Energy::kinetic_of(&state.particles);
         if let Some(external) = model.external {
-            energy.external = with_external_law(external, Potential { state });
+            energy.external = with_external_law(external, Stored { state });
         }
         if let Some(laws) = model.contact {
             energy.contact += with_contact_pass(model, laws, 0.0, Stored { state });
@@ -40,12 +40,7 @@ impl<S: Number> World<S> {
     }
 }
 
-/// Energy in the external potential in J.
-struct Potential<'a, S> {
-    state: &'a State<S>,
-}
-
-impl<S: Number> WithExternalLaw for Potential<'_, S> {
+impl<S: Number> WithExternalLaw for Stored<'_, S> {
     type Output = S;
     fn call<L: ExternalLaw>(self, law: L) -> S {
         let p = &self.state.particles;
@@ -57,7 +52,7 @@ impl<S: Number> WithExternalLaw for Potential<'_, S> {
     }
 }
 
-/// Energy stored in contacts or bonds in J.
+/// Energy in contacts, in bonds or in the external potential, in J.
 struct Stored<'a, S> {
     state: &'a State<S>,
 }

@@ -89,7 +89,7 @@ impl<S: Number> World<S> {
     fn add_bonds(&mut self) {
         let model = self.model;
         if let Some(laws) = model.bond {
-            with_bond_pass(&model, laws, AddBonds { world: self });
+            with_bond_pass(&model, laws, AddForces { world: self });
         }
     }
 
@@ -102,16 +102,16 @@ impl<S: Number> World<S> {
         }
         let elapsed = if advances { model.time_step } else { 0.0 };
         if let Some(laws) = model.contact {
-            with_contact_pass(&model, laws, elapsed, AddContacts { world: self });
+            with_contact_pass(&model, laws, elapsed, AddForces { world: self });
         }
     }
 
     fn add_fields(&mut self) {
         if let Some(ambient) = self.model.ambient {
-            with_ambient_law(ambient, AddAmbient { world: self });
+            with_ambient_law(ambient, AddForces { world: self });
         }
         if let Some(external) = self.model.external {
-            with_external_law(external, AddExternal { world: self });
+            with_external_law(external, AddForces { world: self });
         }
     }
 
@@ -174,24 +174,28 @@ impl<S: Number> WithMetric for FindNeighbors<'_, S> {
     }
 }
 
-/// The pass over bonds: adds their forces and lists those that break.
-struct AddBonds<'a, S: Number> {
+/// Adds the forces of a pass, and books their heat and work.
+struct AddForces<'a, S: Number> {
     world: &'a mut World<S>,
 }
 
-impl<S: Number> WithBondPass for AddBonds<'_, S> {
+impl<S: Number> WithBondPass for AddForces<'_, S> {
     type Output = ();
     fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) {
         if self.world.model.ledger {
-            self.add::<_, _, _, true>(pass);
+            self.add_bonds::<_, _, _, true>(pass);
         } else {
-            self.add::<_, _, _, false>(pass);
+            self.add_bonds::<_, _, _, false>(pass);
         }
     }
 }
 
-impl<S: Number> AddBonds<'_, S> {
-    fn add<M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>(self, pass: BondPass<M, B, Y>) {
+impl<S: Number> AddForces<'_, S> {
+    /// Add the forces of bonds, and list those that break.
+    fn add_bonds<M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>(
+        self,
+        pass: BondPass<M, B, Y>,
+    ) {
         let World {
             state,
             workspace,
@@ -220,27 +224,23 @@ impl<S: Number> AddBonds<'_, S> {
     }
 }
 
-/// The pass over contacts: adds their forces, and begins and ends their memories.
-struct AddContacts<'a, S: Number> {
-    world: &'a mut World<S>,
-}
-
-impl<S: Number> WithContactPass for AddContacts<'_, S> {
+impl<S: Number> WithContactPass for AddForces<'_, S> {
     type Output = ();
     fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
         self,
         pass: ContactPass<M, A, N, T>,
     ) {
         if self.world.model.ledger {
-            self.add::<_, _, _, _, true>(pass);
+            self.add_contacts::<_, _, _, _, true>(pass);
         } else {
-            self.add::<_, _, _, _, false>(pass);
+            self.add_contacts::<_, _, _, _, false>(pass);
         }
     }
 }
 
-impl<S: Number> AddContacts<'_, S> {
-    fn add<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>(
+impl<S: Number> AddForces<'_, S> {
+    /// Add the forces of contacts, and begin and end their memories.
+    fn add_contacts<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>(
         self,
         pass: ContactPass<M, A, N, T>,
     ) {
@@ -272,11 +272,7 @@ impl<S: Number> AddContacts<'_, S> {
     }
 }
 
-struct AddAmbient<'a, S: Number> {
-    world: &'a mut World<S>,
-}
-
-impl<S: Number> WithAmbientLaw for AddAmbient<'_, S> {
+impl<S: Number> WithAmbientLaw for AddForces<'_, S> {
     fn call<L: AmbientLaw>(self, law: L) {
         let state = &mut self.world.state;
         let (particles, sums, bookings) =
@@ -289,11 +285,7 @@ impl<S: Number> WithAmbientLaw for AddAmbient<'_, S> {
     }
 }
 
-struct AddExternal<'a, S: Number> {
-    world: &'a mut World<S>,
-}
-
-impl<S: Number> WithExternalLaw for AddExternal<'_, S> {
+impl<S: Number> WithExternalLaw for AddForces<'_, S> {
     type Output = ();
     fn call<L: ExternalLaw>(self, law: L) {
         let state = &mut self.world.state;

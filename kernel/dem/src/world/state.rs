@@ -63,8 +63,4 @@ impl<S> State<S> {
     pub fn steps(&self) -> u64 {
         self.steps
     }
-    /// Whether forces are those at the present positions and velocities.
-    pub fn is_evaluated(&self) -> bool {
-        self.is_evaluated
-    }
 }
