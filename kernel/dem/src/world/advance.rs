@@ -1,8 +1,7 @@
 //! How a world advances by a step.
 
 use super::dispatch::{WithMethod, with_method};
-use super::number::Number;
-use super::simulation::World;
+use super::simulation::{Number, World};
 use crate::error::StepError;
 use crate::integrators::{Advance, Motion, Stage};
 use core::marker::PhantomData;

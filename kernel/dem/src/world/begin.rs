@@ -1,8 +1,7 @@
 //! The initial state of a world.
 
 use super::execution::Execution;
-use super::number::Number;
-use super::simulation::World;
+use super::simulation::{Number, World};
 use super::state::{Drive, State};
 use super::workspace::Workspace;
 use crate::balance::Ledger;

@@ -4,8 +4,7 @@ use super::dispatch::{
     WithBondPass, WithContactPass, WithExternalLaw, with_bond_pass, with_contact_pass,
     with_external_law,
 };
-use super::number::Number;
-use super::simulation::World;
+use super::simulation::{Number, World};
 use super::state::State;
 use crate::balance::Energy;
 use crate::forces::{BondPass, ContactPass};

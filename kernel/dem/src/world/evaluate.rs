@@ -5,8 +5,7 @@ use super::dispatch::{
     WithAmbientLaw, WithBondPass, WithContactPass, WithExternalLaw, with_ambient_law,
     with_bond_pass, with_contact_pass, with_external_law,
 };
-use super::number::Number;
-use super::simulation::World;
+use super::simulation::{Number, World};
 use crate::error::StepError;
 use crate::forces::{self, BondForces, BondPass, Bookings, ContactForces, ContactPass, PairLoop};
 use crate::geometry::Arm;

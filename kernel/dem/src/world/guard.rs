@@ -1,7 +1,6 @@
 //! Stops a run whose state is no longer physical, and reports the likely cause.
 
-use super::number::Number;
-use super::simulation::World;
+use super::simulation::{Number, World};
 use crate::error::StepError;
 use crate::integrators::{Oscillator, critical_step};
 use crate::model::{ContactNormal, ContactTangential, Model};

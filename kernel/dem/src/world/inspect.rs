@@ -1,8 +1,7 @@
 //! The contacts and bonds of a world, for inspection and for estimators.
 
 use super::dispatch::{WithBondPass, WithContactPass, with_bond_pass, with_contact_pass};
-use super::number::Number;
-use super::simulation::World;
+use super::simulation::{Number, World};
 use super::state::State;
 use crate::forces::{self, BondPass, ContactPass, Interaction};
 use crate::geometry::Arm;

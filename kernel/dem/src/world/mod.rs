@@ -9,7 +9,6 @@ mod evaluate;
 mod execution;
 mod guard;
 mod inspect;
-mod number;
 mod record;
 mod simulation;
 mod state;
@@ -17,6 +16,5 @@ mod workspace;
 
 pub use begin::Start;
 pub use guard::stable_step_estimate;
-pub use number::Number;
-pub use simulation::World;
+pub use simulation::{Number, World};
 pub use state::{Drive, State};

@@ -1,15 +1,17 @@
-//! A model with its state.
+//! A model with its state, and the number types of which both can be made.
 
 use super::execution::Execution;
-use super::number::Number;
 use super::state::{Drive, State};
 use super::workspace::Workspace;
+use crate::balance::Energy;
 use crate::bonds::Bonds;
 use crate::contacts::Contacts;
-use crate::forces::{Forces, PartWorkspace};
+use crate::error::StepError;
+use crate::forces::{Forces, Interaction, PartWorkspace};
 use crate::model::Model;
 use crate::particles::Particles;
 use gouge_common::instructions::Instructions;
+use gouge_common::lanes::Lanes;
 use gouge_common::neighbors::Neighbors;
 use gouge_common::parts::Parts;
 
@@ -98,5 +100,50 @@ impl<S: Number> World<S> {
     /// Time since the initial state in s.
     pub fn time(&self) -> f64 {
         self.state.steps as f64 * self.model.time_step
+    }
+}
+
+/// A number type of which a world can be made.
+///
+/// Generic functions are compiled in every crate that calls them, and those of a world contain every pass for
+/// every choice of laws. They are therefore methods of the number type: for `f64`, which all crates use, they
+/// are compiled once, with the kernel. Other number types need no methods of their own.
+pub trait Number: Lanes {
+    /// What [`World::step`] does.
+    ///
+    /// # Errors
+    /// Those of [`World::step`].
+    fn step(world: &mut World<Self>) -> Result<(), StepError> {
+        world.take_step()
+    }
+    /// What [`World::evaluate_if_pending`] does where forces are pending.
+    ///
+    /// # Errors
+    /// Those of [`World::step`].
+    fn evaluate(world: &mut World<Self>) -> Result<(), StepError> {
+        world.evaluate_first()
+    }
+    /// What [`World::interactions`] finds.
+    fn interactions(world: &World<Self>) -> Vec<Interaction> {
+        world.find_interactions()
+    }
+    /// The energies of [`World::energy`] that are functions of the state, in J.
+    fn state_energy(world: &World<Self>) -> Energy<Self> {
+        world.sum_state_energy()
+    }
+}
+
+impl Number for f64 {
+    fn step(world: &mut World) -> Result<(), StepError> {
+        world.take_step()
+    }
+    fn evaluate(world: &mut World) -> Result<(), StepError> {
+        world.evaluate_first()
+    }
+    fn interactions(world: &World) -> Vec<Interaction> {
+        world.find_interactions()
+    }
+    fn state_energy(world: &World) -> Energy<f64> {
+        world.sum_state_energy()
     }
 }
