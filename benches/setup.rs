@@ -45,7 +45,7 @@ fn neighbors(particles: &Particles<f64>) -> Neighbors<f64> {
         height: None,
         periodic: true,
     };
-    Neighbors::new(particles.reaching(), &domain)
+    Neighbors::new(particles.search_spheres(), &domain)
 }
 
 fn find_neighbors(criterion: &mut Criterion, particles: &Particles<f64>) {
@@ -55,7 +55,7 @@ fn find_neighbors(criterion: &mut Criterion, particles: &Particles<f64>) {
         bencher.iter(|| {
             let particles = black_box(particles);
             let may_interact = |i, j| particles.may_interact(i, j);
-            list.rebuild(BOX, particles.reaching(), may_interact, &mut pairs);
+            list.rebuild(BOX, particles.search_spheres(), may_interact, &mut pairs);
             pairs.len()
         });
     });

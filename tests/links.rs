@@ -49,7 +49,7 @@ fn overlapping(metric: impl Metric, p: &Particles) -> Vec<Pair> {
 
 fn found(metric: impl Metric, p: &Particles, neighbors: &mut Neighbors<f64>) -> Vec<Pair> {
     let mut pairs = Vec::new();
-    neighbors.rebuild(metric, p.reaching(), |_, _| true, &mut pairs);
+    neighbors.rebuild(metric, p.search_spheres(), |_, _| true, &mut pairs);
     assert!(
         pairs.windows(2).all(|two| two[0] < two[1]),
         "each pair once and in order"
@@ -71,7 +71,7 @@ proptest! {
     ) {
         let p = particles(&points);
         let extent = if given { [Some(2.0), Some(3.0)] } else { [None, None] };
-        let mut neighbors = Neighbors::new(p.reaching(), &domain(extent, false));
+        let mut neighbors = Neighbors::new(p.search_spheres(), &domain(extent, false));
         prop_assert_eq!(found(Open, &p, &mut neighbors), overlapping(Open, &p));
     }
 
@@ -85,7 +85,7 @@ proptest! {
         let points: Vec<_> = points.iter().map(|&(x, y, r)| (x * length, y, r)).collect();
         let p = particles(&points);
         let metric = PeriodicX { length };
-        let mut neighbors = Neighbors::new(p.reaching(), &domain([Some(length), Some(3.0)], true));
+        let mut neighbors = Neighbors::new(p.search_spheres(), &domain([Some(length), Some(3.0)], true));
         prop_assert_eq!(found(metric, &p, &mut neighbors), overlapping(metric, &p));
     }
 
@@ -97,13 +97,13 @@ proptest! {
     ) {
         let mut p = particles(&points);
         let metric = PeriodicX { length: 4.0 };
-        let mut neighbors = Neighbors::new(p.reaching(), &domain([Some(4.0), Some(4.0)], true));
+        let mut neighbors = Neighbors::new(p.search_spheres(), &domain([Some(4.0), Some(4.0)], true));
         let mut pairs = Vec::new();
-        neighbors.rebuild(metric, p.reaching(), |_, _| true, &mut pairs);
+        neighbors.rebuild(metric, p.search_spheres(), |_, _| true, &mut pairs);
         for (x, (dx, dy)) in p.position.iter_mut().zip(&moves) {
             *x = metric.wrap(*x + Vec2::new(dx * size, dy * size));
         }
-        if !neighbors.are_stale(metric, &p.position) {
+        if !neighbors.is_stale(metric, &p.position) {
             for pair in overlapping(metric, &p) {
                 prop_assert!(pairs.binary_search(&pair).is_ok(), "missed {pair:?}");
             }
@@ -114,22 +114,22 @@ proptest! {
     fn index_space_is_a_generalised_inverse(x in -9.0..9.0, y in -9.0..9.0) {
         let extent = Vec2::new(4.0, 3.0);
         let cells = Cells::new(Vec2::zero(), extent, false, 0.3, 1000);
-        let index = cells.down(Vec2::new(x, y));
-        prop_assert_eq!(cells.down(cells.up(index)), index);
-        prop_assert_eq!(cells.up(cells.down(cells.up(index))), cells.up(index));
+        let index = cells.cell_at(Vec2::new(x, y));
+        prop_assert_eq!(cells.cell_at(cells.centre(index)), index);
+        prop_assert_eq!(cells.centre(cells.cell_at(cells.centre(index))), cells.centre(index));
     }
 
     #[test]
     fn cells_meet_halfway_between_their_centres(x in 0.3..3.6, y in 0.3..2.6) {
         let cells = Cells::new(Vec2::zero(), Vec2::new(4.0, 3.0), false, 0.3, 1000);
-        let index = cells.down(Vec2::new(x, y));
-        let (centre, side) = (cells.up(index), cells.smaller_side());
+        let index = cells.cell_at(Vec2::new(x, y));
+        let (centre, side) = (cells.centre(index), cells.smaller_side());
         for step in [Vec2::new(1.2 * side, 0.0), Vec2::new(0.0, 1.2 * side)] {
-            let next = cells.down(centre + step);
+            let next = cells.cell_at(centre + step);
             prop_assert_eq!(cells.distance(index, next), 1);
-            let half = (cells.up(next) - centre) * 0.5;
-            prop_assert_eq!(cells.down(centre + half * (1.0 - 1e-9)), index);
-            prop_assert_eq!(cells.down(centre + half * (1.0 + 1e-9)), next);
+            let half = (cells.centre(next) - centre) * 0.5;
+            prop_assert_eq!(cells.cell_at(centre + half * (1.0 - 1e-9)), index);
+            prop_assert_eq!(cells.cell_at(centre + half * (1.0 + 1e-9)), next);
         }
     }
 
@@ -138,7 +138,7 @@ proptest! {
         a in (0.0..4.0, 0.0..3.0), b in (0.0..4.0, 0.0..3.0), i in 0_usize..3, j in 0_usize..3,
     ) {
         let cells = Cells::new(Vec2::zero(), Vec2::new(4.0, 3.0), true, 0.9, 1000);
-        let place = |(x, y): (f64, f64)| cells.down(Vec2::new(x, y));
+        let place = |(x, y): (f64, f64)| cells.cell_at(Vec2::new(x, y));
         let (a, b) = ((place(a), i), (place(b), j));
         let before = [precedes(&cells, a, b), precedes(&cells, b, a), a == b];
         prop_assert_eq!(before.iter().filter(|&&holds| holds).count(), 1);
@@ -148,7 +148,7 @@ proptest! {
 #[test]
 fn chebyshev_distance_goes_the_short_way_round() {
     let cells = Cells::new(Vec2::zero(), Vec2::new(10.0, 10.0), true, 1.0, 1000);
-    let at = |x: f64, y: f64| cells.down(Vec2::new(x, y));
+    let at = |x: f64, y: f64| cells.cell_at(Vec2::new(x, y));
     assert_eq!(cells.distance(at(0.5, 0.5), at(9.5, 0.5)), 1);
     assert_eq!(cells.distance(at(0.5, 0.5), at(5.5, 0.5)), 5);
     assert_eq!(cells.distance(at(9.5, 7.5), at(0.5, 2.5)), 5);
@@ -159,7 +159,7 @@ fn a_world_without_particles_has_no_pairs() {
     let nothing = particles(&[]);
     assert!(nothing.is_empty() && !particles(&[(0.0, 0.0, 1.0)]).is_empty());
     assert!(overlapping(Open, &nothing).is_empty());
-    let mut neighbors = Neighbors::new(nothing.reaching(), &domain([None, None], false));
+    let mut neighbors = Neighbors::new(nothing.search_spheres(), &domain([None, None], false));
     assert!(found(Open, &nothing, &mut neighbors).is_empty());
 }
 

@@ -1,22 +1,24 @@
-//! The instructions that the loops over links and particles are compiled for.
+//! The instruction sets for which loops over particles and interactions are compiled.
 
 use pulp::{Arch, NullaryFnOnce};
 
-/// A set of instructions. All of them give the same bits: each lane of a wide instruction rounds as a
-/// single number does, and products are never fused with sums.
+/// An instruction set.
+///
+/// All of them give the same bits: each lane of a vector instruction rounds as a scalar operation does, and
+/// multiplication and addition are never fused.
 #[derive(Clone, Copy, Debug)]
 pub struct Instructions(Arch);
 
 impl Instructions {
-    /// Those that every machine of the kind has.
+    /// The instruction set that every machine of this architecture has.
     pub fn portable() -> Self {
         Self(Arch::Scalar)
     }
-    /// The widest that this machine has.
+    /// The widest instruction set of this machine.
     pub fn widest() -> Self {
         Self(Arch::new())
     }
-    /// All that this machine has, the widest last.
+    /// All instruction sets of this machine, the widest last.
     pub fn available() -> Vec<Self> {
         let mut all = vec![Self::portable()];
         #[cfg(target_arch = "x86_64")]
@@ -28,7 +30,7 @@ impl Instructions {
         all.extend(pulp::aarch64::Neon::try_new().map(|set| Self(Arch::Neon(set))));
         all
     }
-    /// Their name: that of their registers.
+    /// Name of the instruction set.
     pub fn name(self) -> &'static str {
         match self.0 {
             Arch::Scalar => "portable",
@@ -41,7 +43,7 @@ impl Instructions {
             _ => "unnamed",
         }
     }
-    /// Run a loop compiled for these instructions; what it calls must be inlined.
+    /// Run a loop compiled for this instruction set; all functions it calls must be inlined.
     #[inline(always)]
     pub fn run<L: NullaryFnOnce>(self, body: L) -> L::Output {
         self.0.dispatch(body)

@@ -1,25 +1,25 @@
-//! Several numbers at a time, with the wide instructions of the machine.
+//! Number types whose loops can use vector instructions.
 
 use crate::instructions::Instructions;
 use crate::scalar::Real;
 use pulp::NullaryFnOnce;
 use wide::f64x2;
 
-/// A number whose loops may be compiled for wide instructions.
+/// A number type whose loops can be compiled for vector instructions.
 ///
-/// By default nothing is wide; only doubles are worth the code. Results have the same bits either way.
+/// The default methods are scalar; only `f64` is vectorised. The bits of the result are the same.
 pub trait Lanes: Real {
     /// Two differences, `to` minus `from`.
     #[inline(always)]
     fn differences(to: [Self; 2], from: [Self; 2]) -> [Self; 2] {
         [to[0] - from[0], to[1] - from[1]]
     }
-    /// Rows and columns exchanged.
+    /// Transpose of a 2x2 matrix.
     #[inline(always)]
     fn transposed([[a, b], [c, d]]: [[Self; 2]; 2]) -> [[Self; 2]; 2] {
         [[a, c], [b, d]]
     }
-    /// Run a loop over numbers of this type with the given instructions.
+    /// Run a loop over numbers of this type with an instruction set.
     #[inline(always)]
     fn run<L: NullaryFnOnce>(_: Instructions, body: L) -> L::Output {
         body.call()

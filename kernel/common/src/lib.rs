@@ -1,8 +1,8 @@
-//! What the kernels of all models share, and nothing that belongs to one of them.
+//! The parts of a kernel that do not depend on the model.
 //!
-//! Read from the top: numbers, vectors and the box, pairs, neighbour search, the division of work
-//! among threads and instructions, and estimators that need no model. A module uses only those
-//! above it. All quantities are in SI units.
+//! In order of dependency: numbers, vectors and the box, pairs, instruction sets and threads, neighbour search,
+//! estimators that need no model, records. A module uses only modules listed above it. All quantities are in
+//! SI units.
 
 pub mod scalar;
 pub mod geometry;

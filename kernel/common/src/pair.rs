@@ -2,10 +2,10 @@
 
 use core::cmp::Ordering;
 
-/// A pair of particles, the smaller index first.
+/// A pair of particles, smaller index first.
 ///
-/// Pairs are in the order of their second particles, and of the first where these are the same. A particle's links
-/// then come in the order of its neighbours, and those to earlier particles are its own.
+/// Pairs are sorted by second particle, then by first. The interactions of one particle therefore appear in the
+/// order of its neighbours, and a particle owns its interactions with earlier particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pair {
     /// First particle.
@@ -15,7 +15,7 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// The pair of two particles, in order.
+    /// The pair of two particles, given in either order.
     pub fn new(a: usize, b: usize) -> Self {
         let (i, j) = if a < b { (a, b) } else { (b, a) };
         Self {
@@ -23,14 +23,14 @@ impl Pair {
             j: j as u32,
         }
     }
-    /// With the greater index first.
+    /// The pair with the larger index first.
     pub fn reversed(self) -> Self {
         Self {
             i: self.j,
             j: self.i,
         }
     }
-    /// With the smaller index first.
+    /// The pair with the smaller index first.
     pub fn in_order(self) -> Self {
         let (i, j) = self.indices();
         Self::new(i, j)
@@ -54,16 +54,16 @@ impl PartialOrd for Pair {
     }
 }
 
-/// A function of what belongs to both particles of a pair.
+/// Apply a function to the values at both ends of a pair.
 ///
-/// Unlike [`array::map`] it is always inlined, so that loops over pairs are vectorised however the compiler
-/// divides the crate.
+/// Unlike [`array::map`] it is always inlined, so that loops over pairs are vectorised whatever the division of
+/// the crate into codegen units.
 #[inline(always)]
 pub fn map_ends<T, U>([first, second]: [T; 2], function: impl Fn(T) -> U) -> [U; 2] {
     [function(first), function(second)]
 }
 
-/// Number of pairs, in order, whose second particle comes before the given one.
+/// Number of sorted pairs whose second particle precedes the given one.
 pub fn pairs_before(pairs: &[Pair], particle: usize) -> usize {
     pairs.partition_point(|pair| (pair.j as usize) < particle)
 }

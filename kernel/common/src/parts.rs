@@ -1,68 +1,71 @@
-//! Work on particles and links, divided into parts that are done side by side.
+//! Division of the work on particles and interactions into parts that run in parallel.
 //!
-//! A part owns consecutive particles and the links whose second particle is among them. It alone writes to
-//! these; what its links do to earlier particles is added when all parts are done. A single part would add it
-//! last, too, so that results do not depend on the number of parts.
+//! A part buffers consecutive particles and all interactions whose second particle is one of them. Only the part
+//! itself writes to its particles. Forces of its interactions on particles of earlier parts are collected, and
+//! added when all parts are finished. A single part adds them last, too, so the result does not depend on the
+//! number of parts.
 
 use crate::instructions::Instructions;
 use pulp::NullaryFnOnce;
 
-/// How many numbers a line of the cache holds.
-pub const LINE: usize = 8;
-/// Parts of a thread's share, where there are several threads.
-const PARTS_OF_A_SHARE: usize = 7;
+/// Number of doubles per cache line.
+pub const NUMBERS_PER_LINE: usize = 8;
+/// Parts per thread, if there are several threads.
+const PARTS_PER_THREAD: usize = 7;
 
-/// Work that can be divided.
+/// Work that can be divided into parts.
 ///
-/// `W` is what a part needs for itself.
-pub trait Work<W>: Sized + Send {
-    /// The work on the particles before and from a position on, counted from the first of this work.
+/// `B` is the buffer of a part.
+pub trait Work<B>: Sized + Send {
+    /// Split the work before a particle, counted from the first particle of this work.
     fn split_at(self, particle: usize) -> (Self, Self);
-    /// Do a part; inlined, so that it is compiled for the instructions it is run with.
-    fn act(self, own: &mut W, instructions: Instructions);
-    /// Do a part with its instructions, where that is worth the code.
-    fn start(ready: Ready<Self, W>);
+    /// Run a part. Inlined, so that it is compiled for the instruction set of its caller.
+    fn run_part(self, buffer: &mut B, instructions: Instructions);
+    /// Run a part with its instruction set, if the gain justifies the code size.
+    fn dispatch(task: PartTask<Self, B>);
 }
 
-/// A part with what it needs.
-pub struct Ready<'a, D, W> {
-    /// The work.
+/// A part, with its buffer and its instruction set.
+pub struct PartTask<'a, D, B> {
+    /// The work of the part.
     pub work: D,
-    /// What the part needs for itself.
-    pub own: &'a mut W,
-    /// The instructions to run it with.
+    /// The buffer of the part.
+    pub buffer: &'a mut B,
+    /// The instruction set.
     pub instructions: Instructions,
 }
 
-impl<W, D: Work<W>> NullaryFnOnce for Ready<'_, D, W> {
+impl<B, D: Work<B>> NullaryFnOnce for PartTask<'_, D, B> {
     type Output = ();
     #[inline(always)]
     fn call(self) {
-        self.work.act(self.own, self.instructions);
+        self.work.run_part(self.buffer, self.instructions);
     }
 }
 
-/// The parts of a world.
+/// Division of the particles of a world into parts.
 #[derive(Clone, Debug)]
 pub struct Parts {
-    /// First particle of each part, and the number of all.
+    /// First particle of each part, then the number of particles.
     bounds: Vec<usize>,
 }
 
 impl Parts {
-    /// Parts of so many particles for some threads: a single one for one thread. Each of several has an equal
-    /// share, and each part of it takes half of what is left, but for the last: the large ones cost little, the
-    /// small ones let a thread that is done early help the others.
+    /// Divide particles among threads; a single part for one thread.
     ///
-    /// Parts begin where lines of columns do, so that no wide instruction needs two of them; few particles make
-    /// fewer parts.
-    pub fn of(particles: usize, threads: usize) -> Self {
-        const WHOLE: usize = 1 << PARTS_OF_A_SHARE;
+    /// Several threads get equal shares, each divided into several parts. Each part takes half of what
+    /// remains of the share, except the last one, which takes all of it. Large parts have little overhead; the small
+    /// ones at the end let a thread that finishes early take work from another.
+    ///
+    /// Parts begin at cache lines of the columns, so that no vector instruction spans two parts. Few particles are
+    /// divided into fewer parts.
+    pub fn new(particles: usize, threads: usize) -> Self {
+        const WHOLE: usize = 1 << PARTS_PER_THREAD;
         let threads = threads.max(1);
-        let parts = if threads > 1 { PARTS_OF_A_SHARE } else { 1 };
+        let parts = if threads > 1 { PARTS_PER_THREAD } else { 1 };
         let begin = |share: usize, part: usize| {
             let before = share * WHOLE + (WHOLE - (WHOLE >> part));
-            before * particles / (threads * WHOLE) / LINE * LINE
+            before * particles / (threads * WHOLE) / NUMBERS_PER_LINE * NUMBERS_PER_LINE
         };
         let mut bounds: Vec<usize> = (0..threads)
             .flat_map(|share| (0..parts).map(move |part| begin(share, part)))
@@ -75,53 +78,53 @@ impl Parts {
     pub fn number(&self) -> usize {
         self.bounds.len() - 1
     }
-    /// Sizes of the parts, in particles.
+    /// Number of particles of each part.
     pub fn sizes(&self) -> impl Iterator<Item = usize> {
         self.bounds.windows(2).map(|ends| ends[1] - ends[0])
     }
-    /// Do all parts of a work, each with its own of `owns`; a single one if there is only one.
-    pub fn run<W: Send, D: Work<W>>(&self, work: D, owns: &mut [W], instructions: Instructions) {
-        divide(work, owns, &self.bounds, instructions);
+    /// Run all parts of a work, each with its own buffer. A single buffer means a single part.
+    pub fn run<B: Send, D: Work<B>>(&self, work: D, buffers: &mut [B], instructions: Instructions) {
+        divide(work, buffers, &self.bounds, instructions);
     }
 }
 
-fn divide<W: Send, D: Work<W>>(
+fn divide<B: Send, D: Work<B>>(
     work: D,
-    owns: &mut [W],
+    buffers: &mut [B],
     bounds: &[usize],
     instructions: Instructions,
 ) {
-    if let [own] = owns {
-        return D::start(Ready {
+    if let [buffer] = buffers {
+        return D::dispatch(PartTask {
             work,
-            own,
+            buffer,
             instructions,
         });
     }
-    let half = owns.len() / 2;
+    let half = buffers.len() / 2;
     let (left, right) = work.split_at(bounds[half] - bounds[0]);
-    let (own_left, own_right) = owns.split_at_mut(half);
+    let (buffers_left, buffers_right) = buffers.split_at_mut(half);
     let (mut left, mut right) = (Some(left), Some(right));
-    both(
+    join(
         &mut || {
             if let Some(work) = left.take() {
-                divide(work, own_left, &bounds[..=half], instructions);
+                divide(work, buffers_left, &bounds[..=half], instructions);
             }
         },
         &mut || {
             if let Some(work) = right.take() {
-                divide(work, own_right, &bounds[half..], instructions);
+                divide(work, buffers_right, &bounds[half..], instructions);
             }
         },
     );
 }
 
-/// Do both side by side. Compiled once for all kinds of work.
-fn both(left: &mut (dyn FnMut() + Send), right: &mut (dyn FnMut() + Send)) {
+/// Run both in parallel. Not generic, so that it is compiled only once.
+fn join(left: &mut (dyn FnMut() + Send), right: &mut (dyn FnMut() + Send)) {
     rayon::join(left, right);
 }
 
-/// Both sides of a column that may be empty.
-pub fn halves<T>(column: &mut [T], at: usize) -> (&mut [T], &mut [T]) {
+/// Split a column that may be empty.
+pub fn split_or_empty<T>(column: &mut [T], at: usize) -> (&mut [T], &mut [T]) {
     column.split_at_mut(at.min(column.len()))
 }

@@ -1,6 +1,6 @@
-//! The state of any model as named columns of words, for checkpoints.
+//! The state of any model as named columns of 64-bit words, for checkpoints.
 
-/// A state: the model that it belongs to, and its columns in a fixed order.
+/// A recorded state: the name of its model, and its columns in a fixed order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Record {
     /// Name of the model.
@@ -9,14 +9,14 @@ pub struct Record {
     pub columns: Vec<Column>,
 }
 
-/// A named part of a state.
+/// A named column of a state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Its name.
+    /// Name of the column.
     pub name: String,
-    /// How its words are grouped.
+    /// How the words are grouped.
     pub shape: Shape,
-    /// Its words; doubles as their bits.
+    /// The words; floating-point numbers are stored as their bits.
     pub words: Vec<u64>,
 }
 
@@ -25,12 +25,12 @@ pub struct Column {
 pub enum Shape {
     /// A fixed number of words.
     Words(usize),
-    /// A list of items of so many words each, at least one.
+    /// Items of the given number of words each, at least one word.
     List(usize),
 }
 
 impl Column {
-    /// Whether the words fill the shape.
+    /// Whether the number of words fits the shape.
     pub fn is_whole(&self) -> bool {
         match self.shape {
             Shape::Words(number) => self.words.len() == number,
@@ -40,7 +40,7 @@ impl Column {
 }
 
 impl Record {
-    /// All words one after the other; a list is preceded by the number of its items.
+    /// All words in sequence; each list is preceded by its number of items.
     pub fn words(&self) -> Vec<u64> {
         let mut all = Vec::new();
         for column in &self.columns {
@@ -52,8 +52,8 @@ impl Record {
         all
     }
 
-    /// The record of words as [`words`](Self::words) writes them, with the given names and shapes of columns;
-    /// none if the words do not fill them exactly.
+    /// Rebuild a record from the words that [`words`](Self::words) returns and from the names and shapes of its
+    /// columns. `None` if the words do not fill the columns exactly.
     pub fn from_words(model: &str, layout: &[(&str, Shape)], mut words: &[u64]) -> Option<Self> {
         let mut columns = Vec::with_capacity(layout.len());
         for &(name, shape) in layout {

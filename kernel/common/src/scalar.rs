@@ -5,11 +5,11 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A real number.
 ///
-/// One implementation of a law serves every number type: `f64` for production, others to measure
-/// rounding error or to differentiate. Products with `f64` keep the literals of a formula plain.
+/// Laws are generic over the number type: `f64` in production, other types to measure rounding errors or to
+/// differentiate. Multiplication by `f64` keeps the literals of formulas readable.
 ///
-/// Elementary functions come from `libm`, not from the platform, so that a result has the same bits
-/// on every machine. The square root is exactly rounded everywhere and may use the hardware.
+/// Elementary functions come from `libm`, not from the platform, so that results have the same bits on every
+/// machine. The square root may use the hardware, because it is correctly rounded everywhere.
 pub trait Real:
     Copy
     + Debug
@@ -27,17 +27,17 @@ pub trait Real:
     + SubAssign
     + Mul<f64, Output = Self>
 {
-    /// The nearest representable number.
+    /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
-    /// The nearest double.
+    /// The nearest `f64`.
     fn to_f64(self) -> f64;
     /// Square root of a non-negative number.
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
-    /// Largest integer not above the number.
+    /// Largest integer not greater than the number.
     fn floor(self) -> Self;
-    /// Inverse sine of a number in [-1, 1], for small angles.
+    /// Inverse sine of a small number: relative truncation error below 2e-17 up to a sine of 0.0548.
     fn asin_small(self) -> Self;
     /// Angle of the vector (x, y) = (`other`, `self`), in (-pi, pi].
     fn atan2(self, other: Self) -> Self;
@@ -47,7 +47,7 @@ pub trait Real:
     fn asin(self) -> Self;
     /// Inverse cosine.
     fn acos(self) -> Self;
-    /// Whether neither infinite nor undefined.
+    /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
     /// Zero.
@@ -55,17 +55,17 @@ pub trait Real:
     fn zero() -> Self {
         Self::default()
     }
-    /// The smaller of two numbers; the first where they are equal.
+    /// The smaller of two numbers; `self` if they are equal.
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
     }
-    /// The larger of two numbers; the first where they are equal.
+    /// The larger of two numbers; `self` if they are equal.
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
-    /// Sign of a number, zero for zero.
+    /// Sign of the number: -1, 0 or 1.
     #[inline(always)]
     fn signum_or_zero(self) -> Self {
         if self > Self::zero() {
@@ -76,15 +76,15 @@ pub trait Real:
             Self::zero()
         }
     }
-    /// Sign of a number, one for zero.
+    /// Sign of the number: -1 if negative, otherwise 1.
     #[inline(always)]
     fn signum_or_one(self) -> Self {
         Self::from_f64(if self < Self::zero() { -1.0 } else { 1.0 })
     }
 }
 
-/// Coefficients of s^(2k) in arcsin(s) / s: (2k)! / (4^k (k!)^2 (2k + 1)). For a sine of 0.0548 the next term is
-/// 1.3e-17.
+/// Coefficients of s^(2k) in arcsin(s) / s: (2k)! / (4^k (k!)^2 (2k + 1)). The first omitted term is 1.3e-17 at
+/// s = 0.0548.
 const ASIN: [f64; 6] = [
     1.0,
     1.0 / 6.0,

@@ -121,8 +121,8 @@ impl<S: Real> BondColumns<'_, S> {
         BondColumns {
             first: self.first + positions.start,
             pairs: &self.pairs[positions.clone()],
-            references: columns::part_mut(&mut self.references, positions.clone()),
-            angles: columns::part_mut(&mut self.angles, positions.clone()),
+            references: columns::range_mut(&mut self.references, positions.clone()),
+            angles: columns::range_mut(&mut self.angles, positions.clone()),
             distances: &self.distances[positions.clone()],
             sections: &self.sections[positions.clone()],
             radii: map_ends(self.radii, |radii| &radii[positions.clone()]),
@@ -136,8 +136,8 @@ impl<S: Real> BondColumns<'_, S> {
     /// Replace the reference of the unstrained state at a position.
     pub fn set_reference(&mut self, position: usize, rest: &Rest<S>) {
         let reference = [rest.reference.x, rest.reference.y];
-        columns::put(&mut self.references, position, reference);
-        columns::put(&mut self.angles, position, rest.angles);
+        columns::set(&mut self.references, position, reference);
+        columns::set(&mut self.angles, position, rest.angles);
     }
 }
 

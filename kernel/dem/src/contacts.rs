@@ -10,7 +10,7 @@ use gouge_common::columns;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::neighbors::Neighbors;
 use gouge_common::pair::Pair;
-use gouge_common::parts::halves;
+use gouge_common::parts::split_or_empty;
 use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
@@ -69,10 +69,10 @@ pub(crate) struct MemoryColumns<'a, S> {
 
 impl<S: Real> MemoryColumns<'_, S> {
     pub fn split_at(self, at: usize) -> (Self, Self) {
-        let (touches, other_touches) = halves(self.touches, at);
+        let (touches, other_touches) = split_or_empty(self.touches, at);
         let (references, other_references) = columns::split_mut(self.references, at);
         let (ends, other_ends) = columns::split_mut(self.ends, at);
-        let (states, other_states) = halves(self.states, at);
+        let (states, other_states) = split_or_empty(self.states, at);
         (
             Self {
                 touches,
@@ -93,8 +93,8 @@ impl<S: Real> MemoryColumns<'_, S> {
     pub fn part(&mut self, positions: Range<usize>) -> MemoryColumns<'_, S> {
         MemoryColumns {
             touches: &mut self.touches[positions.clone()],
-            references: columns::part_mut(&mut self.references, positions.clone()),
-            ends: columns::part_mut(&mut self.ends, positions.clone()),
+            references: columns::range_mut(&mut self.references, positions.clone()),
+            ends: columns::range_mut(&mut self.ends, positions.clone()),
             states: &mut self.states[positions],
         }
     }
@@ -117,8 +117,8 @@ impl<S: Real> MemoryColumns<'_, S> {
     pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
         self.touches[position] = memory.touches;
         let reference = [memory.reference.x, memory.reference.y];
-        columns::put(&mut self.references, position, reference);
-        columns::put(&mut self.ends, position, memory.ends);
+        columns::set(&mut self.references, position, reference);
+        columns::set(&mut self.ends, position, memory.ends);
         self.states[position] = memory.state;
     }
 }
@@ -259,7 +259,7 @@ impl<S: Real> Contacts<S> {
         let touching = self.gather_touching();
         neighbors.append_new(
             metric,
-            particles.reaching(),
+            particles.search_spheres(),
             |i, j| particles.may_interact(i, j),
             &mut self.pairs,
         );

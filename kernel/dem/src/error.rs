@@ -1,137 +1,137 @@
-//! What can go wrong.
+//! Errors of the kernel.
 
 use thiserror::Error;
 
-/// A model or an initial state that makes no sense.
+/// An invalid model or initial state.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ModelError {
-    /// A parameter is out of its range.
+    /// A parameter is outside its range.
     #[error("{name} is {value}, but must be {accepted}")]
     Parameter {
-        /// Which parameter.
+        /// Name of the parameter.
         name: &'static str,
         /// Its value.
         value: f64,
-        /// What would be accepted.
+        /// Which values are accepted.
         accepted: &'static str,
     },
-    /// A link names a particle that does not exist.
-    #[error("link {link} names particle {particle}, but there are only {particles} particles")]
+    /// A contact or bond refers to a particle that does not exist.
+    #[error("pair {index} refers to particle {particle}, but there are only {particles} particles")]
     NoSuchParticle {
-        /// Position of the link in its list.
-        link: usize,
-        /// The particle named.
+        /// Index of the pair in its list.
+        index: usize,
+        /// Index of the missing particle.
         particle: usize,
-        /// How many there are.
+        /// Number of particles.
         particles: usize,
     },
-    /// A link connects a particle with itself.
-    #[error("link {link} connects particle {particle} with itself")]
-    SelfLink {
-        /// Position of the link in its list.
-        link: usize,
+    /// A contact or bond connects a particle with itself.
+    #[error("pair {index} connects particle {particle} with itself")]
+    SelfPair {
+        /// Index of the pair in its list.
+        index: usize,
         /// The particle.
         particle: usize,
     },
-    /// Two links connect the same pair.
-    #[error("link {link} connects particles {i} and {j}, which another link connects already")]
-    DuplicateLink {
-        /// Position of the link in its list.
-        link: usize,
+    /// Two contacts or two bonds connect the same pair.
+    #[error("pair {index} repeats particles {i} and {j}, which are already connected")]
+    DuplicatePair {
+        /// Index of the pair in its list.
+        index: usize,
         /// First particle.
         i: usize,
         /// Second particle.
         j: usize,
     },
-    /// A contact memory is given for a pair that does not touch.
+    /// An initial contact is given for particles that do not overlap.
     #[error(
-        "contact {link} between particles {i} and {j} has a memory, but the two do not overlap"
+        "contact {index} between particles {i} and {j} has an initial state, but they do not overlap"
     )]
     NoOverlap {
-        /// Position of the contact in its list.
-        link: usize,
+        /// Index of the contact in its list.
+        index: usize,
         /// First particle.
         i: usize,
         /// Second particle.
         j: usize,
     },
     /// The periodic box is too narrow for its particles.
-    #[error("the periodic width {width} m is below two cells of {cell} m")]
+    #[error("the periodic width {width} m is less than two cells of {cell} m")]
     NarrowBox {
         /// Width in m.
         width: f64,
         /// Smallest side of a cell in m.
         cell: f64,
     },
-    /// A bond is longer than half the periodic width, so that its image is ambiguous.
+    /// A bond is longer than half the periodic width, so that its nearest image is ambiguous.
     #[error(
-        "bond {link} is {length} m long, but the periodic width {width} m allows only half of it"
+        "bond {index} is {length} m long, but bonds must not exceed half the periodic width {width} m"
     )]
     LongBond {
-        /// Position of the bond in its list.
-        link: usize,
+        /// Index of the bond in its list.
+        index: usize,
         /// Length in m.
         length: f64,
         /// Width in m.
         width: f64,
     },
-    /// A driving law, but no driven particle.
+    /// The model has a driving law, but no particle is driven.
     #[error("there is a driving law, but no driven particle")]
     NothingDriven,
 }
 
-/// A step that could not be taken.
+/// A step that failed.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum StepError {
-    /// The state of a particle is no longer finite.
+    /// Position, velocity, angle or angular velocity of a particle is no longer finite.
     #[error(
         "the state of particle {particle} is not finite at {time} s, in the step after {steps}; \
          likely cause: the time step {time_step} s is above the stability bound, \
          about {bound:.3e} s{}",
-        link_text(*.link)
+        interaction_text(*.interaction)
     )]
     NotFinite {
         /// The particle.
         particle: usize,
-        /// The link of that particle which is most strained, if any.
-        link: Option<[usize; 2]>,
+        /// Pair of the particle's contact or bond with the largest force, if it has any.
+        interaction: Option<[usize; 2]>,
         /// Time in s.
         time: f64,
-        /// Steps completed.
+        /// Number of completed steps.
         steps: u64,
         /// Time step in s.
         time_step: f64,
-        /// Estimate of the largest stable step in s.
+        /// Estimate of the largest stable time step in s.
         bound: f64,
     },
-    /// A particle moved more than a cell in one step.
+    /// A particle moves farther than a cell per step.
     #[error(
         "particle {particle} moved {distance:.3e} m in one step at {time} s, more than the cell of \
          {cell:.3e} m in which contacts are sought; likely cause: the time step {time_step} s is \
          above the stability bound, about {bound:.3e} s, or the speed is \
          too high for it{}",
-        link_text(*.link)
+        interaction_text(*.interaction)
     )]
     TooFast {
         /// The particle.
         particle: usize,
-        /// A link of that particle, if any.
-        link: Option<[usize; 2]>,
-        /// How far it moved in m.
+        /// Pair of the particle's contact or bond with the largest force, if it has any.
+        interaction: Option<[usize; 2]>,
+        /// Displacement per step in m.
         distance: f64,
-        /// Side of a cell in m.
+        /// Shorter side of a cell in m.
         cell: f64,
         /// Time in s.
         time: f64,
         /// Time step in s.
         time_step: f64,
-        /// Estimate of the largest stable step in s.
+        /// Estimate of the largest stable time step in s.
         bound: f64,
     },
 }
 
-fn link_text(link: Option<[usize; 2]>) -> String {
-    link.map_or_else(String::new, |[i, j]| {
-        format!("; its most strained link is {i}-{j}")
+fn interaction_text(interaction: Option<[usize; 2]>) -> String {
+    interaction.map_or_else(String::new, |[i, j]| {
+        format!("; its most strained contact or bond is {i}-{j}")
     })
 }

@@ -1,8 +1,10 @@
-//! The discrete element model of shearing brittle surfaces.
+//! The discrete element model of the thesis: shearing of brittle surfaces.
 //!
-//! Read from the top, the modules are chapter 3 of the thesis: pair geometry, particles, laws, contacts
-//! and bonds, forces, integrators, energy balance; [`World`] ties them together and estimators read it.
-//! A module uses only those above it. All quantities are in SI units.
+//! In order of dependency, the modules follow chapter 3 of the thesis: pair geometry, particles, laws, bonds and
+//! contacts, forces, integrators, energy balance. A [`World`] combines them, and estimators read its state. A module
+//! uses only modules listed above it. All quantities are in SI units.
+//!
+//! *Contact* and *bond* are the weak and the strong link of the thesis; *interaction* means either.
 
 mod error;
 pub mod geometry;

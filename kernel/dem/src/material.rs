@@ -1,8 +1,8 @@
-//! Elastic constants of the solid and the granite of thesis section 4.1.
+//! Elastic constants, and the granite of thesis section 4.1.
 
 use gouge_equations::rendered;
 
-/// Isotropic elastic solid.
+/// An isotropic elastic solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Young's modulus Y in Pa.
@@ -38,7 +38,7 @@ impl Elastic {
     pub fn bulk_modulus(self) -> f64 {
         self.youngs_modulus / (3.0 * (1.0 - 2.0 * self.poissons_ratio))
     }
-    /// Speed of primary waves in m/s, for a density in kg/m^3.
+    /// Speed of primary waves in m/s; density in kg/m^3.
     ///
     /// $$ c^P = \sqrt{\frac{K + \tfrac43 G}{\rho}} $$
     ///
@@ -46,7 +46,7 @@ impl Elastic {
     pub fn primary_wave_speed(self, density: f64) -> f64 {
         ((self.bulk_modulus() + 4.0 / 3.0 * self.shear_modulus()) / density).sqrt()
     }
-    /// Speed of secondary waves in m/s.
+    /// Speed of secondary waves in m/s; density in kg/m^3.
     ///
     /// $$ c^S = \sqrt{\frac{G}{\rho}} $$
     ///
@@ -69,7 +69,7 @@ const fn measured(value: f64, uncertainty: f64) -> Measured {
     Measured { value, uncertainty }
 }
 
-/// The believable compromise between several granites of thesis section 4.1.
+/// Properties of granite, a compromise between several granites (thesis section 4.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Granite {
     /// Density in kg/m^3.
@@ -78,21 +78,21 @@ pub struct Granite {
     pub youngs_modulus: Measured,
     /// Poisson's ratio.
     pub poissons_ratio: Measured,
-    /// Ultimate normal strength of links in Pa.
+    /// Ultimate normal strength of bonds in Pa.
     pub strength_normal: Measured,
-    /// Coefficient of friction between particles.
+    /// Coefficient of friction between particles, dimensionless.
     pub friction_coefficient: Measured,
-    /// Axial ratio of the yield criterion, eq. (47).
+    /// Axial ratio of the yield criterion, dimensionless, thesis eq. (47).
     pub axial_ratio: Measured,
-    /// Weibull modulus expected of large samples; the thesis settles on 5.
+    /// Weibull modulus expected for large samples, dimensionless; the thesis uses 5.
     pub weibull_modulus: Measured,
-    /// Coefficient of restitution of 1 m spheres at 1 m/s.
+    /// Coefficient of restitution of spheres of 1 m at 1 m/s, dimensionless.
     pub restitution: Measured,
     /// Dynamic viscosity of the surrounding air in Pa s.
     pub air_viscosity: Measured,
 }
 
-/// Granite as thesis sections 4.1 and 4.3 quote it.
+/// Granite, with the values quoted in thesis sections 4.1 and 4.3.
 pub const GRANITE: Granite = Granite {
     density: measured(2.7e3, 0.1e3),
     youngs_modulus: measured(50e9, 20e9),
@@ -106,7 +106,7 @@ pub const GRANITE: Granite = Granite {
 };
 
 impl Granite {
-    /// The elastic constants at their central values.
+    /// Elastic constants, at the central values.
     pub fn elastic(self) -> Elastic {
         Elastic {
             youngs_modulus: self.youngs_modulus.value,

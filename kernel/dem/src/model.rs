@@ -1,4 +1,4 @@
-//! The model of a scene: chosen laws and their parameters, as plain data.
+//! The model of a scene: the chosen laws and their parameters, as plain data.
 
 use crate::geometry::ContactDistance;
 use crate::integrators::Integrator;
@@ -9,16 +9,16 @@ use crate::laws::{
 };
 use gouge_common::geometry::Domain;
 
-/// Which form is used of what `docs/thesis/errata.md` lists as changing forces or motion.
+/// Which form of the equations is used, where `docs/thesis/errata.md` corrects forces or motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// What the errata decide.
+    /// The corrected form.
     Corrected,
-    /// What the thesis prints or its author computed.
+    /// The form that the thesis prints, or that its author's program computes.
     Thesis,
 }
 
-/// Normal law of weak links.
+/// Normal law of contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ContactNormal {
     /// Truncated Kelvin-Voigt.
@@ -27,23 +27,24 @@ pub enum ContactNormal {
     Bshp(Bshp),
 }
 
-/// Tangential law of weak links.
+/// Tangential law of contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ContactTangential {
     /// Haff-Werner.
     HaffWerner(HaffWerner),
-    /// Cundall-Strack as printed.
+    /// Cundall-Strack as printed in the thesis.
     CundallStrack(CundallStrack),
-    /// Cundall-Strack with the spring cut back while sliding.
+    /// Cundall-Strack with the spring truncated at the Coulomb limit.
     CundallStrackTruncated(CundallStrackTruncated),
 }
 
-/// Overlap, in smaller radii, at which the slope of a non-linear normal law counts as its stiffness.
+/// Overlap at which the stiffness of a nonlinear normal law is taken, in units of the smaller radius.
 const TYPICAL_OVERLAP: f64 = 0.1;
 
 impl ContactNormal {
-    /// Stiffness in kg/s^2 and damping in kg/s for small motions of a pair with radii in m; for BSHP at an
-    /// overlap of a tenth of the smaller radius.
+    /// Stiffness in kg/s^2 and damping in kg/s of the linearised law, for a pair with radii in m.
+    ///
+    /// BSHP is linearised at an overlap of a tenth of the smaller radius.
     pub fn constants(&self, radii: [f64; 2]) -> [f64; 2] {
         match self {
             Self::KelvinVoigt(law) => [law.stiffness, law.damping],
@@ -67,19 +68,19 @@ impl ContactTangential {
     }
 }
 
-/// Laws of weak links.
+/// Laws of contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactLaws {
-    /// Lever arms.
+    /// Choice of the lever arms.
     pub distance: ContactDistance,
     /// Normal law.
     pub normal: ContactNormal,
-    /// Tangential law; none without friction.
+    /// Tangential law; `None` for frictionless contacts.
     pub tangential: Option<ContactTangential>,
 }
 
 impl ContactLaws {
-    /// Whether a contact must remember its beginning.
+    /// Whether contacts have memory.
     pub fn remembers(&self) -> bool {
         matches!(
             self.tangential,
@@ -90,40 +91,40 @@ impl ContactLaws {
     }
 }
 
-/// When strong links break.
+/// When bonds break.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Yielding {
-    /// The criterion.
+    /// The yield criterion.
     pub law: ZhangEckert,
-    /// Whether bonds of driven and fixed particles never break.
+    /// Whether bonds with a driven or fixed particle never break.
     pub unbreakable_edges: bool,
 }
 
-/// Laws of strong links.
+/// Laws of bonds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BondLaws {
     /// Normal law.
     pub normal: AdjustedKelvinVoigt,
-    /// Bending and shearing; none for a bar.
+    /// Bending and shearing law; `None` for bonds with a normal force only.
     pub tangential: Option<EulerBernoulli>,
-    /// Breaking; none for unbreakable bonds.
+    /// Yielding; `None` for unbreakable bonds.
     pub yielding: Option<Yielding>,
 }
 
 impl BondLaws {
-    /// Whether bonds of driven and fixed particles never break, while others do.
+    /// Whether bonds with a driven or fixed particle never break, while others may.
     pub(crate) fn has_unbreakable_edges(&self) -> bool {
         self.yielding
             .is_some_and(|yielding| yielding.unbreakable_edges)
     }
 }
 
-/// Drag of the medium.
+/// Drag law of the surrounding medium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ambient {
-    /// Creeping flow.
+    /// Drag in creeping flow.
     Creeping(CreepingDrag),
-    /// Correlation for all Reynolds numbers.
+    /// Drag correlation for all subcritical Reynolds numbers.
     Correlation(CorrelationDrag),
 }
 
@@ -136,10 +137,10 @@ pub enum External {
     HarmonicWell(HarmonicWell),
 }
 
-/// Everything a scene chooses, except its particles. What is `None` is not there: no array, no pass.
+/// All choices of a scene, except its particles. Whatever is `None` costs nothing: no array, no pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
-    /// Form of the disputed equations.
+    /// Which form of the equations is used.
     pub reading: Reading,
     /// Integration method.
     pub integrator: Integrator,
@@ -147,22 +148,22 @@ pub struct Model {
     pub time_step: f64,
     /// The box.
     pub domain: Domain,
-    /// Weak links.
+    /// Laws of contacts.
     pub contact: Option<ContactLaws>,
-    /// Strong links.
+    /// Laws of bonds.
     pub bond: Option<BondLaws>,
-    /// Drag.
+    /// Drag of the surrounding medium.
     pub ambient: Option<Ambient>,
     /// External potential.
     pub external: Option<External>,
     /// Driving force.
     pub driving: Option<Driving>,
-    /// Whether dissipation and work are booked.
+    /// Whether heat and work are recorded for the energy balance.
     pub ledger: bool,
 }
 
 impl Model {
-    /// The periodic width in m, if x is periodic.
+    /// Period in x in m, if x is periodic.
     pub fn period(&self) -> Option<f64> {
         self.domain.period()
     }

@@ -1,20 +1,24 @@
-//! What lists of contacts and of bonds have in common.
+//! Shared by the lists of contacts and bonds.
 
 use crate::error::ModelError;
 use crate::geometry::{PairFrame, angle_of, reversed, wrapped};
 use gouge_common::pair::Pair;
 use gouge_common::scalar::Real;
 
-/// Distinguishes the successive lists of contacts or bonds of a world: a rebuild finds all pairs anew, and between
-/// rebuilds pairs only join (contacts, of broken bonds) or only leave (bonds).
+/// Identifies the contents of the contact list or bond list of a world.
+///
+/// A rebuild replaces the contact list. Between rebuilds pairs are only added to the contact list, when bonds break,
+/// and only removed from the bond list. The number of rebuilds and the length therefore identify a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Edition {
     pub rebuilds: u64,
     pub pairs: usize,
 }
 
-/// Angles of both particles, in rad, at which nothing is turned in the present frame: the present angles, or, if
-/// the contact or bond began earlier with the given angles in its frame, those it would have now unturned.
+/// Angles of both particles in rad at which the ends are not rotated, for the present pair frame.
+///
+/// These are the present angles of the particles if the interaction begins now. If it began earlier, `initial` holds
+/// the angles in its frame at that time, thesis eq. (30).
 pub(crate) fn rest_angles<S: Real>(
     frame: &PairFrame<S>,
     angles: [S; 2],
@@ -31,7 +35,7 @@ pub(crate) fn rest_angles<S: Real>(
     })
 }
 
-/// Check that every pair exists and none repeats.
+/// Check that the particles of every pair exist and are distinct, and that no pair is repeated.
 pub(crate) fn check_pairs(
     particles: usize,
     pairs: impl Iterator<Item = [usize; 2]>,

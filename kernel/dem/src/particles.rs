@@ -1,23 +1,23 @@
-//! The discrete elements: spheres that move in a plane, thesis eqs. (51)-(54).
+//! Particles: spheres that move in a plane, thesis eqs. (51)-(54).
 
 use core::f64::consts::PI;
 use gouge_common::geometry::Vec2;
-use gouge_common::neighbors::Reaching;
+use gouge_common::neighbors::SearchSpheres;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// What a particle is there for.
+/// How a particle moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Moves under all forces.
     Free,
     /// Moves under all forces and carries an equal share of the driving force.
     Driven,
-    /// Never moves nor turns.
+    /// Neither moves nor rotates.
     Fixed,
 }
 
-/// Particles as columns of equal length.
+/// Particles, as columns of equal length.
 #[doc(alias = "grain")]
 #[doc(alias = "element")]
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +55,7 @@ impl<S> Default for Particles<S> {
     }
 }
 
-/// One particle, to be added to [`Particles`].
+/// A single particle, to be appended to [`Particles`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
     /// Position in m.
@@ -79,7 +79,7 @@ impl<S: Real> Particles<S> {
     pub fn len(&self) -> usize {
         self.position.len()
     }
-    /// Whether there is none.
+    /// Whether there are no particles.
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
     }
@@ -102,18 +102,18 @@ impl<S: Real> Particles<S> {
     pub fn is_fixed(&self, i: usize) -> bool {
         self.role[i] == Role::Fixed
     }
-    /// What the neighbour search sees: positions and radii.
-    pub fn reaching(&self) -> Reaching<'_, S> {
-        Reaching {
+    /// Input of the neighbour search: positions and radii.
+    pub fn spheres(&self) -> SearchSpheres<'_, S> {
+        SearchSpheres {
             positions: &self.position,
-            reaches: &self.radius,
+            radii: &self.radius,
         }
     }
-    /// Whether a pair can exert forces that move anything: not if both are fixed.
+    /// Whether forces between two particles can move anything: not if both are fixed.
     pub fn may_interact(&self, i: usize, j: usize) -> bool {
         !(self.is_fixed(i) && self.is_fixed(j))
     }
-    /// Indices of the particles with a role.
+    /// Indices of the particles with the given role.
     pub fn with_role(&self, role: Role) -> impl Iterator<Item = usize> + '_ {
         (0..self.len()).filter(move |&i| self.role[i] == role)
     }
@@ -134,7 +134,7 @@ impl<S: Real> FromIterator<Particle> for Particles<S> {
 }
 
 impl Particles {
-    /// Give every particle a role; fixed ones stop.
+    /// Set the roles of all particles. Fixed particles stop.
     pub fn assign(&mut self, roles: Vec<Role>) {
         for (i, role) in roles.iter().enumerate() {
             if *role == Role::Fixed {
@@ -157,7 +157,7 @@ impl Particles {
             .for_each(|inertia| *inertia *= factor);
     }
 
-    /// The particles of the given indices, in their order.
+    /// The particles with the given indices, in the given order.
     pub fn select(&self, kept: &[usize]) -> Self {
         fn pick<T: Copy>(column: &[T], kept: &[usize]) -> Vec<T> {
             kept.iter().map(|&i| column[i]).collect()
@@ -174,7 +174,7 @@ impl Particles {
         }
     }
 
-    /// So many copies side by side along x, each a width in m from the one before.
+    /// Copies placed side by side along x, `width` in m apart.
     pub fn repeated(&self, width: f64, times: usize) -> Self {
         let number = self.len();
         let all: Vec<usize> = (0..times).flat_map(|_| 0..number).collect();

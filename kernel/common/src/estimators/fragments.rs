@@ -1,15 +1,17 @@
-//! Fragments: what bonds hold together.
+//! Fragments: particles held together by bonds.
 
 /// The connected components of a graph.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fragments {
-    /// How many there are; a particle without bonds is one of its own.
+    /// Number of fragments; a particle without bonds is a fragment of its own.
     pub number: usize,
-    /// Fragment of each particle, numbered in the order of their first particles.
+    /// Fragment of each particle; fragments are numbered in the order of their first particles.
     pub label: Vec<usize>,
 }
 
-/// Connected components of a graph with so many nodes, by union of the smaller root.
+/// Connected components of a graph with `nodes` nodes, by union-find.
+///
+/// The root of a component is its smallest node.
 pub fn connected(nodes: usize, edges: impl Iterator<Item = (usize, usize)>) -> Fragments {
     let mut parent: Vec<usize> = (0..nodes).collect();
     for (i, j) in edges {
@@ -30,7 +32,7 @@ pub fn connected(nodes: usize, edges: impl Iterator<Item = (usize, usize)>) -> F
     Fragments { number, label }
 }
 
-/// Root of a node, halving the path on the way.
+/// Root of a node; shortens the path by halving.
 fn root(parent: &mut [usize], mut node: usize) -> usize {
     while parent[node] != node {
         parent[node] = parent[parent[node]];

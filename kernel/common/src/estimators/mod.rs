@@ -1,4 +1,4 @@
-//! Estimators that need no model: points, radii, or a network of contacts.
+//! Estimators that need no model: they read points, radii or a contact network.
 
 mod fragments;
 mod network;

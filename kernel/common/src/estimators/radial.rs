@@ -1,10 +1,10 @@
-//! Disorder of a packing: radial distribution and two-body excess entropy, thesis eqs. (69), (80)-(84).
+//! Structure of a packing: radial distribution and two-body excess entropy, thesis eqs. (69), (80)-(84).
 
 use crate::geometry::{Domain, Vec2};
 use core::f64::consts::{PI, TAU};
 use gouge_equations::rendered;
 
-/// Where a packing lies: a strip, periodic in x or cut off at both sides.
+/// Rectangle that contains a packing, with periodic or open sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region {
     /// Width in m; points have x in [0, width].
@@ -15,33 +15,34 @@ pub struct Region {
     pub periodic: bool,
 }
 
-/// Radial distribution of a packing, sampled at equal distances up to a quarter of the width.
+/// Radial distribution of a packing, sampled at equidistant distances up to a quarter of the width.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RadialDistribution {
     /// Distances in m.
     pub distance: Vec<f64>,
-    /// Probability density of the distance of a pair in 1/m, thesis eqs. (81)-(82).
+    /// Probability density of the pair distance in 1/m, thesis eqs. (81)-(82).
     pub density: Vec<f64>,
     /// Radial distribution function g, dimensionless, thesis eq. (83).
     pub g: Vec<f64>,
-    /// Number of points over area in 1/m^2.
+    /// Number of points per area in 1/m^2.
     pub number_density: f64,
 }
 
 impl Region {
-    /// Whether a point lies inside or on the edge; any x does where x is periodic.
+    /// Whether a point lies inside the region or on its edge. If x is periodic, only y is tested.
     pub fn contains(&self, point: Vec2) -> bool {
         let (x, y) = (0.0..=self.width, 0.0..=self.height);
         (self.periodic || x.contains(&point.x)) && y.contains(&point.y)
     }
 }
 
-/// Part of a circle around a point of the region that lies inside it, in (0, 1].
+/// Fraction of a circle around a point of the region that lies inside the region, in (0, 1].
 ///
-/// The reciprocal of the weight of thesis eq. (80). Arcs beyond the lower and upper edge, and beyond
-/// both sides where x is not periodic, are subtracted; overlaps of such arcs at corners are added back.
+/// The reciprocal of the weight in thesis eq. (80). Arcs beyond the lower and upper edge, and beyond both
+/// sides unless x is periodic, are subtracted. Where two such arcs overlap at a corner, the overlap is added
+/// back.
 pub fn visible_fraction(region: &Region, point: Vec2, distance: f64) -> f64 {
-    // Half-angle of the arc beyond an edge at the given depth.
+    // Half-angle of the arc beyond an edge at the given distance from the point.
     let beyond = |depth: f64| {
         if depth < distance {
             libm::acos((depth / distance).max(0.0))
@@ -58,7 +59,7 @@ pub fn visible_fraction(region: &Region, point: Vec2, distance: f64) -> f64 {
     let mut hidden = 2.0 * (vertical[0] + vertical[1] + horizontal[0] + horizontal[1]);
     for v in vertical {
         for h in horizontal {
-            // The arcs centre on directions a right angle apart.
+            // The two arcs are centred on perpendicular directions.
             hidden -= (v + h - 0.5 * PI).max(0.0);
         }
     }
@@ -74,12 +75,18 @@ fn epanechnikov(u: f64) -> f64 {
 ///
 /// $$ P(d) = \frac{Z}{B \sum w_{ij}} \sum_i \sum_{j \ne i} w_{ij}\, \Psi\left( \frac{d - d_{ij}}{B} \right), \qquad g = \frac{(l/4)^2}{2 d} P, \qquad \int_0^{l/4} P \,\mathrm d d = 1 $$
 ///
-/// Thesis eqs. (80)-(83), with the Epanechnikov kernel for the statistical one, its bandwidth in m and
-/// so many samples. Weights correct for the part of each circle outside the region, points outside are
-/// left out; distances are those of the nearest image. Choose a bandwidth below the smallest distance:
-/// otherwise the density leaks to zero distance, where g divides by it. The normalisation makes the mean
-/// of g over the disc one, which biases g by about the inverse of the expected number of neighbours (erratum E49
-/// of the thesis). Cost: a pass over all pairs.
+/// Thesis eqs. (80)-(83), with the Epanechnikov kernel as $\Psi$.
+///
+/// # Symbols
+/// $B$ is `bandwidth` in m, $d_{ij}$ the distance of the nearest images in m, $l$ the width of the region in m,
+/// $w_{ij}$ the inverse of [`visible_fraction`] and $Z$ the normalisation. `samples` is the number of distances.
+///
+/// # Domain
+/// Points outside the region are left out. Choose a bandwidth below the smallest distance: otherwise the density
+/// leaks to zero distance, where g divides by the distance.
+///
+/// The normalisation sets the mean of g over the disc to one, which biases g by about the inverse of the
+/// expected number of neighbours (erratum E49 of the thesis). Cost: one pass over all pairs.
 #[rendered]
 pub fn radial_distribution(
     points: &[Vec2],
@@ -133,16 +140,17 @@ pub fn radial_distribution(
 
 #[rendered]
 impl RadialDistribution {
-    /// Two-body excess entropy over the Boltzmann constant, dimensionless, at most zero.
+    /// Two-body excess entropy divided by the Boltzmann constant, dimensionless, never positive.
     ///
     /// $$ \frac{S}{k^B} = -\frac n2 \int_0^{l/4} \left( g \log g - (g - 1) \right) 2 \pi d \,\mathrm d d $$
     ///
-    /// Thesis eq. (69), with the measure of the plane that it lacks (erratum E25 of the thesis).
+    /// Thesis eq. (69), including the measure 2 pi d of the plane, which the thesis omits (erratum E25 of the
+    /// thesis).
     pub fn excess_entropy(&self) -> f64 {
         self.integral(|d, g| TAU * d * (g_log_g(g) - (g - 1.0)))
     }
 
-    /// The same as thesis eq. (84) prints it, without the measure, in 1/m.
+    /// Thesis eq. (84) as printed, without the measure of the plane, in 1/m.
     ///
     /// $$ -\frac n2 \left( \frac l4 + \int_0^{l/4} g (\log g - 1) \,\mathrm d d \right) $$
     pub fn excess_entropy_printed(&self) -> f64 {
@@ -157,7 +165,7 @@ impl RadialDistribution {
     }
 }
 
-/// g log g, continued to zero.
+/// g log g, zero at g = 0.
 fn g_log_g(g: f64) -> f64 {
     if g > 0.0 { g * libm::log(g) } else { 0.0 }
 }

@@ -2,32 +2,32 @@
 
 use super::{Metric, Open, PeriodicX, Vec2};
 
-/// The box: its boundary and, where known, its sides in m.
+/// The box: its side lengths, if given, and whether x is periodic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
     /// Horizontal side in m.
     pub width: Option<f64>,
     /// Vertical side in m.
     pub height: Option<f64>,
-    /// Whether x is periodic with the width.
+    /// Whether x is periodic; the period is the width.
     pub periodic: bool,
 }
 
-/// Something to do with the metric of a box, compiled for each metric.
+/// An operation on positions, compiled for each metric.
 pub trait WithMetric {
-    /// What it returns.
+    /// Result of the operation.
     type Output;
-    /// Do it.
+    /// Run the operation with a metric.
     fn call<M: Metric>(self, metric: M) -> Self::Output;
 }
 
 impl Domain {
-    /// The periodic width in m, if x is periodic.
+    /// Period in x in m, if x is periodic.
     pub fn period(&self) -> Option<f64> {
         self.width.filter(|_| self.periodic)
     }
 
-    /// Call an action with the metric of the box: the only place that chooses one.
+    /// Run an operation with the metric of the box. The only place that selects a metric.
     #[inline]
     pub fn with_metric<A: WithMetric>(&self, action: A) -> A::Output {
         match self.period() {
@@ -36,7 +36,7 @@ impl Domain {
         }
     }
 
-    /// Displacement from one point to another, for occasional use; passes choose the metric once.
+    /// Displacement between two points. For occasional use: passes over pairs select the metric once.
     pub fn displacement(&self, from: Vec2, to: Vec2) -> Vec2 {
         self.with_metric(Displacement { from, to })
     }

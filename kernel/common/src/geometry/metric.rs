@@ -1,23 +1,25 @@
-//! Displacements between points, in the open plane and in one that is periodic in x.
+//! Displacements between points, in the open plane and in a plane that is periodic in x.
 
 use super::Vec2;
 use crate::scalar::Real;
 use gouge_equations::rendered;
 
-/// A rule for the displacement from one point to another.
+/// How the displacement between two points is measured.
 pub trait Metric: Copy + Send + Sync {
-    /// The shortest displacement for a difference of two representatives.
+    /// Displacement of the nearest image, from the difference of two positions inside the box.
     fn nearest<S: Real>(self, difference: Vec2<S>) -> Vec2<S>;
-    /// Displacement from `from` to `to`; its length is the distance.
+    /// Displacement from `from` to `to`; its length is the distance of the points.
     #[inline(always)]
     fn displacement<S: Real>(self, from: Vec2<S>, to: Vec2<S>) -> Vec2<S> {
         self.nearest(to - from)
     }
-    /// Whether a point is its own representative.
+    /// Whether a point lies inside the box.
     fn represents<S: Real>(self, point: Vec2<S>) -> bool;
-    /// The representative of a point.
+    /// The periodic image of a point inside the box.
     fn wrap<S: Real>(self, point: Vec2<S>) -> Vec2<S>;
-    /// Replace points by their representatives; most are their own, which is seen of many together.
+    /// Replace points by their images inside the box.
+    ///
+    /// Usually no point has left the box, which one vectorised test finds.
     #[inline(always)]
     fn wrap_all<S: Real>(self, points: &mut [Vec2<S>]) {
         let all = (points.iter()).fold(true, |all, &point| all & self.represents(point));
@@ -29,7 +31,7 @@ pub trait Metric: Copy + Send + Sync {
     }
 }
 
-/// The Euclidean plane, thesis eq. (63).
+/// The open plane, thesis eq. (63).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Open;
 
@@ -48,13 +50,13 @@ impl Metric for Open {
     }
 }
 
-/// The plane rolled up along x: horizontal minimum image, thesis eq. (64).
+/// The plane with period l in x: minimum image convention, thesis eq. (64).
 ///
 /// $$ \Delta x = (x_j - x_i) - l \left\lfloor \frac{x_j - x_i}{l} + \frac12 \right\rfloor $$
 ///
-/// The thesis prints the distance only; here the displacement itself is that of the nearest image,
-/// so that normals, angles and velocities see the same neighbour (erratum E44 of the thesis). Points
-/// are represented in [0, l], for which one comparison replaces the floor function.
+/// The thesis prints only the distance. Here the displacement itself is that of the nearest image, so that
+/// normals, angles and velocities refer to the same neighbour (erratum E44 of the thesis). Positions are kept
+/// in [0, l], so a comparison replaces the floor function.
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeriodicX {
@@ -66,7 +68,7 @@ impl Metric for PeriodicX {
     #[inline(always)]
     fn nearest<S: Real>(self, difference: Vec2<S>) -> Vec2<S> {
         let half = S::from_f64(0.5 * self.length);
-        // Selected instead of branched upon, so that many links are looked at together.
+        // A selection instead of a branch, so that loops over pairs are vectorised.
         let period = if difference.x >= half {
             S::from_f64(self.length)
         } else if difference.x < -half {
@@ -84,7 +86,7 @@ impl Metric for PeriodicX {
     fn wrap<S: Real>(self, mut point: Vec2<S>) -> Vec2<S> {
         if !self.represents(point) {
             let x = point.x - (point.x * (1.0 / self.length)).floor() * self.length;
-            // Rounding may put the representative of an edge just outside.
+            // Rounding may put the image of an edge just outside.
             point.x = x.max(S::zero()).min(S::from_f64(self.length));
         }
         point

@@ -1,4 +1,4 @@
-//! The plane and the box: vectors and distances.
+//! Vectors and the box.
 
 mod domain;
 mod metric;

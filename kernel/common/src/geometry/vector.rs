@@ -1,9 +1,9 @@
-//! Vectors of the plane.
+//! Vectors in the plane.
 
 use crate::scalar::Real;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-/// A vector of the plane, in the right-handed laboratory frame.
+/// A vector in the plane, in a right-handed frame: x to the right, y up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2<S = f64> {
     /// Horizontal component.
@@ -18,7 +18,7 @@ impl<S: Real> Vec2<S> {
     pub fn new(x: S, y: S) -> Self {
         Self { x, y }
     }
-    /// The null vector.
+    /// The zero vector.
     #[inline(always)]
     pub fn zero() -> Self {
         Self::default()
@@ -28,18 +28,18 @@ impl<S: Real> Vec2<S> {
     pub fn dot(self, other: Self) -> S {
         self.x * other.x + self.y * other.y
     }
-    /// Component of the vector product out of the plane; positive when `other` lies to the left.
+    /// Out-of-plane component of the cross product; positive if `other` points to the left of `self`.
     #[inline(always)]
     pub fn cross(self, other: Self) -> S {
         self.x * other.y - self.y * other.x
     }
-    /// The vector turned by a quarter to the left: per (x, y) = (-y, x), thesis eq. (111).
+    /// The vector rotated by +90 degrees: per (x, y) = (-y, x), thesis eq. (111).
     #[doc(alias = "per")]
     #[inline(always)]
     pub fn perpendicular(self) -> Self {
         Self::new(-self.y, self.x)
     }
-    /// Square of the length.
+    /// Squared length.
     #[inline(always)]
     pub fn norm_squared(self) -> S {
         self.dot(self)
@@ -57,7 +57,7 @@ impl<S: Real> Vec2<S> {
 }
 
 impl Vec2<f64> {
-    /// The same vector in another number type.
+    /// The vector in another number type.
     pub fn cast<S: Real>(self) -> Vec2<S> {
         Vec2::new(S::from_f64(self.x), S::from_f64(self.y))
     }

@@ -1,18 +1,18 @@
-//! The index space of appendix G: cells that tile the box.
+//! Cells that tile the box: the index space of thesis appendix G.
 
 use crate::geometry::Vec2;
 use gouge_equations::rendered;
 
 /// Index of a cell: column and row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Index {
+pub struct CellIndex {
     /// Column.
     pub x: i64,
     /// Row.
     pub y: i64,
 }
 
-/// Rectangular cells over a box. Cells at an open edge extend to infinity.
+/// A grid of rectangular cells over a box. Points outside an open edge belong to the cell at that edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cells {
     origin: Vec2,
@@ -24,18 +24,18 @@ pub struct Cells {
 
 #[rendered]
 impl Cells {
-    /// Cells with sides of at least `smallest_side` over the box, at most about `most` of them.
+    /// A grid over the box whose cells have sides of at least `smallest_side` in m.
     ///
-    /// Larger cells are chosen where the box would hold more than `most`, so that a sparse box costs
-    /// no memory.
+    /// Cells are enlarged such that there are no more than about four times `number_scale` of them, however sparse
+    /// the box: this bounds the memory.
     pub fn new(
         origin: Vec2,
         extent: Vec2,
         periodic: bool,
         smallest_side: f64,
-        most: usize,
+        number_scale: usize,
     ) -> Self {
-        let per_axis = (most as f64).sqrt().max(1.0);
+        let per_axis = (number_scale as f64).sqrt().max(1.0);
         let number = |length: f64| {
             let fits = libm::floor(length / smallest_side);
             if fits >= 1.0 {
@@ -63,21 +63,21 @@ impl Cells {
         (self.columns * self.rows) as usize
     }
 
-    /// The smaller side of a cell in m.
+    /// The shorter side of a cell in m.
     pub fn smaller_side(&self) -> f64 {
         self.side.x.min(self.side.y)
     }
 
-    /// Cell that contains a point.
+    /// The cell that contains a point.
     ///
     /// $$ \downarrow \vec x = \left( \lfloor x / l^x \rfloor, \lfloor y / l^y \rfloor \right) $$
     ///
-    /// Thesis eq. (134), clamped to the cells at the edges.
-    pub fn down(&self, point: Vec2) -> Index {
+    /// Thesis eq. (134). Points outside the grid belong to the nearest cell at its edge.
+    pub fn cell_at(&self, point: Vec2) -> CellIndex {
         let along = |x: f64, origin: f64, side: f64, cells: i64| {
             (libm::floor((x - origin) / side) as i64).clamp(0, cells - 1)
         };
-        Index {
+        CellIndex {
             x: along(point.x, self.origin.x, self.side.x, self.columns),
             y: along(point.y, self.origin.y, self.side.y, self.rows),
         }
@@ -88,20 +88,20 @@ impl Cells {
     /// $$ \uparrow (i, j) = \left( l^x (i + \tfrac12), l^y (j + \tfrac12) \right) $$
     ///
     /// Thesis eq. (135).
-    pub fn up(&self, index: Index) -> Vec2 {
+    pub fn centre(&self, index: CellIndex) -> Vec2 {
         Vec2::new(
             self.origin.x + self.side.x * (index.x as f64 + 0.5),
             self.origin.y + self.side.y * (index.y as f64 + 0.5),
         )
     }
 
-    /// Chebyshev distance of two cells.
+    /// Chebyshev distance of two cells, as a number of cells.
     ///
     /// $$ d = \max\{\lvert \Delta i \rvert, \lvert \Delta j \rvert\} $$
     ///
-    /// Thesis eq. (136) with the absolute values it lacks and, in a periodic box, columns counted the
-    /// short way round (erratum E33 of the thesis).
-    pub fn distance(&self, a: Index, b: Index) -> i64 {
+    /// Thesis eq. (136), with the absolute values that the thesis omits. In a periodic box columns are counted
+    /// across the seam if that is shorter (erratum E33 of the thesis).
+    pub fn distance(&self, a: CellIndex, b: CellIndex) -> i64 {
         let straight = (a.x - b.x).abs();
         let columns = if self.periodic {
             straight.min(self.columns - straight)
@@ -111,16 +111,16 @@ impl Cells {
         columns.max((a.y - b.y).abs())
     }
 
-    /// Position of a cell in the lexicographical order, row by row.
-    pub fn rank(&self, index: Index) -> usize {
+    /// Position of a cell in lexicographical order, row by row.
+    pub fn rank(&self, index: CellIndex) -> usize {
         (index.y * self.columns + index.x) as usize
     }
 
-    /// The cells at distance one or zero that do not come before the cell in the order.
+    /// The cell itself and those adjacent cells that follow it in lexicographical order.
     ///
-    /// Each unordered pair of adjacent cells appears once, also where a periodic box has so few
-    /// columns that a neighbour is met from both sides.
-    pub fn neighbors_from(&self, index: Index) -> impl Iterator<Item = Index> + use<> {
+    /// Iterated over all cells, every unordered pair of adjacent cells appears exactly once, even if a periodic box has
+    /// so few columns that a cell is adjacent on both sides.
+    pub fn neighbors_from(&self, index: CellIndex) -> impl Iterator<Item = CellIndex> + use<> {
         let cells = *self;
         let mut found = [index; 9];
         let mut number = 1;
@@ -139,7 +139,7 @@ impl Cells {
         found.into_iter().take(number)
     }
 
-    fn shifted(&self, index: Index, dx: i64, dy: i64) -> Option<Index> {
+    fn shifted(&self, index: CellIndex, dx: i64, dy: i64) -> Option<CellIndex> {
         let y = index.y + dy;
         let x = index.x + dx;
         let x = if self.periodic {
@@ -148,11 +148,11 @@ impl Cells {
             x
         };
         let inside = (0..self.columns).contains(&x) && (0..self.rows).contains(&y);
-        inside.then_some(Index { x, y })
+        inside.then_some(CellIndex { x, y })
     }
 }
 
-/// Whether particle `i` comes before particle `j`: by cell and within a cell by index, thesis eq. (137).
-pub fn precedes(cells: &Cells, i: (Index, usize), j: (Index, usize)) -> bool {
+/// Whether particle `i` precedes particle `j`: ordered by cell, then by index, thesis eq. (137).
+pub fn precedes(cells: &Cells, i: (CellIndex, usize), j: (CellIndex, usize)) -> bool {
     (cells.rank(i.0), i.1) < (cells.rank(j.0), j.1)
 }

@@ -1,47 +1,47 @@
-//! Pairs that may touch soon: lists by cells, rebuilt only when they must be.
+//! The neighbour list: pairs that may touch soon, found by cells and rebuilt only if necessary.
 
-use super::cells::{Cells, Index, precedes};
+use super::cells::{CellIndex, Cells, precedes};
 use crate::geometry::{Domain, Metric, Vec2};
 use crate::pair::Pair;
 use crate::scalar::Real;
 use gouge_equations::rendered;
 
-/// Width of the margin around contacts, in mean reaches, where the box does not ask for less.
-const MARGIN: f64 = 0.2;
-/// How much wider than two of the largest reaches a cell is at least, in mean reaches: more than the
-/// margin, because a particle may move by one cell per step.
-const ROOM: f64 = 0.4;
+/// Skin of the neighbour list, in mean radii, unless a narrow periodic box allows less.
+const SKIN: f64 = 0.2;
+/// Minimum cell side less the largest diameter, in mean radii. Larger than the skin, because a particle may move by
+/// one cell per step.
+const CELL_EXCESS: f64 = 0.4;
 
-/// What the search sees of particles: columns of equal length.
+/// The spheres whose neighbours are searched, as columns of equal length.
 #[derive(Clone, Copy, Debug)]
-pub struct Reaching<'a, S> {
-    /// Positions in m.
+pub struct SearchSpheres<'a, S> {
+    /// Centres in m.
     pub positions: &'a [Vec2<S>],
-    /// How far each particle reaches from its position, in m: for a sphere its radius.
-    pub reaches: &'a [S],
+    /// Search radii in m: the particle radii for contacts, or larger ones. Pairs are found if their spheres overlap or
+    /// are closer than the skin.
+    pub radii: &'a [S],
 }
 
-impl<S: Real> Reaching<'_, S> {
-    /// The largest reach in m, zero without particles.
-    pub fn largest(&self) -> f64 {
-        self.reaches.iter().map(|r| r.to_f64()).fold(0.0, f64::max)
+impl<S: Real> SearchSpheres<'_, S> {
+    /// The largest radius in m, zero without spheres.
+    pub fn largest_radius(&self) -> f64 {
+        self.radii.iter().map(|r| r.to_f64()).fold(0.0, f64::max)
     }
 }
 
-/// The neighbour list: every pair whose gap is smaller than a margin and which a filter accepts.
+/// The neighbour list (Verlet list): every pair whose gap is smaller than the skin and that a filter accepts.
 ///
-/// A list made at one moment holds every contact for as long as no particle has moved farther than half
-/// the margin since.
+/// A list contains every contact until a particle has moved by more than half the skin since the list was built:
 ///
-/// $$ \Delta x = \frac{d^{cut}}{2} - r^{max}, \qquad d^{cut} = 2 r^{max} + \text{margin} $$
+/// $$ \Delta x = \frac{d^{cut}}{2} - r^{max}, \qquad d^{cut} = 2 r^{max} + \text{skin} $$
 ///
-/// Thesis eqs. (98)-(99), with the cutoff distance of the list in place of the side of the cell, which
-/// would be safe only if the list held all pairs of adjacent cells (erratum E32 of the thesis).
+/// Thesis eqs. (98)-(99), with the cutoff distance of the list instead of the cell side. The cell side would be safe
+/// only if the list contained all pairs of adjacent cells (erratum E32 of the thesis).
 #[rendered]
 #[derive(Clone, Debug)]
 pub struct Neighbors<S> {
     cells: Cells,
-    margin: f64,
+    skin: f64,
     built_at: Vec<Vec2<S>>,
     rebuilds: u64,
     members: Vec<u32>,
@@ -49,16 +49,17 @@ pub struct Neighbors<S> {
 }
 
 impl<S: Real> Neighbors<S> {
-    /// Cells for a box, open or periodic in x; the margin is as large as the box allows, up to a fraction
-    /// of the mean reach.
-    pub fn new(particles: Reaching<S>, domain: &Domain) -> Self {
+    /// An empty list for a box that is open or periodic in x.
+    ///
+    /// The skin is as large as the box permits, up to a fixed fraction of the mean radius.
+    pub fn new(particles: SearchSpheres<S>, domain: &Domain) -> Self {
         let period = domain.period();
-        let largest = 2.0 * particles.largest();
-        let number = particles.reaches.len().max(1);
-        let mean = particles.reaches.iter().map(|r| r.to_f64()).sum::<f64>() / number as f64;
-        let room = period.map_or(f64::INFINITY, |width| 0.5 * width - largest);
-        let within_box = |width: f64| (width * mean).min(room).max(0.0);
-        let margin = within_box(MARGIN);
+        let largest = 2.0 * particles.largest_radius();
+        let number = particles.radii.len().max(1);
+        let mean = particles.radii.iter().map(|r| r.to_f64()).sum::<f64>() / number as f64;
+        let available = period.map_or(f64::INFINITY, |width| 0.5 * width - largest);
+        let within_box = |width: f64| (width * mean).min(available).max(0.0);
+        let skin = within_box(SKIN);
         let (low, high) = bounds(particles.positions);
         let side = |given: Option<f64>, low: f64, high: f64| match given {
             Some(length) => (0.0, length),
@@ -66,11 +67,11 @@ impl<S: Real> Neighbors<S> {
         };
         let (x, width) = side(domain.width, low.x, high.x);
         let (y, height) = side(domain.height, low.y, high.y);
-        let cutoff = (largest + within_box(ROOM)).max(f64::MIN_POSITIVE);
+        let cutoff = (largest + within_box(CELL_EXCESS)).max(f64::MIN_POSITIVE);
         let (origin, extent) = (Vec2::new(x, y), Vec2::new(width, height));
         Self {
             cells: Cells::new(origin, extent, period.is_some(), cutoff, number + 16),
-            margin,
+            skin,
             built_at: Vec::new(),
             rebuilds: 0,
             members: Vec::new(),
@@ -78,27 +79,27 @@ impl<S: Real> Neighbors<S> {
         }
     }
 
-    /// How often the list was built.
+    /// Number of times the list was built.
     pub fn rebuilds(&self) -> u64 {
         self.rebuilds
     }
 
-    /// Side of a cell in m: how far a particle may move in one step.
+    /// The shorter side of a cell in m: how far a particle may move per step.
     pub fn cell_side(&self) -> f64 {
         self.cells.smaller_side()
     }
 
-    /// Whether some particle has moved so far that the list may miss a contact, or is not finite.
-    pub fn are_stale<M: Metric>(&self, metric: M, positions: &[Vec2<S>]) -> bool {
+    /// Whether the list may miss a contact, because a particle has moved too far or its position is not finite.
+    pub fn is_stale<M: Metric>(&self, metric: M, positions: &[Vec2<S>]) -> bool {
         self.built_at.len() != positions.len()
-            || Staleness::of(Some(self), metric).is_stale(positions)
+            || Staleness::new(Some(self), metric).is_stale(positions)
     }
 
-    /// Find all pairs anew, in order, into `pairs`; only those that `may_interact` accepts.
+    /// Replace `pairs` by all pairs that are near and that `may_interact` accepts, sorted.
     pub fn rebuild<M: Metric>(
         &mut self,
         metric: M,
-        particles: Reaching<S>,
+        particles: SearchSpheres<S>,
         may_interact: impl Fn(usize, usize) -> bool,
         pairs: &mut Vec<Pair>,
     ) {
@@ -107,11 +108,11 @@ impl<S: Real> Neighbors<S> {
         pairs.sort_unstable();
     }
 
-    /// Find all pairs anew, and append those that `pairs`, in order, does not hold yet, in any order.
+    /// Find all near pairs, and append those that the sorted `pairs` does not contain yet, unsorted.
     pub fn append_new<M: Metric>(
         &mut self,
         metric: M,
-        particles: Reaching<S>,
+        particles: SearchSpheres<S>,
         may_interact: impl Fn(usize, usize) -> bool,
         pairs: &mut Vec<Pair>,
     ) {
@@ -120,7 +121,7 @@ impl<S: Real> Neighbors<S> {
         self.built_at.extend_from_slice(particles.positions);
         self.sort_into_cells(particles.positions);
         let held = pairs.len();
-        let margin = S::from_f64(self.margin);
+        let skin = S::from_f64(self.skin);
         for (i, &position) in particles.positions.iter().enumerate() {
             let own = self.cell_of(position);
             for cell in self.cells.neighbors_from(own) {
@@ -130,7 +131,7 @@ impl<S: Real> Neighbors<S> {
                         continue;
                     }
                     let d = metric.displacement(position, particles.positions[j]);
-                    let reach = particles.reaches[i] + particles.reaches[j] + margin;
+                    let reach = particles.radii[i] + particles.radii[j] + skin;
                     let pair = Pair::new(i, j);
                     if d.norm_squared() <= reach * reach
                         && pairs[..held].binary_search(&pair).is_err()
@@ -142,12 +143,12 @@ impl<S: Real> Neighbors<S> {
         }
     }
 
-    fn cell_of(&self, position: Vec2<S>) -> Index {
+    fn cell_of(&self, position: Vec2<S>) -> CellIndex {
         self.cells
-            .down(Vec2::new(position.x.to_f64(), position.y.to_f64()))
+            .cell_at(Vec2::new(position.x.to_f64(), position.y.to_f64()))
     }
 
-    fn members_of(&self, cell: Index) -> &[u32] {
+    fn members_of(&self, cell: CellIndex) -> &[u32] {
         let rank = self.cells.rank(cell);
         &self.members[self.starts[rank] as usize..self.starts[rank + 1] as usize]
     }
@@ -167,7 +168,7 @@ impl<S: Real> Neighbors<S> {
         self.members.resize(positions.len(), 0);
         for i in (0..positions.len()).rev() {
             let cell = rank(self, i);
-            // Filled from behind: afterwards each start is again the first member of its cell.
+            // Filled from the end: afterwards each start is again the first member of its cell.
             self.starts[cell + 1] -= 1;
             self.members[self.starts[cell + 1] as usize] = i as u32;
         }
@@ -178,27 +179,27 @@ impl<S: Real> Neighbors<S> {
     }
 }
 
-/// Where consecutive particles were when the list was built, and how far they may move.
+/// The displacement test of the neighbour list, for consecutive particles.
 #[derive(Clone, Copy)]
 pub struct Staleness<'a, S, M> {
     /// The metric of the box.
     pub metric: M,
     built_at: &'a [Vec2<S>],
-    /// Square of the distance that is not far, in m^2.
-    safe: S,
+    /// Square of the distance by which a particle may move, in m^2.
+    limit_squared: S,
 }
 
 impl<'a, S: Real, M: Metric> Staleness<'a, S, M> {
-    /// What tells whether a list may miss a contact; without a list nothing does.
-    pub fn of(neighbors: Option<&'a Neighbors<S>>, metric: M) -> Self {
-        let margin = neighbors.map_or(0.0, |neighbors| neighbors.margin);
+    /// The test for a list. Without a list nothing is ever stale.
+    pub fn new(neighbors: Option<&'a Neighbors<S>>, metric: M) -> Self {
+        let skin = neighbors.map_or(0.0, |neighbors| neighbors.skin);
         Self {
             metric,
             built_at: neighbors.map_or(&[], |neighbors| &neighbors.built_at),
-            safe: S::from_f64(0.25 * margin * margin),
+            limit_squared: S::from_f64(0.25 * skin * skin),
         }
     }
-    /// The same for the particles before and from a position on.
+    /// Split the test before a particle.
     #[inline(always)]
     pub fn split_at(self, at: usize) -> (Self, Self) {
         let (before, after) = self.built_at.split_at(at.min(self.built_at.len()));
@@ -212,18 +213,18 @@ impl<'a, S: Real, M: Metric> Staleness<'a, S, M> {
         };
         (left, right)
     }
-    /// Whether some particle has moved far, or is not finite.
+    /// Whether a particle has moved too far, or its position is not finite.
     #[inline(always)]
     pub fn is_stale(&self, positions: &[Vec2<S>]) -> bool {
         let moves = self.built_at.iter().zip(positions);
-        // No early end, so that many particles are looked at together.
+        // No early exit, so that the loop is vectorised.
         !moves.fold(true, |all_near, (&then, &now)| {
-            all_near & (self.metric.displacement(then, now).norm_squared() < self.safe)
+            all_near & (self.metric.displacement(then, now).norm_squared() < self.limit_squared)
         })
     }
 }
 
-/// Corners of the smallest box around all centres.
+/// Lower left and upper right corner of the bounding box of all centres.
 fn bounds<S: Real>(positions: &[Vec2<S>]) -> (Vec2, Vec2) {
     let infinite = Vec2::new(f64::INFINITY, f64::INFINITY);
     let (mut low, mut high) = (infinite, -infinite);

@@ -1,7 +1,7 @@
-//! Which particles are near each other.
+//! Neighbour search.
 
 mod cells;
 mod list;
 
-pub use cells::{Cells, Index, precedes};
-pub use list::{Neighbors, Reaching, Staleness};
+pub use cells::{CellIndex, Cells, precedes};
+pub use list::{Neighbors, SearchSpheres, Staleness};

@@ -8,7 +8,7 @@ use core::ops::Range;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
-use gouge_common::parts::LINE;
+use gouge_common::parts::NUMBERS_PER_LINE;
 use prefetch_index::prefetch_index;
 
 /// Number of pairs in a block.
@@ -187,7 +187,7 @@ impl<S: Lanes> Inputs<S> {
     ) {
         let (twos, rest) = pairs.as_chunks();
         for (two, &pairs) in (0..PAIRS / 2).zip(twos) {
-            if two % (LINE / 2) == 0 {
+            if two % (NUMBERS_PER_LINE / 2) == 0 {
                 beside(2 * two);
             }
             self.gather_two(two, columns, pairs, reads);

@@ -13,7 +13,7 @@ use core::ops::Range;
 use gouge_common::instructions::Instructions;
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::{Pair, pairs_before};
-use gouge_common::parts::{Ready, Work};
+use gouge_common::parts::{PartTask, Work};
 use pulp::NullaryFnOnce;
 
 /// Consecutive contacts or bonds, as the loop sees them.
@@ -74,7 +74,7 @@ impl<S: Lanes, F: PairForces<S>> Work<PartWorkspace<S>> for PairLoop<'_, S, F> {
     }
 
     #[inline(always)]
-    fn act(mut self, workspace: &mut PartWorkspace<S>, instructions: Instructions) {
+    fn run_part(mut self, workspace: &mut PartWorkspace<S>, instructions: Instructions) {
         let (cross_part, _) = F::cross_part(workspace);
         cross_part.begin(self.edition, self.forces.pairs(), self.sums.first);
         let columns = Columns::of(self.particles);
@@ -102,11 +102,11 @@ impl<S: Lanes, F: PairForces<S>> Work<PartWorkspace<S>> for PairLoop<'_, S, F> {
         }
     }
 
-    fn start(ready: Ready<Self, PartWorkspace<S>>) {
+    fn dispatch(task: PartTask<Self, PartWorkspace<S>>) {
         if F::IS_WIDE {
-            S::run(ready.instructions, ready);
+            S::run(task.instructions, task);
         } else {
-            ready.call();
+            task.call();
         }
     }
 }

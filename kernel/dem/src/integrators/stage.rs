@@ -5,7 +5,7 @@ use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::instructions::Instructions;
 use gouge_common::lanes::Lanes;
 use gouge_common::neighbors::Staleness;
-use gouge_common::parts::{Ready, Work, halves};
+use gouge_common::parts::{PartTask, Work, split_or_empty};
 use gouge_common::scalar::Real;
 
 /// What moves: a vector for translations, a number for rotations.
@@ -67,12 +67,12 @@ impl<V, S> Motion<'_, V, S> {
     }
     #[inline(always)]
     fn split_at(self, at: usize) -> (Self, Self) {
-        let (coordinate, other_coordinate) = halves(self.coordinate, at);
-        let (velocity, other_velocity) = halves(self.velocity, at);
+        let (coordinate, other_coordinate) = split_or_empty(self.coordinate, at);
+        let (velocity, other_velocity) = split_or_empty(self.velocity, at);
         let (force, other_force) = self.force.split_at(at);
         let (inverse_inertia, other_inertia) = self.inverse_inertia.split_at(at);
-        let (previous, other_previous) = halves(self.previous, at);
-        let (older, other_older) = halves(self.older, at);
+        let (previous, other_previous) = split_or_empty(self.previous, at);
+        let (older, other_older) = split_or_empty(self.older, at);
         (
             Self {
                 coordinate,
@@ -139,7 +139,7 @@ impl<T: Stage, S: Lanes, M: Metric> Work<bool> for Advance<'_, T, S, M> {
     }
 
     #[inline(always)]
-    fn act(self, is_stale: &mut bool, _: Instructions) {
+    fn run_part(self, is_stale: &mut bool, _: Instructions) {
         *is_stale = false;
         let mut rest = self;
         while !rest.linear.coordinate.is_empty() {
@@ -164,7 +164,7 @@ impl<T: Stage, S: Lanes, M: Metric> Work<bool> for Advance<'_, T, S, M> {
         }
     }
 
-    fn start(ready: Ready<Self, bool>) {
-        S::run(ready.instructions, ready);
+    fn dispatch(task: PartTask<Self, bool>) {
+        S::run(task.instructions, task);
     }
 }

@@ -1,65 +1,73 @@
-//! The driving force that shears and presses, thesis eqs. (20)-(25).
+//! The driving force, which shears and compresses, thesis eqs. (20)-(25).
 
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// How the driving force is found.
+/// How the driving force is determined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Controller {
-    /// The total force changes by the rate, in N/s, each step: along x by the sign of the missing
-    /// speed, along y by the sign of the reaction above the target load.
+    /// In each step, each component of the total force changes by `force_rate` times the time step.
+    ///
+    /// The horizontal force increases while the mean velocity is below the target, and decreases otherwise. The
+    /// vertical force increases while the reaction exceeds the target load, and decreases otherwise.
     RateLimited {
-        /// Rate of the total force in N/s, the same along x and y.
+        /// Rate of change of the total force in N/s, the same along x and y.
         force_rate: f64,
     },
-    /// The constraints hold at once: the vertical force is the target load, and the horizontal one makes
-    /// the mean acceleration of the driven particles zero, so that their mean velocity stays at the
-    /// target; what it lacks, at first or by rounding, is made up within few steps (E59 of
-    /// `docs/thesis/errata.md`).
+    /// The vertical force equals the target load. The horizontal force makes the mean acceleration of the driven
+    /// particles zero, so that their mean velocity stays at the target. A deviation from the target velocity, initial
+    /// or by rounding, is corrected within a few steps (E59 of `docs/thesis/errata.md`).
     Exact,
 }
 
-/// Target speed and pressure of the driven particles.
+/// Target velocity and pressure of the driven particles.
+///
+/// # Equation
+/// Thesis eqs. (20)-(22):
 ///
 /// $$ \frac{1}{N} \sum_i v_i^x = v, \qquad \sum_i F_i^y = -p A $$
 ///
-/// Thesis eqs. (20)-(22). The second line is a sum, not a mean, and negative because compression of
-/// the upper block points down (erratum E9 of the thesis). Each driven particle carries an equal share.
+/// # Symbols
+/// The sums run over the $N$ driven particles, which carry equal shares of the total driving force; $v$ is `speed` in
+/// m/s, $p$ `pressure` in Pa and $A$ `area` in m^2.
+///
+/// # Sign
+/// A positive pressure pushes down. The vertical forces are summed, not averaged (erratum E9 of the thesis).
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Driving {
-    /// How the force is found.
+    /// How the force is determined.
     pub controller: Controller,
-    /// Target of the mean horizontal velocity in m/s.
+    /// Target mean horizontal velocity in m/s.
     pub speed: f64,
-    /// Target of the vertical pressure in Pa, downwards.
+    /// Target vertical pressure in Pa, positive downwards.
     pub pressure: f64,
     /// Area of the driven surface in m^2, eq. (24).
     pub area: f64,
 }
 
-/// What a controller sees of the driven particles.
+/// State of the driven particles, as the controller reads it.
 #[derive(Clone, Copy, Debug)]
 pub struct Driven<S> {
-    /// Their number.
+    /// Number of driven particles.
     pub number: S,
-    /// Sum of their horizontal velocities in m/s.
+    /// Sum of the horizontal velocities in m/s.
     pub velocity: S,
-    /// Mean of their horizontal velocities at the beginning of the step in m/s.
+    /// Mean horizontal velocity in m/s at the beginning of the step.
     pub known_velocity: S,
-    /// Fraction of a missing speed that the exact controller makes up in a step.
+    /// Fraction of the velocity error that the exact controller corrects per step.
     pub velocity_gain: f64,
-    /// Sum of all other forces on them in N: the reaction.
+    /// Reaction: sum of all other forces on the driven particles in N.
     pub reaction: Vec2<S>,
-    /// Sum of their inverse masses in 1/kg.
+    /// Sum of the inverse masses in 1/kg.
     pub inverse_mass: S,
-    /// Sum of the horizontal accelerations that the other forces cause, in m/s^2.
+    /// Sum of the horizontal accelerations due to all other forces, in m/s^2.
     pub acceleration: S,
 }
 
 impl Driving {
-    /// The next total driving force in N after `force`, for a step in s.
+    /// Total driving force in N for the next step; `force` is that of the present one, `step` the time step in s.
     #[inline]
     pub fn next_force<S: Real>(self, force: Vec2<S>, driven: &Driven<S>, step: f64) -> Vec2<S> {
         let load = S::from_f64(self.pressure * self.area);
@@ -83,7 +91,7 @@ impl Driving {
     }
 }
 
-/// Depth of the slice that the plane stands for: twice the mean radius in m, thesis eq. (25).
+/// Thickness of the slice that the plane represents: twice the mean radius in m, thesis eq. (25).
 pub fn characteristic_length(radii: &[f64]) -> f64 {
     2.0 * radii.iter().sum::<f64>() / radii.len() as f64
 }

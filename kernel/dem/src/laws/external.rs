@@ -4,19 +4,26 @@ use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// A potential that acts on every particle; it exerts no torque on spheres, thesis eq. (9).
+/// A potential that acts on every particle. It exerts no torque on spheres, thesis eq. (9).
 pub trait ExternalLaw: Copy {
-    /// Force in N on a particle of the given mass in kg, minus the gradient of the potential (8).
+    /// Force in N on a particle with mass in kg: minus the gradient of the potential, thesis eq. (8).
     fn force<S: Real>(self, mass: S, position: Vec2<S>) -> Vec2<S>;
-    /// Potential energy in J.
+    /// Potential energy in J of a particle with mass in kg at a position in m.
     fn potential<S: Real>(self, mass: S, position: Vec2<S>) -> S;
 }
 
 /// Uniform gravity.
 ///
+/// # Equation
+/// Thesis eq. (10):
+///
 /// $$ U = a\, m\, y $$
 ///
-/// Thesis eq. (10); pulls towards negative y.
+/// # Symbols
+/// $a$ is `acceleration` in m/s^2, $m$ the mass in kg and $y$ the height in m.
+///
+/// # Sign
+/// A positive acceleration points towards negative y.
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gravity {
@@ -35,13 +42,19 @@ impl ExternalLaw for Gravity {
     }
 }
 
-/// Harmonic well around a horizontal line, the same for every mass.
+/// Harmonic well around a horizontal line, independent of the mass.
+///
+/// # Equation
+/// Thesis eq. (67), which centres the well at half the height of the box:
 ///
 /// $$ U = \tfrac12 k \left( y - y_0 \right)^2 $$
 ///
-/// Thesis eq. (67), which centres the well at half the height. A column of grains under it has a
-/// parabolic pressure, largest at the centre and zero at the edges, not a uniform one (E41 of
-/// `docs/thesis/errata.md`).
+/// # Symbols
+/// $k$ is `stiffness` in kg/s^2, $y_0$ `centre` in m and $y$ the height in m.
+///
+/// # Errata
+/// The pressure in a column of particles is parabolic, largest at the centre and zero at the ends, and not uniform
+/// (E41 of `docs/thesis/errata.md`).
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HarmonicWell {

@@ -1,8 +1,8 @@
-//! Force laws: pure values, numbers in, numbers out.
+//! Force laws: pure functions of numbers, with the stored energy beside each force.
 //!
-//! A law knows no index, no array and no world. Parameters are plain `f64` fields; the functions serve
-//! every [`Real`](gouge_common::scalar::Real). Signs are those of the thesis: a link force acts on i along the
-//! normal (or tangent) from i to j, so that a negative normal force repels.
+//! A law knows no index, no array and no world. Parameters are plain `f64` fields; the functions are generic over
+//! [`Real`](gouge_common::scalar::Real). Signs are those of the thesis: the force of an interaction is that of j on i,
+//! along the normal or tangent of the pair. A negative normal force is repulsive.
 
 mod ambient;
 mod driving;

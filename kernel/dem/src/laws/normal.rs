@@ -1,31 +1,41 @@
-//! Normal forces of weak and strong links, thesis eqs. (35)-(40) and (43).
+//! Normal forces of contacts and bonds, thesis eqs. (35)-(40) and (43).
 
 use crate::material::Elastic;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// Normal force of a weak link.
+/// Normal law of a contact.
 pub trait NormalLaw: Copy + Send + Sync {
-    /// Force in N along the normal, never positive: weak links only repel.
+    /// Force in N along the normal, never positive: contacts only repel.
     ///
-    /// `xi` is the normal displacement in m, `d_xi` its rate in m/s, `radii` those of the pair in m.
+    /// `xi` is the normal displacement in m, `d_xi` its rate in m/s, and `radii` are the radii of the pair in m.
     fn force<S: Real>(self, radii: [S; 2], xi: S, d_xi: S) -> S;
-    /// The part of the force that derives from [`stored_energy`](Self::stored_energy), in N.
+    /// Elastic part of the force in N: the derivative of [`stored_energy`](Self::stored_energy), with a minus sign.
     fn elastic_force<S: Real>(self, radii: [S; 2], xi: S) -> S;
-    /// Stored energy in J, zero without overlap.
+    /// Stored energy in J; zero without overlap.
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S;
 }
 
-/// Truncated Kelvin-Voigt normal force of a weak link.
+/// Truncated Kelvin-Voigt normal force of a contact.
+///
+/// # Equation
+/// Thesis eqs. (35)-(36):
 ///
 /// $$ F^n = \min\{0, -(k \xi + \gamma\, \partial_t \xi)\}, \qquad \xi \ge 0 $$
 ///
-/// Thesis eqs. (35)-(36). Stored energy: half of k times the squared displacement, eq. (75).
+/// # Symbols
+/// $\xi$ is the normal displacement in m, $\partial_t \xi$ its rate in m/s, $k$ `stiffness` in kg/s^2 and $\gamma$
+/// `damping` in kg/s.
+///
+/// # Sign
+/// A negative force is repulsive; it is never positive.
 ///
 /// # Domain
-/// Zero for negative displacement: without that condition an approaching, still separate pair would
-/// be pushed apart (erratum E14 of the thesis). Where the bracket changes sign a dual number returns
-/// the derivative of the branch taken.
+/// Zero for negative displacement: without this condition, approaching particles would repel each other before they
+/// touch (erratum E14 of the thesis). At the kinks a dual number returns the derivative of the branch taken.
+///
+/// # Energy
+/// Stored energy $\tfrac12 k \xi^2$, thesis eq. (75).
 ///
 /// # Example
 /// ```
@@ -47,7 +57,7 @@ impl NormalLaw for KelvinVoigt {
     #[inline(always)]
     fn force<S: Real>(self, _: [S; 2], xi: S, d_xi: S) -> S {
         let force = S::zero().min(-(xi * self.stiffness + d_xi * self.damping));
-        // Chosen at the end, so that many contacts are looked at together.
+        // Selected at the end, so that loops over contacts are vectorised.
         if xi < S::zero() { S::zero() } else { force }
     }
     #[inline(always)]
@@ -61,16 +71,29 @@ impl NormalLaw for KelvinVoigt {
     }
 }
 
-/// Brilliantov-Spahn-Hertzsch-Poeschel force of viscoelastic spheres.
+/// Brilliantov-Spahn-Hertzsch-Pöschel normal force of viscoelastic spheres in contact.
+///
+/// # Equation
+/// Thesis eqs. (37) and (40), with the shear modulus $G = Y / (2 (1 + \nu))$ of (39):
 ///
 /// $$ F^n = \min\{0, -P (\xi \sqrt{\xi} + \Lambda \sqrt{\xi}\, \partial_t \xi)\}, \qquad P = \frac{2 G \sqrt2}{3 (1 - \nu)} \sqrt{\frac{2}{1/r_i + 1/r_j}} $$
 ///
-/// Thesis eqs. (37) and (40), with G = Y / (2 (1 + nu)) of (39). Stored energy: 2/5 of P times the
-/// displacement to the power 5/2, eq. (75).
+/// # Symbols
+/// $\xi$ is the normal displacement in m, $\partial_t \xi$ its rate in m/s, $Y$ `youngs_modulus` in Pa, $\nu$
+/// `poissons_ratio` and $\Lambda$ `dissipative_constant` in s; $r_i$ and $r_j$ are the radii in m.
+///
+/// # Sign
+/// A negative force is repulsive; it is never positive.
+///
+/// # Domain
+/// Zero for negative displacement.
+///
+/// # Energy
+/// Stored energy $\tfrac25 P \xi^{5/2}$, thesis eq. (75).
 ///
 /// # Errata
-/// The dissipative constant is the coefficient in (37), in s. The constant A of the source is two
-/// thirds of it, so that (38) has to be multiplied by 3/2 (E1).
+/// $\Lambda$ is the coefficient in (37). The constant $A$ of the original paper is two thirds of it, so (38) must be
+/// multiplied by 3/2 (erratum E1 of the thesis).
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bshp {
@@ -78,18 +101,18 @@ pub struct Bshp {
     pub youngs_modulus: f64,
     /// Poisson's ratio, dimensionless, in (-1, 1/2).
     pub poissons_ratio: f64,
-    /// Dissipative constant in s.
+    /// Dissipative constant Lambda in s.
     pub dissipative_constant: f64,
 }
 
 #[rendered]
 impl Bshp {
-    /// The factor P of the force, in N/m^(3/2).
+    /// Prefactor P of the force, in N/m^(3/2).
     ///
     /// $$ P = \frac{2 Y}{3 (1 - \nu^2)} \sqrt{\frac{r_i r_j}{r_i + r_j}} $$
     ///
     /// # Example
-    /// Granite spheres of 1 mm: the reduced radius is 0.5 mm.
+    /// Two granite spheres of 1 mm, with a reduced radius of 0.5 mm.
     /// ```
     /// let granite = gouge_dem::laws::Bshp {
     ///     youngs_modulus: 50e9, poissons_ratio: 0.22, dissipative_constant: 0.0,
@@ -124,13 +147,13 @@ impl NormalLaw for Bshp {
     }
 }
 
-/// Dissipative constant of viscoelastic spheres from their viscosities, in s.
+/// Dissipative constant of viscoelastic spheres, from their viscosities, in s.
 ///
 /// $$ A = \frac{1}{Y} \frac{1 + \nu}{1 - \nu} \left( \tfrac43 \eta_G (1 - \nu + \nu^2) + \eta_K (1 - 2 \nu)^2 \right), \qquad \Lambda = \tfrac32 A $$
 ///
-/// Shear and bulk viscosity in Pa s. This replaces thesis eq. (38), whose constant vanishes at
-/// 3 eta_K = eta_G and fails the test of proportional viscosities; the derivation is E2 of
-/// `docs/thesis/errata.md`. The printed form is [`dissipative_constant_printed`].
+/// Shear viscosity $\eta_G$ and bulk viscosity $\eta_K$ in Pa s. This replaces thesis eq. (38), whose constant vanishes
+/// at $3 \eta_K = \eta_G$ and is wrong for viscosities proportional to the moduli; E2 of `docs/thesis/errata.md` has the
+/// derivation. For the printed form see [`dissipative_constant_printed`].
 #[rendered]
 pub fn dissipative_constant(elastic: Elastic, shear_viscosity: f64, bulk_viscosity: f64) -> f64 {
     let nu = elastic.poissons_ratio;
@@ -139,7 +162,7 @@ pub fn dissipative_constant(elastic: Elastic, shear_viscosity: f64, bulk_viscosi
     1.5 * (1.0 + nu) / (1.0 - nu) * viscosity / elastic.youngs_modulus
 }
 
-/// Thesis eq. (38) as printed, in s; see [`dissipative_constant`] for the form to use.
+/// Dissipative constant as printed in thesis eq. (38), in s; use [`dissipative_constant`] instead.
 ///
 /// $$ \Lambda = \frac{1}{3 M} \left( \frac{1 - \nu}{\nu} \right)^2 \frac{(3 \eta_K - \eta_G)^2}{3 \eta_K + 2 \eta_G} $$
 #[rendered]
@@ -154,13 +177,26 @@ pub fn dissipative_constant_printed(
     shape * shape * difference * difference / (3.0 * elastic.p_wave_modulus() * total)
 }
 
-/// Kelvin-Voigt normal force of a strong link, measured from its initial length.
+/// Kelvin-Voigt normal force of a bond, relative to its initial length.
+///
+/// # Equation
+/// Thesis eqs. (33) and (43):
 ///
 /// $$ F^n = -(\bar k\, \Xi + \bar\gamma\, \partial_t \Xi), \qquad \Xi = D(t^{init}) - D $$
 ///
-/// Thesis eqs. (33) and (43); attracts and repels. Stored energy as in (77). The displacement is taken
-/// from the distance D at the beginning of the link, not from the sum of contact distances that (33)
-/// prints, which equals it only for focal distances (erratum E12 of the thesis).
+/// # Symbols
+/// $D$ is the distance of the centres in m, $\Xi$ the adjusted normal displacement in m, $\bar k$ `stiffness` in kg/s^2
+/// and $\bar\gamma$ `damping` in kg/s.
+///
+/// # Sign
+/// $\Xi$ is positive in compression. A negative force is repulsive, a positive one attractive.
+///
+/// # Energy
+/// Stored energy $\tfrac12 \bar k\, \Xi^2$, thesis eq. (77). Heat production $\bar\gamma\, (\partial_t \Xi)^2$.
+///
+/// # Errata
+/// The displacement is relative to the initial distance, not to the sum of the contact distances as printed in (33).
+/// Both are equal only for focal distances (erratum E12 of the thesis).
 ///
 /// # Example
 /// ```
@@ -177,7 +213,7 @@ pub struct AdjustedKelvinVoigt {
 }
 
 impl AdjustedKelvinVoigt {
-    /// Force in N along the normal; positive attracts.
+    /// Force in N along the normal; a positive force is attractive.
     #[inline(always)]
     pub fn force<S: Real>(self, xi_adjusted: S, d_xi: S) -> S {
         -(xi_adjusted * self.stiffness + d_xi * self.damping)

@@ -1,39 +1,39 @@
-//! Tangential forces of weak and strong links, thesis eqs. (41)-(42) and (44).
+//! Tangential forces of contacts and bonds, thesis eqs. (41)-(42) and (44).
 
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// Tangential motion of a weak link, both ends taken together.
+/// Tangential motion at a contact, summed over both ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Slide<S> {
-    /// Sum of the tangential displacements of both ends since the contact began, in m (thesis eq. (32)).
+    /// Sum of the tangential displacements of both ends since the contact began, in m, thesis eq. (32).
     pub displacement: S,
-    /// Sum of the tangential velocities of both ends, in m/s (thesis eq. (34)).
+    /// Sum of the tangential velocities of both ends, in m/s, thesis eq. (34).
     pub velocity: S,
 }
 
-/// Outcome of a tangential law.
+/// Force and heat of a tangential law.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction<S> {
-    /// Force in N, conjugate to the sum of the tangential displacements.
+    /// Force in N, work-conjugate to the sum of the tangential displacements.
     pub force: S,
-    /// Power turned into heat, in W.
+    /// Continuous heat production, in W.
     pub heat_rate: S,
-    /// Energy turned into heat at once, in J; negative where a law makes energy from nothing.
+    /// Heat released instantaneously, in J; negative if the law creates energy.
     pub heat: S,
 }
 
-/// Tangential force of a weak link.
+/// Tangential law of a contact.
 ///
-/// A law that remembers owns one number a link, `memory`, which is zero when the contact begins.
+/// A law with memory stores one number per contact, `memory`, which is zero when the contact begins.
 pub trait TangentialLaw: Copy + Send + Sync {
     /// Whether the force is always zero.
     const ABSENT: bool = false;
-    /// Whether the link must remember its beginning.
+    /// Whether the law has memory.
     const REMEMBERS: bool;
-    /// Force and dissipation for a motion under the given normal force in N.
+    /// Force and heat for a tangential motion, under the given normal force in N.
     fn friction<S: Real>(self, slide: Slide<S>, normal_force: S, memory: &mut S) -> Friction<S>;
-    /// Stored energy in J.
+    /// Stored energy in J, for a displacement in m and a normal force in N.
     fn stored_energy<S: Real>(self, displacement: S, normal_force: S, memory: S) -> S;
 }
 
@@ -60,10 +60,23 @@ impl TangentialLaw for Frictionless {
 
 /// Haff-Werner friction: viscous up to the Coulomb limit.
 ///
+/// # Equation
+/// Thesis eq. (41), with the velocity summed over both ends:
+///
 /// $$ F = -\mathrm{sgn}(\partial_t \zeta)\, \min\{\mu \lvert F^n \rvert,\ \gamma^t \lvert \partial_t \zeta \rvert\} $$
 ///
-/// Thesis eq. (41), with the sum of both ends for the velocity. Dynamic friction only: at rest there
-/// is no force. Stores nothing.
+/// # Symbols
+/// $\partial_t \zeta$ is the tangential velocity in m/s, $F^n$ the normal force in N, $\mu$ `friction` and $\gamma^t$
+/// `damping` in kg/s.
+///
+/// # Sign
+/// The force opposes the velocity.
+///
+/// # Domain
+/// Dynamic friction only: there is no force at rest.
+///
+/// # Energy
+/// Stores no energy; all work becomes heat.
 ///
 /// # Example
 /// ```
@@ -75,7 +88,7 @@ impl TangentialLaw for Frictionless {
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HaffWerner {
-    /// Coefficient of friction.
+    /// Coefficient of friction, dimensionless.
     pub friction: f64,
     /// Damping coefficient in kg/s.
     pub damping: f64,
@@ -99,32 +112,42 @@ impl TangentialLaw for HaffWerner {
     }
 }
 
-/// Cundall-Strack friction exactly as the thesis prints it.
+/// Cundall-Strack friction as printed in the thesis.
+///
+/// # Equation
+/// Thesis eq. (42), with displacement and velocity summed over both ends:
 ///
 /// $$ F = -\begin{cases} \mathrm{sgn}(\partial_t \zeta)\, \mu \lvert F^n \rvert, & \mu \lvert F^n \rvert \le k^t \lvert \zeta \rvert \\ k^t \zeta, & \mu \lvert F^n \rvert > k^t \lvert \zeta \rvert \end{cases} $$
 ///
-/// Thesis eq. (42), with the sum of both ends for displacement and velocity. Stored energy: half of k
-/// times the squared displacement while it sticks, nothing while it slides (E16).
+/// # Symbols
+/// $\zeta$ is the tangential displacement in m, $\partial_t \zeta$ its rate in m/s, $F^n$ the normal force in N, $\mu$
+/// `friction` and $k^t$ `stiffness` in kg/s^2.
+///
+/// # Sign
+/// The force opposes the displacement while the contact sticks, and the velocity while it slides.
+///
+/// # Energy
+/// Stored energy $\tfrac12 k^t \zeta^2$ while the contact sticks, none while it slides (erratum E16 of the thesis). The
+/// ledger records jumps of the stored energy as heat of either sign.
 ///
 /// # Errata
-/// The spring keeps stretching while the contact slides. A closed cycle can therefore create energy,
-/// the force jumps by twice the limit where the velocity reverses, and a contact that has slid has no
-/// static friction until it unwinds (E15). Use [`CundallStrackTruncated`] unless a comparison with the
-/// thesis needs this form. The ledger books the jumps of the stored energy as heat of either sign.
+/// The spring continues to stretch while the contact slides. A closed cycle can therefore create energy; the force
+/// jumps by twice the limit when the velocity reverses; and a contact that has slid has no static friction until the
+/// spring has unwound (erratum E15 of the thesis). Use [`CundallStrackTruncated`], except to reproduce the thesis.
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CundallStrack {
-    /// Coefficient of friction.
+    /// Coefficient of friction, dimensionless.
     pub friction: f64,
-    /// Stiffness in kg/s^2.
+    /// Tangential stiffness in kg/s^2.
     pub stiffness: f64,
-    /// Whether a sliding contact of exactly no velocity feels the full limit, against a positive
-    /// velocity, as in the thesis author's program; otherwise it feels nothing, sgn 0 = 0.
+    /// How a sliding contact with exactly zero velocity is treated. If true, the full friction limit acts as for a
+    /// positive velocity, as in the program of the thesis's author. If false there is no force, because sgn 0 = 0.
     pub grips_at_rest: bool,
 }
 
 impl CundallStrack {
-    /// Memory of a contact that slides.
+    /// Value of the memory while the contact slides.
     const SLIDING: f64 = 1.0;
 }
 
@@ -167,13 +190,23 @@ impl TangentialLaw for CundallStrack {
     }
 }
 
-/// Cundall-Strack friction with the spring cut back while it slides.
+/// Cundall-Strack friction with the spring truncated at the Coulomb limit.
 ///
+/// # Equation
 /// $$ F = -k^t (\zeta - s), \qquad \lvert \zeta - s \rvert \le \mu \lvert F^n \rvert / k^t $$
 ///
-/// The slip s, remembered by the link, follows the displacement so that the spring never exceeds the
-/// Coulomb limit. This is what LAMMPS, YADE and most of the field call Cundall-Strack. Passive: each
-/// advance of the slip turns its work against the limiting force into heat.
+/// The slip $s$ is the memory of the contact. It follows the displacement such that the spring force never exceeds the
+/// Coulomb limit. LAMMPS, YADE and most other codes call this law Cundall-Strack.
+///
+/// # Symbols
+/// $\zeta$ is the tangential displacement in m, $s$ the slip in m, $F^n$ the normal force in N, $\mu$ `friction` and
+/// $k^t$ `stiffness` in kg/s^2.
+///
+/// # Sign
+/// The force opposes the elastic displacement $\zeta - s$.
+///
+/// # Energy
+/// Stored energy $\tfrac12 k^t (\zeta - s)^2$. Slip under the limiting force becomes heat, so the law creates no energy.
 ///
 /// # Example
 /// ```
@@ -188,9 +221,9 @@ impl TangentialLaw for CundallStrack {
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CundallStrackTruncated {
-    /// Coefficient of friction.
+    /// Coefficient of friction, dimensionless.
     pub friction: f64,
-    /// Stiffness in kg/s^2.
+    /// Tangential stiffness in kg/s^2.
     pub stiffness: f64,
 }
 
@@ -203,7 +236,7 @@ impl TangentialLaw for CundallStrackTruncated {
         let sticks = spring.abs() <= limit;
         let capped = spring.signum_or_zero() * limit;
         let compliance = 1.0 / self.stiffness;
-        // Chosen at the end, so that many contacts are looked at together.
+        // Selected at the end, so that loops over contacts are vectorised.
         let (force, heat) = if sticks {
             (spring, S::zero())
         } else {
@@ -227,19 +260,19 @@ impl TangentialLaw for CundallStrackTruncated {
     }
 }
 
-/// Bending and shearing of a strong link, one end at a time.
+/// Bending and shearing law of a bond, applied to each end separately.
 pub trait BeamLaw: Copy + Send + Sync {
     /// Whether the force is always zero.
     const ABSENT: bool;
-    /// Force in N conjugate to the tangential displacement of one end, in m, with its rate in m/s.
+    /// Force in N, work-conjugate to the tangential displacement `zeta` of one end in m; `d_zeta` is its rate in m/s.
     fn force<S: Real>(self, zeta: S, d_zeta: S) -> S;
-    /// Energy stored in one end, in J.
+    /// Energy stored at one end, in J.
     fn stored_energy<S: Real>(self, zeta: S) -> S;
-    /// Power turned into heat at one end, in W.
+    /// Heat production at one end, in W.
     fn heat_rate<S: Real>(self, d_zeta: S) -> S;
 }
 
-/// Strong link that neither bends nor shears.
+/// No bending or shearing: the bond has a normal force only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoBending;
 
@@ -259,14 +292,27 @@ impl BeamLaw for NoBending {
     }
 }
 
-/// The thesis's simplification of an Euler-Bernoulli beam.
+/// Bending and shearing of a bond: the thesis's simplification of an Euler-Bernoulli beam.
+///
+/// # Equation
+/// Thesis eqs. (44)-(45):
 ///
 /// $$ F^{EB}_{ij} = -(\bar k^t \zeta_{ij} + \bar\gamma^t\, \partial_t \zeta_{ij}), \qquad \tau_{ij} = r_i F^{EB}_{ij}, \qquad F^t_{ij} = \frac{\tau_{ij} + \tau_{ji}}{\lvert \vec x_j - \vec x_i \rvert} $$
 ///
-/// Thesis eqs. (44)-(45), with the radius for the contact distance of (32): only then do torque and
-/// force derive from the stored energy (77) (erratum E17 of the thesis). Momentum and angular momentum
-/// are conserved. Unlike the stiffness matrix of a beam, the ends do not couple, so bending and
-/// shearing have the same constant.
+/// # Symbols
+/// $\zeta_{ij}$ is the tangential displacement of the end at i in m, $\bar k^t$ `stiffness` in kg/s^2, $\bar\gamma^t$
+/// `damping` in kg/s and $r_i$ the radius in m.
+///
+/// # Sign
+/// The force opposes the displacement. Torques are positive counter-clockwise.
+///
+/// # Energy
+/// Stored energy $\tfrac12 \bar k^t \zeta_{ij}^2$ per end, thesis eq. (77). Momentum and angular momentum are conserved.
+///
+/// # Errata
+/// The lever arm is the radius instead of the contact distance of (32): only then do torque and force derive from the
+/// stored energy (erratum E17 of the thesis). Unlike in the stiffness matrix of a beam, the two ends are not
+/// coupled, and bending and shearing have the same stiffness.
 ///
 /// # Example
 /// ```
@@ -277,9 +323,9 @@ impl BeamLaw for NoBending {
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerBernoulli {
-    /// Stiffness in kg/s^2.
+    /// Tangential stiffness in kg/s^2.
     pub stiffness: f64,
-    /// Damping coefficient in kg/s.
+    /// Tangential damping coefficient in kg/s.
     pub damping: f64,
 }
 

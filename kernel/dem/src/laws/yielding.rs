@@ -1,16 +1,16 @@
-//! When a strong link breaks, thesis eqs. (46)-(50).
+//! When a bond breaks, thesis eqs. (46)-(50).
 
 use core::f64::consts::PI;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// When a strong link breaks.
+/// Yield criterion of a bond.
 pub trait YieldLaw: Copy + Send + Sync {
-    /// Whether a link with this [`weakest_section`] in m^2 breaks under these forces in N.
+    /// Whether a bond breaks under the given forces in N; `section` is its [`weakest_section`] in m^2.
     fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool;
 }
 
-/// Strong links that never break.
+/// No yielding: the bond never breaks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unbreakable;
 
@@ -21,28 +21,35 @@ impl YieldLaw for Unbreakable {
     }
 }
 
-/// Area in m^2 that carries the forces of a link when it breaks.
+/// Area of the weakest section of a bond, in m^2.
 ///
 /// $$ A = \pi (s\, r^{crit})^2, \qquad r^{crit} = \min\{r_i, r_j\} $$
 ///
-/// Thesis eqs. (49)-(50), with the strength factor s and radii in m. Infinite for an infinite factor: such
-/// a link never breaks.
+/// Thesis eqs. (49)-(50), with radii in m and the strength factor s. An infinite strength factor gives an infinite
+/// area: the bond never breaks.
 #[rendered]
 pub fn weakest_section<S: Real>(radii: [S; 2], strength_factor: S) -> S {
     let weakest = strength_factor * radii[0].min(radii[1]);
     weakest * weakest * PI
 }
 
-/// Zhang-Eckert criterion of brittle fracture.
+/// Zhang-Eckert yield criterion of brittle fracture.
+///
+/// # Equation
+/// Thesis eqs. (48)-(50):
 ///
 /// $$ \left( \frac{F^n}{\sigma^n} \right)^2 + \left( \frac{F^t}{\sigma^t} \right)^2 \ge \left( \pi (s\, r^{crit})^2 \right)^2, \qquad r^{crit} = \min\{r_i, r_j\} $$
 ///
-/// Thesis eqs. (48)-(50). The forces are the total ones, viscous parts included: (46) speaks of
-/// stresses, and the stress of a Kelvin-Voigt solid (2) has both parts. Tension and compression count
-/// alike.
+/// # Symbols
+/// $F^n$ and $F^t$ are the normal and tangential force in N, $\sigma^n$ `normal_strength` in Pa, $\sigma^t$
+/// `tangential_strength` in Pa, $s$ the strength factor, and $r_i$, $r_j$ the radii in m.
+///
+/// # Domain
+/// The forces include their viscous parts: (46) is written for stresses, and the stress of a Kelvin-Voigt solid (2) has
+/// an elastic and a viscous part. Tension and compression are treated alike.
 ///
 /// # Example
-/// A beam between 1 mm grains of granite carries 280 MPa over pi mm^2.
+/// A bond between granite particles of 1 mm carries 280 MPa on pi mm^2.
 /// ```
 /// let law = gouge_dem::laws::ZhangEckert { normal_strength: 280e6, tangential_strength: 168e6 };
 /// assert!(!law.breaks(879.0, 0.0, [1e-3, 1e-3], 1.0));
@@ -59,12 +66,12 @@ pub struct ZhangEckert {
 }
 
 impl ZhangEckert {
-    /// Ratio of the semi-axes of the ellipse in stress space, thesis eq. (47).
+    /// Ratio of the semi-axes of the yield ellipse in stress space, dimensionless, thesis eq. (47).
     pub fn axial_ratio(self) -> f64 {
         self.tangential_strength / self.normal_strength
     }
 
-    /// Whether a link with this strength factor breaks under these forces in N, for radii in m.
+    /// Whether a bond breaks under the given forces in N, for radii in m.
     pub fn breaks<S: Real>(
         self,
         normal_force: S,

@@ -2,7 +2,7 @@
 
 use crate::particles::Particles;
 use gouge_common::geometry::{Domain, Metric, WithMetric};
-use gouge_common::neighbors::{Neighbors, Reaching};
+use gouge_common::neighbors::{Neighbors, SearchSpheres};
 use gouge_common::pair::Pair;
 
 /// Reach of bonds in sums of radii that the thesis author used: the root of 3/2.
@@ -11,15 +11,15 @@ pub const REACH: f64 = 1.224_744_871_391_589;
 /// All pairs whose distance is at most `reach` times the sum of their radii, in the order of their first and
 /// then of their second particles.
 pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<Pair> {
-    let reaches: Vec<f64> = particles.radius.iter().map(|r| r * reach).collect();
-    let reaching = Reaching {
+    let radii: Vec<f64> = particles.radius.iter().map(|r| r * reach).collect();
+    let spheres = SearchSpheres {
         positions: &particles.position,
-        reaches: &reaches,
+        radii: &radii,
     };
     let mut pairs = domain.with_metric(Candidates {
         particles,
-        reaching,
-        neighbors: Neighbors::new(reaching, domain),
+        spheres,
+        neighbors: Neighbors::new(spheres, domain),
     });
     pairs.retain(|pair| {
         let (i, j) = pair.indices();
@@ -33,7 +33,7 @@ pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<P
 /// Finds the pairs that may be near enough.
 struct Candidates<'a> {
     particles: &'a Particles,
-    reaching: Reaching<'a, f64>,
+    spheres: SearchSpheres<'a, f64>,
     neighbors: Neighbors<f64>,
 }
 
@@ -43,7 +43,7 @@ impl WithMetric for Candidates<'_> {
         let mut pairs = Vec::new();
         let may_interact = |i, j| self.particles.may_interact(i, j);
         self.neighbors
-            .rebuild(metric, self.reaching, may_interact, &mut pairs);
+            .rebuild(metric, self.spheres, may_interact, &mut pairs);
         pairs
     }
 }

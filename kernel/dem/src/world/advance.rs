@@ -134,7 +134,7 @@ impl<S: Number, T: Stage> WithMetric for AdvanceAll<'_, S, T> {
             step: model.time_step,
             linear,
             angular,
-            staleness: Staleness::of(workspace.neighbors.as_ref(), metric),
+            staleness: Staleness::new(workspace.neighbors.as_ref(), metric),
         };
         execution.run(work, &mut workspace.stale_parts);
     }

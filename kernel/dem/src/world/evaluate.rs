@@ -154,7 +154,7 @@ impl<S: Number> WithMetric for AreStale<'_, S> {
     fn call<M: Metric>(self, metric: M) -> bool {
         let neighbors = self.world.workspace.neighbors.as_ref();
         let positions = &self.world.state.particles.position;
-        neighbors.is_none_or(|neighbors| neighbors.are_stale(metric, positions))
+        neighbors.is_none_or(|neighbors| neighbors.is_stale(metric, positions))
     }
 }
 

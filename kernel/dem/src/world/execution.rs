@@ -3,7 +3,7 @@
 use crate::forces::{Bookings, PartWorkspace};
 use gouge_common::instructions::Instructions;
 use gouge_common::lanes::Lanes;
-use gouge_common::parts::{Parts, Ready, Work};
+use gouge_common::parts::{PartTask, Parts, Work};
 
 /// Instructions and the division into parts.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ impl Execution {
     pub fn serial(particles: usize) -> Self {
         Self {
             instructions: Instructions::default(),
-            parts: Parts::of(particles, 1),
+            parts: Parts::new(particles, 1),
         }
     }
 
@@ -37,14 +37,14 @@ impl Execution {
         if !LEDGER {
             return self.run(work, parts);
         }
-        if let Some(own) = parts.first_mut() {
-            own.bookings = *bookings;
-            D::start(Ready {
+        if let Some(buffer) = parts.first_mut() {
+            buffer.bookings = *bookings;
+            D::dispatch(PartTask {
                 work,
-                own,
+                buffer,
                 instructions: self.instructions,
             });
-            *bookings = own.bookings;
+            *bookings = buffer.bookings;
         }
     }
 }

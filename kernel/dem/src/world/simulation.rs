@@ -37,7 +37,7 @@ impl<S: Number> World<S> {
     ///
     /// Worlds with a ledger compute contacts and bonds in one part, so that its sums keep their order.
     pub fn with_threads(self, threads: usize) -> Self {
-        let parts = Parts::of(self.state.particles.len(), threads);
+        let parts = Parts::new(self.state.particles.len(), threads);
         self.with_parts(parts)
     }
 

@@ -31,7 +31,7 @@ pub(super) struct Workspace<S: Lanes> {
 impl<S: Lanes> Workspace<S> {
     /// The workspace of a single part.
     pub fn new(model: &Model, particles: &Particles<S>) -> Self {
-        let neighbors = || Neighbors::new(particles.reaching(), &model.domain);
+        let neighbors = || Neighbors::new(particles.search_spheres(), &model.domain);
         let driven = particles.with_role(Role::Driven).map(|i| i as u32);
         Self {
             inverse_mass: inverse(&particles.mass, particles),
