@@ -1,4 +1,4 @@
-//! Bonds: made once, broken, never made again. The thesis calls them strong links.
+//! Bonds: made once, and never again after they broke. The thesis calls them strong links.
 
 use crate::error::ModelError;
 use crate::geometry::PairFrame;
@@ -12,16 +12,17 @@ use gouge_common::pair::{Pair, map_ends};
 use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
-/// How a bond begins.
+/// A bond in the initial state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BondStart {
     /// The two particles.
     pub between: [usize; 2],
-    /// Strength factor of thesis eq. (50).
+    /// Strength factor, dimensionless, thesis eq. (50).
     pub strength_factor: f64,
-    /// Distance when the bond began in m; that of the initial state if not given.
+    /// Initial distance of the centres in m; `None` for the distance in the initial state.
     pub initial_distance: Option<f64>,
-    /// Angles of both ends in the pair frame when the bond began, thesis eq. (30), in rad.
+    /// Angles of both ends in the pair frame when the bond began, in rad, thesis eq. (30); `None` for those in the
+    /// initial state.
     pub initial_angles: Option<[f64; 2]>,
 }
 
@@ -32,24 +33,24 @@ pub struct BondStart {
 pub struct Bond<S> {
     /// The pair.
     pub pair: Pair,
-    /// What the bond keeps of its beginning.
+    /// Unstrained state of the bond.
     pub rest: Rest<S>,
-    /// Strength factor; infinite where the bond never breaks.
+    /// Strength factor, dimensionless; infinite if the bond never breaks.
     pub strength_factor: S,
 }
 
-/// The unstrained state of a bond.
+/// Unstrained state of a bond.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest<S> {
-    /// Direction of the pair frame from which its turn is measured.
+    /// Reference direction from which the rotation of the pair frame is measured.
     pub reference: Vec2<S>,
-    /// Angles of both particles at which the ends are unbent, while the frame points along `reference`.
+    /// Angles of both particles in rad at which the ends are not bent, for a pair frame along `reference`.
     pub angles: [S; 2],
-    /// Distance when the bond began, in m.
+    /// Unstrained distance of the centres in m.
     pub distance: S,
 }
 
-/// All bonds, in the order of their pairs, as columns of equal length.
+/// All bonds, sorted by pair, as columns of equal length.
 #[derive(Clone, Debug)]
 pub struct Bonds<S> {
     pub(crate) pairs: Vec<Pair>,
@@ -57,17 +58,17 @@ pub struct Bonds<S> {
     angles: [Vec<S>; 2],
     distances: Vec<S>,
     strength_factors: Vec<S>,
-    /// Sections that carry the forces of bonds when they break, in m^2.
+    /// Areas of the weakest sections, in m^2.
     sections: Vec<S>,
-    /// Radii of both ends in m: they never change, and so are not gathered anew in each step.
+    /// Radii of both ends in m. They are constant, so they are stored here instead of being gathered in each step.
     radii: [Vec<S>; 2],
-    /// Positions of the bonds that broke in the latest evaluation, before they are removed.
+    /// Indices of the bonds that broke in the latest evaluation and are not removed yet.
     pub(crate) broken: Vec<u32>,
 }
 
-/// Consecutive bonds, of which the rest may be changed.
+/// A range of consecutive bonds, with mutable reference directions.
 pub(crate) struct BondColumns<'a, S> {
-    /// Position of the first among all.
+    /// Index of the first of these bonds among all bonds.
     pub first: usize,
     pub pairs: &'a [Pair],
     pub references: [&'a mut [S]; 2],
@@ -78,7 +79,7 @@ pub(crate) struct BondColumns<'a, S> {
 }
 
 impl<S: Real> BondColumns<'_, S> {
-    /// Prefetch the bonds from a position on, a line of each column.
+    /// Prefetch the cache line of each column that holds an index.
     #[inline(always)]
     pub fn prefetch(&self, position: usize) {
         columns::prefetch(&self.references, position);
@@ -115,7 +116,7 @@ impl<S: Real> BondColumns<'_, S> {
             },
         )
     }
-    /// Those at some positions.
+    /// The bonds in a range of indices.
     #[inline(always)]
     pub fn part(&mut self, positions: Range<usize>) -> BondColumns<'_, S> {
         BondColumns {
@@ -128,12 +129,12 @@ impl<S: Real> BondColumns<'_, S> {
             radii: map_ends(self.radii, |radii| &radii[positions.clone()]),
         }
     }
-    /// The unstrained state at a position.
+    /// Unstrained state of the bond at an index.
     #[inline(always)]
     pub fn rest(&self, position: usize) -> Rest<S> {
         rest_at(&self.references, &self.angles, self.distances, position)
     }
-    /// Replace the reference of the unstrained state at a position.
+    /// Set the reference direction, and the angles that belong to it, of the bond at an index.
     pub fn set_reference(&mut self, position: usize, rest: &Rest<S>) {
         let reference = [rest.reference.x, rest.reference.y];
         columns::set(&mut self.references, position, reference);
@@ -142,10 +143,12 @@ impl<S: Real> BondColumns<'_, S> {
 }
 
 impl<S: Real> Bonds<S> {
-    /// Make bonds.
+    /// Bonds for an initial state.
+    ///
+    /// `period` is the period in x in m, if x is periodic.
     ///
     /// # Errors
-    /// Pairs that do not exist, repeat, or are longer than half the period.
+    /// If a pair does not exist, is repeated, or is longer than half the period.
     pub fn new<M: Metric>(
         metric: M,
         particles: &Particles<S>,
@@ -176,7 +179,7 @@ impl<S: Real> Bonds<S> {
         Ok(bonds)
     }
 
-    /// Bonds as they were recorded, in the order of their pairs, between particles that exist.
+    /// Bonds from records that are sorted by pair and refer to existing particles.
     pub(crate) fn from_bonds(bonds: &[Bond<S>], particles: &Particles<S>) -> Self {
         let radii = |bond: &Bond<S>| {
             let (i, j) = bond.pair.indices();
@@ -206,7 +209,7 @@ impl<S: Real> Bonds<S> {
         self.sections[position] = weakest_section(columns::at(&self.radii, position), factor);
     }
 
-    /// Make the bonds of driven and fixed particles unbreakable.
+    /// Make all bonds with a driven or fixed particle unbreakable.
     pub(crate) fn make_edges_unbreakable(&mut self, particles: &Particles<S>) {
         for position in 0..self.len() {
             let (i, j) = self.pairs[position].indices();
@@ -216,7 +219,7 @@ impl<S: Real> Bonds<S> {
         }
     }
 
-    /// All of them, for a pass.
+    /// All bonds, for a pass.
     pub(crate) fn columns(&mut self) -> BondColumns<'_, S> {
         BondColumns {
             first: 0,
@@ -229,26 +232,26 @@ impl<S: Real> Bonds<S> {
         }
     }
 
-    /// Number of bonds that hold.
+    /// Number of intact bonds.
     pub fn len(&self) -> usize {
         self.pairs.len()
     }
-    /// Which list of bonds this is.
+    /// Version of the bond list.
     pub(crate) fn edition(&self) -> Edition {
         Edition {
             rebuilds: 0,
             pairs: self.len(),
         }
     }
-    /// Whether there is none.
+    /// Whether there are no bonds.
     pub fn is_empty(&self) -> bool {
         self.pairs.is_empty()
     }
-    /// The pairs that are bonded.
+    /// The bonded pairs, sorted.
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
     }
-    /// The bond at a position.
+    /// The bond at an index.
     #[inline(always)]
     pub(crate) fn get(&self, position: usize) -> Bond<S> {
         let (references, angles) = (&self.references, &self.angles);
@@ -258,24 +261,24 @@ impl<S: Real> Bonds<S> {
             strength_factor: self.strength_factors[position],
         }
     }
-    /// The bonds that hold.
+    /// All intact bonds.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Bond<S>> + Clone {
         (0..self.len()).map(|position| self.get(position))
     }
 
-    /// Whether the pair is bonded.
+    /// Whether a pair is bonded.
     pub fn contains(&self, pair: Pair) -> bool {
         self.pairs.binary_search(&pair).is_ok()
     }
 
-    /// Whether the bond of the pair broke in the latest evaluation.
+    /// Whether the bond of a pair broke in the latest evaluation.
     pub(crate) fn breaks_now(&self, pair: Pair) -> bool {
         self.broken
             .binary_search_by_key(&pair, |&position| self.pairs[position as usize])
             .is_ok()
     }
 
-    /// Remove the bonds that broke.
+    /// Remove the bonds that broke in the latest evaluation.
     pub(crate) fn remove_broken(&mut self) {
         fn remove<T>(column: &mut Vec<T>, broken: &[u32]) {
             let mut broken = broken.iter().copied().peekable();
@@ -307,7 +310,7 @@ impl<S: Real> Bonds<S> {
     }
 }
 
-/// The unstrained state at a position of columns.
+/// Unstrained state of the bond at an index.
 #[inline(always)]
 fn rest_at<S: Real, C: Deref<Target = [S]>>(
     references: &[C; 2],

@@ -1,4 +1,4 @@
-//! How the thesis fixes its calibration parameters, section 4.3, eqs. (87)-(97), and (100).
+//! Calibration of the model parameters, thesis section 4.3, eqs. (87)-(97), and the friction decay (100).
 
 use crate::laws::Bshp;
 use crate::material::Elastic;
@@ -6,12 +6,12 @@ use crate::particles::sphere_mass;
 use core::f64::consts::PI;
 use gouge_equations::rendered;
 
-/// Normal displacement in m at which a bond of equal particles breaks under pure compression, if the
-/// contact is Kelvin-Voigt.
+/// Normal displacement in m at which a bond between equal particles breaks in pure compression, with Kelvin-Voigt
+/// contacts.
 ///
 /// $$ \xi = \frac{\pi (s r)^2 \sigma}{k} $$
 ///
-/// Thesis eqs. (87)-(89): stiffness in kg/s^2, radius in m, strength in Pa.
+/// Thesis eqs. (87)-(89): stiffness $k$ in kg/s^2, radius $r$ in m, strength $\sigma$ in Pa, strength factor $s$.
 #[rendered]
 pub fn breaking_overlap_linear(
     stiffness: f64,
@@ -22,11 +22,11 @@ pub fn breaking_overlap_linear(
     breaking_force(radius, strength, strength_factor) / stiffness
 }
 
-/// The same for BSHP.
+/// Normal displacement in m at which a bond between equal particles breaks in pure compression, with BSHP contacts.
 ///
 /// $$ \xi = \left( \frac{\pi (s r)^2 \sigma}{P} \right)^{2/3} $$
 ///
-/// Thesis eqs. (90)-(91).
+/// Thesis eqs. (90)-(91): radius $r$ in m, strength $\sigma$ in Pa, strength factor $s$; $P$ is the [`Bshp::prefactor`].
 #[rendered]
 pub fn breaking_overlap_hertzian(
     elastic: Elastic,
@@ -38,11 +38,11 @@ pub fn breaking_overlap_hertzian(
     libm::pow(force / prefactor(elastic, radius), 2.0 / 3.0)
 }
 
-/// Stiffness in kg/s^2 with which both overlaps at break agree.
+/// Stiffness in kg/s^2 for which [`breaking_overlap_linear`] and [`breaking_overlap_hertzian`] agree.
 ///
 /// $$ k^n = \left( P^2\, \pi (s r)^2 \sigma \right)^{1/3} $$
 ///
-/// Thesis eq. (92). For granite 8.14e6 kg/s^2; the thesis takes 1e7.
+/// Thesis eq. (92). 8.14e6 kg/s^2 for granite; the thesis uses 1e7.
 #[rendered]
 pub fn matching_stiffness(
     elastic: Elastic,
@@ -54,24 +54,24 @@ pub fn matching_stiffness(
     libm::cbrt(p * p * breaking_force(radius, strength, strength_factor))
 }
 
-/// Upper bound of the damping in kg/s: the dissipative constant times [`matching_stiffness`].
+/// Upper bound of the normal damping in kg/s: dissipative constant times [`matching_stiffness`].
 ///
 /// $$ \gamma^n < \Lambda k^n $$
 ///
-/// Thesis eqs. (94)-(97). With the constant that the thesis prints the bound is 5.1e4 kg/s, with the
-/// right one 1.3e3 kg/s (erratum E5 of the thesis).
+/// Thesis eqs. (94)-(97). For granite 5.1e4 kg/s with the dissipative constant printed in the thesis, and 1.3e3 kg/s with
+/// the correct one (erratum E5 of the thesis).
 #[rendered]
 pub fn damping_bound(dissipative_constant: f64, matching_stiffness: f64) -> f64 {
     dissipative_constant * matching_stiffness
 }
 
-/// Dissipative constant in s of spheres that rebound with a measured restitution, to first order.
+/// Dissipative constant in s of spheres with a measured coefficient of restitution, to first order.
 ///
 /// $$ \Lambda = \frac{1 - \Upsilon}{C_1 \kappa^{2/5} v^{1/5}}, \qquad \kappa = \frac{P}{m^*}, \qquad C_1 = \frac{\sqrt\pi\, \Gamma(3/5)}{2^{1/5} 5^{2/5}\, \Gamma(21/10)} = 1.15345 $$
 ///
-/// Thesis eq. (93) with the ratio of stiffness to reduced mass that its source calls rho, where the
-/// thesis put the mass density (erratum E4 of the thesis): speed in m/s, radius in m of both spheres,
-/// density in kg/m^3.
+/// Thesis eq. (93), for two equal spheres with radius in m, density in kg/m^3 and relative speed in m/s. $\kappa$ is the ratio
+/// of stiffness to reduced mass. The source calls it rho, which the thesis mistook for the mass density (erratum E4 of
+/// the thesis).
 #[rendered]
 pub fn dissipative_constant_from_restitution(
     restitution: f64,
@@ -85,7 +85,7 @@ pub fn dissipative_constant_from_restitution(
     (1.0 - restitution) / scale
 }
 
-/// Thesis eq. (93) as printed, with the mass density in kg/m^3; neither in s nor in 1/s.
+/// Thesis eq. (93) as printed, with the mass density in kg/m^3. The result has no unit of time.
 pub fn dissipative_constant_printed_from_restitution(
     restitution: f64,
     density: f64,
@@ -94,17 +94,17 @@ pub fn dissipative_constant_printed_from_restitution(
     (1.0 - restitution) / (1.15 * libm::pow(density * density * speed, 0.2))
 }
 
-/// Coefficient of the first term of one minus the restitution of viscoelastic spheres.
+/// First coefficient in the expansion of the restitution of viscoelastic spheres, dimensionless.
 pub fn first_order_coefficient() -> f64 {
     PI.sqrt() * libm::tgamma(0.6) / (libm::pow(2.0, 0.2) * libm::pow(5.0, 0.4) * libm::tgamma(2.1))
 }
 
-/// Duration, in units of the inverse natural frequency, of a truncated Kelvin-Voigt collision.
+/// Duration of a truncated Kelvin-Voigt collision, in units of the inverse natural frequency.
 ///
 /// $$ t = \frac{2 \arccos \zeta}{\sqrt{1 - \zeta^2}}, \quad \zeta < 1, \qquad t = \frac{2\, \mathrm{arcosh}\, \zeta}{\sqrt{\zeta^2 - 1}}, \quad \zeta > 1 $$
 ///
-/// The collision ends when the force first vanishes, before the overlap does; 2 at critical damping.
-/// The damping ratio is that of the pair with its reduced mass.
+/// The collision ends when the force vanishes, before the overlap does. At critical damping the duration is 2. The
+/// damping ratio is that of the pair, with its reduced mass.
 #[rendered]
 pub fn truncated_duration(damping_ratio: f64) -> f64 {
     let squared = (1.0 - damping_ratio) * (1.0 + damping_ratio);
@@ -118,19 +118,19 @@ pub fn truncated_duration(damping_ratio: f64) -> f64 {
     }
 }
 
-/// Restitution of a truncated Kelvin-Voigt collision.
+/// Coefficient of restitution of a truncated Kelvin-Voigt collision.
 ///
 /// $$ \Upsilon = e^{-\zeta t} $$
 ///
-/// Tends to 1 / (4 zeta^2) for strong damping.
+/// $t$ is the [`truncated_duration`]. Tends to $1 / (4 \zeta^2)$ for strong damping.
 #[rendered]
 pub fn truncated_restitution(damping_ratio: f64) -> f64 {
     libm::exp(-damping_ratio * truncated_duration(damping_ratio))
 }
 
-/// Damping ratio with which a truncated Kelvin-Voigt collision has a restitution in (0, 1].
+/// Damping ratio for which a truncated Kelvin-Voigt collision has a given coefficient of restitution in (0, 1].
 ///
-/// By bisection; the restitution falls monotonically with the damping ratio.
+/// Found by bisection; the restitution decreases monotonically with the damping ratio.
 pub fn damping_ratio_for(restitution: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     while truncated_restitution(high) > restitution && high < 1e150 {
@@ -147,21 +147,21 @@ pub fn damping_ratio_for(restitution: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Model of the decay of friction after its peak.
+/// Model of the decay of friction after the peak.
 ///
 /// $$ \mu(t) = \begin{cases} \mu^{crit} t / t^{crit}, & t \le t^{crit} \\ D_1 + (\mu^{crit} - D_1) e^{-D_2 (t - t^{crit})}, & t \ge t^{crit} \end{cases} $$
 ///
-/// Thesis eq. (100); it tends to D1 at late times (101) if D2 is positive.
+/// Thesis eq. (100). If $D_2$ is positive, it tends to $D_1$ at late times, thesis eq. (101).
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionDecay {
     /// Time of the peak in s.
     pub peak_time: f64,
-    /// Coefficient of friction at the peak.
+    /// Coefficient of friction at the peak, dimensionless.
     pub peak: f64,
-    /// Coefficient of friction at late times, D1.
+    /// Residual coefficient of friction $D_1$ at late times, dimensionless.
     pub residual: f64,
-    /// Decay constant D2 in 1/s.
+    /// Decay rate $D_2$ in 1/s.
     pub rate: f64,
 }
 
@@ -177,13 +177,13 @@ impl FrictionDecay {
     }
 }
 
-/// Force in N that breaks a bond of equal particles in compression, thesis eq. (87).
+/// Force in N that breaks a bond between equal particles in compression, thesis eq. (87).
 fn breaking_force(radius: f64, strength: f64, strength_factor: f64) -> f64 {
     let weakest = strength_factor * radius;
     PI * weakest * weakest * strength
 }
 
-/// Prefactor of BSHP for equal radii in N/m^(3/2).
+/// BSHP prefactor for equal radii, in N/m^(3/2).
 fn prefactor(elastic: Elastic, radius: f64) -> f64 {
     let Elastic {
         youngs_modulus,

@@ -14,31 +14,31 @@ use gouge_common::parts::split_or_empty;
 use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
-/// A contact that began before the initial state.
+/// A contact in the initial state that began earlier.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactStart {
     /// The two particles.
     pub between: [usize; 2],
-    /// Angles of both ends in the pair frame when the contact began, thesis eq. (30), in rad.
+    /// Angles of both ends in the pair frame when the contact began, in rad, thesis eq. (30).
     pub initial_angles: [f64; 2],
 }
 
-/// What a contact remembers of its beginning.
+/// Memory of a contact: its state when it began, and the history variable of its tangential law.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactMemory<S> {
-    /// Whether the pair touches; the rest has no meaning otherwise.
+    /// Whether the pair touches. If not, the other fields are meaningless.
     pub touches: bool,
-    /// Direction of the pair frame from which its turn is measured.
+    /// Reference direction from which the rotation of the pair frame is measured.
     pub reference: Vec2<S>,
-    /// Angles of both particles at which the tangential displacement is zero, while the frame points
-    /// along `reference`; for arms that accumulate, the displacements of both ends so far, in m.
+    /// Angles of both particles in rad at which the tangential displacement is zero, for a pair frame along
+    /// `reference`. For lever arms that accumulate: the tangential displacements of both ends so far, in m.
     pub ends: [S; 2],
-    /// The number that the tangential law remembers.
+    /// History variable of the tangential law.
     pub state: S,
 }
 
 impl<S: Real> ContactMemory<S> {
-    /// A contact that begins in the given frame, with the given entries of both ends.
+    /// Memory of a contact that begins in the given frame; `ends` are the entries of its two ends.
     #[inline]
     pub(crate) fn begin(frame: &PairFrame<S>, ends: [S; 2]) -> Self {
         Self {
@@ -50,7 +50,7 @@ impl<S: Real> ContactMemory<S> {
     }
 }
 
-/// Memories of contacts, one per pair, as columns of equal length.
+/// Memories of all contacts, one per pair, as columns of equal length.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Memories<S> {
     pub touches: Vec<bool>,
@@ -59,7 +59,7 @@ pub(crate) struct Memories<S> {
     pub states: Vec<S>,
 }
 
-/// Memories of consecutive pairs.
+/// Memories of a range of consecutive pairs.
 pub(crate) struct MemoryColumns<'a, S> {
     pub touches: &'a mut [bool],
     pub references: [&'a mut [S]; 2],
@@ -88,7 +88,7 @@ impl<S: Real> MemoryColumns<'_, S> {
             },
         )
     }
-    /// Those at some positions.
+    /// The memories in a range of indices.
     #[inline(always)]
     pub fn part(&mut self, positions: Range<usize>) -> MemoryColumns<'_, S> {
         MemoryColumns {
@@ -98,7 +98,7 @@ impl<S: Real> MemoryColumns<'_, S> {
             states: &mut self.states[positions],
         }
     }
-    /// Prefetch the memories from a position on, a line of each column.
+    /// Prefetch the cache line of each column that holds an index.
     #[inline(always)]
     pub fn prefetch(&self, position: usize) {
         prefetch_index(&*self.touches, position);
@@ -106,13 +106,13 @@ impl<S: Real> MemoryColumns<'_, S> {
         columns::prefetch(&self.ends, position);
         prefetch_index(&*self.states, position);
     }
-    /// The memory at a position.
+    /// The memory at an index.
     #[inline(always)]
     pub fn get(&self, position: usize) -> ContactMemory<S> {
         let touches = self.touches[position];
         memory_at(touches, &self.references, &self.ends, self.states, position)
     }
-    /// Replace the memory at a position.
+    /// Set the memory at an index.
     #[inline(always)]
     pub fn set(&mut self, position: usize, memory: ContactMemory<S>) {
         self.touches[position] = memory.touches;
@@ -130,7 +130,7 @@ impl<S: Real> Memories<S> {
             fit(column, room);
         }
     }
-    /// The memory at a position.
+    /// The memory at an index.
     pub fn get(&self, position: usize) -> ContactMemory<S> {
         let touches = self.touches[position];
         memory_at(
@@ -141,7 +141,7 @@ impl<S: Real> Memories<S> {
             position,
         )
     }
-    /// All of them, to be changed; none where nothing is remembered.
+    /// All memories, mutable; empty if the laws have no memory.
     pub fn columns(&mut self) -> MemoryColumns<'_, S> {
         MemoryColumns {
             touches: &mut self.touches,
@@ -172,7 +172,7 @@ impl<S: Real> Memories<S> {
     }
 }
 
-/// The memory at a position of columns, of a pair that touches or does not.
+/// The memory at an index of columns.
 #[inline(always)]
 fn memory_at<S: Real, C: Deref<Target = [S]>>(
     touches: bool,
@@ -190,26 +190,26 @@ fn memory_at<S: Real, C: Deref<Target = [S]>>(
     }
 }
 
-/// Room for so many pairs, bonded ones included, and a few more, so that lists grow rarely.
+/// Capacity for the given number of near pairs, bonded pairs included, with a reserve so that lists rarely grow.
 fn roomy(near: usize) -> usize {
     near + near / 128 + 64
 }
 
-/// Give a column exactly so much room.
+/// Set the capacity of a column exactly.
 fn fit<T>(column: &mut Vec<T>, room: usize) {
     column.shrink_to(room);
     column.reserve_exact(room.saturating_sub(column.len()));
 }
 
-/// The pairs that may touch, in order, and their memory where a law asks for it.
+/// The contact list: pairs that may touch, sorted, with their memories if a law has memory.
 #[doc(alias = "weak link")]
 #[derive(Clone, Debug)]
 pub struct Contacts<S> {
-    /// Pairs near enough to touch before the next rebuild, without the bonded ones.
+    /// Pairs that are near enough to touch before the next rebuild, without the bonded pairs.
     pub pairs: Vec<Pair>,
     pub(crate) memories: Memories<S>,
     remembers: bool,
-    /// For how many pairs there is room.
+    /// Number of pairs for which memory is reserved.
     room: usize,
 }
 
@@ -224,7 +224,7 @@ impl<S: Real> Contacts<S> {
         }
     }
 
-    /// Which list of pairs this is, the latest of the given search.
+    /// Version of the contact list; `neighbors` is the search that built it.
     pub(crate) fn edition(&self, neighbors: &Neighbors<S>) -> Edition {
         Edition {
             rebuilds: neighbors.rebuilds(),
@@ -232,12 +232,12 @@ impl<S: Real> Contacts<S> {
         }
     }
 
-    /// For how many pairs there is room to remember.
+    /// Number of memories that fit without allocation.
     pub fn memory_capacity(&self) -> usize {
         self.memories.states.capacity()
     }
 
-    /// What the pair at a position remembers, if it touches and anything is remembered.
+    /// Memory of the pair at an index; `None` if the pair does not touch or contacts have no memory.
     #[inline]
     pub(crate) fn memory_at(&self, position: usize) -> Option<ContactMemory<S>> {
         let touches = self.memories.touches.get(position).copied();
@@ -246,9 +246,9 @@ impl<S: Real> Contacts<S> {
             .then(|| self.memories.get(position))
     }
 
-    /// Find the pairs anew; memories of touching pairs are kept.
+    /// Search all pairs again; the memories of touching pairs are kept.
     ///
-    /// Allocates only where more pairs are near than ever before.
+    /// Allocates only if more pairs are near than ever before.
     pub fn rebuild<M: Metric>(
         &mut self,
         metric: M,
@@ -271,7 +271,7 @@ impl<S: Real> Contacts<S> {
         self.spread_touching(touching);
     }
 
-    /// Room for what all near pairs remember, also for the bonded ones, whose bonds may break.
+    /// Reserve memory for all near pairs, including the bonded ones, whose bonds may break.
     fn reserve(&mut self) {
         if self.pairs.len() <= self.room {
             return;
@@ -283,8 +283,10 @@ impl<S: Real> Contacts<S> {
         }
     }
 
-    /// Keep only the pairs that touch and their memories; how many there are. They stay even if they have left the
-    /// margin, so that their end is seen whenever the list happens to be rebuilt.
+    /// Move the touching pairs and their memories to the front and drop all other pairs. Returns the number of touching
+    /// pairs.
+    ///
+    /// Touching pairs are kept even outside the skin, so that the end of a contact is noticed whenever the list is rebuilt.
     fn gather_touching(&mut self) -> usize {
         let mut touching = 0;
         for position in 0..self.memories.touches.len() {
@@ -298,7 +300,7 @@ impl<S: Real> Contacts<S> {
         touching
     }
 
-    /// Sort the pairs, the first of which touch: these are turned round, so that they are known afterwards.
+    /// Sort the pairs. The leading `touching` pairs are marked by reversing them.
     fn mark_and_sort(&mut self, touching: usize) {
         for pair in &mut self.pairs[..touching] {
             *pair = pair.reversed();
@@ -306,13 +308,13 @@ impl<S: Real> Contacts<S> {
         self.pairs.sort_unstable_by_key(|pair| pair.in_order());
     }
 
-    /// Give the pairs that are turned round the memories at the front, and turn them back.
+    /// Move the memories at the front to the marked pairs, and remove the marks.
     fn spread_touching(&mut self, mut touching: usize) {
         if !self.remembers {
             return;
         }
         self.memories.resize(self.pairs.len());
-        // From behind: a memory never moves forward, so none is overwritten before it has moved.
+        // From the end: a memory never moves forward, so none is overwritten before it is moved.
         for position in (0..self.pairs.len()).rev() {
             let pair = self.pairs[position];
             let touches = pair != pair.in_order();
@@ -326,7 +328,7 @@ impl<S: Real> Contacts<S> {
         }
     }
 
-    /// Add the pairs of bonds that just broke.
+    /// Add pairs whose bonds just broke.
     pub(crate) fn add_broken(&mut self, bonds: &Bonds<S>) {
         for &position in &bonds.broken {
             let pair = bonds.pairs[position as usize];
@@ -339,10 +341,10 @@ impl<S: Real> Contacts<S> {
         }
     }
 
-    /// Give contacts that began earlier their memory.
+    /// Set the memories of contacts that began before the initial state.
     ///
     /// # Errors
-    /// Pairs that do not exist, repeat, or do not overlap.
+    /// If a pair does not exist, is repeated, or does not overlap.
     pub fn remember<M: Metric>(
         &mut self,
         metric: M,
@@ -375,13 +377,13 @@ impl<S: Real> Contacts<S> {
         Ok(())
     }
 
-    /// The contacts that remember, with their memory.
+    /// The touching pairs with their memories, if contacts have memory.
     pub fn remembered(&self) -> impl Iterator<Item = (Pair, ContactMemory<S>)> {
         let pairs = self.pairs.iter().enumerate();
         pairs.filter_map(|(position, &pair)| Some((pair, self.memory_at(position)?)))
     }
 
-    /// Restore memories, in the order of [`remembered`](Self::remembered), as a checkpoint holds them.
+    /// Restore the memories of a checkpoint, in the order of [`remembered`](Self::remembered).
     pub fn restore(&mut self, memories: &[(Pair, ContactMemory<S>)]) {
         if self.remembers {
             self.pairs.clear();
@@ -394,7 +396,7 @@ impl<S: Real> Contacts<S> {
     }
 }
 
-/// Remove from sorted pairs those that are bonded; pairs that touch, turned round, are not.
+/// Remove the bonded pairs from sorted pairs. Pairs marked as touching are never bonded.
 fn remove_bonded<S: Real>(pairs: &mut Vec<Pair>, bonds: &Bonds<S>) {
     let mut bonded = bonds.pairs.iter().copied().peekable();
     pairs.retain(|&pair| {

@@ -4,43 +4,43 @@ use crate::particles::Particles;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// The terms of the energy balance in J.
+/// The terms of the energy balance, in J.
 ///
 /// $$ E^{kin} + E^{cont} + E^{ext} + Q^{amb} + Q^{fric} + Q^{brk} = W^{bond} + W^{driv} $$
 ///
-/// Thesis eq. (72), where the energies count from the initial state (erratum E21 of the thesis).
-/// Dissipated heats are signed sums: a law that creates energy shows as a negative heat.
+/// Thesis eq. (72), with the energies measured from the initial state (erratum E21 of the thesis). Heat keeps its sign:
+/// a law that creates energy shows up as negative heat.
 #[rendered]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy<S = f64> {
     /// Kinetic energy.
     pub kinetic: S,
-    /// Energy stored in links.
+    /// Elastic energy stored in contacts and bonds.
     pub contact: S,
-    /// Energy in the external potential.
+    /// Potential energy in the external potential.
     pub external: S,
-    /// Heat of ambient forces.
+    /// Heat from the drag of the medium.
     pub ambient: S,
-    /// Heat of links.
+    /// Heat from contacts and bonds.
     pub friction: S,
-    /// Stored energy lost with links that were removed.
+    /// Stored energy lost when bonds broke.
     pub breaking: S,
-    /// Stored energy gained with links that were made under load.
+    /// Stored energy of contacts that replaced broken bonds.
     pub bonding: S,
     /// Work of the driving force.
     pub driving: S,
-    /// What does not close: left minus right side of (72), less its initial value.
+    /// Residual of the balance: left side minus right side of thesis eq. (72), less its initial value.
     pub residual: S,
 }
 
 impl<S: Real> Energy<S> {
-    /// Names of the terms, in order.
+    /// Names of the terms, in the order of [`values`](Self::values).
     pub const NAMES: [&'static str; 9] = [
         "kinetic", "contact", "external", "ambient", "friction", "breaking", "bonding", "driving",
         "residual",
     ];
 
-    /// The terms, in the order of their names.
+    /// The terms, in the order of [`NAMES`](Self::NAMES).
     pub fn values(&self) -> [f64; 9] {
         [
             self.kinetic,
@@ -56,7 +56,7 @@ impl<S: Real> Energy<S> {
         .map(Real::to_f64)
     }
 
-    /// Kinetic energy (74), all other terms zero.
+    /// Kinetic energy, thesis eq. (74); all other terms are zero.
     pub(crate) fn kinetic_of(particles: &Particles<S>) -> Self {
         let mut energy = Self::default();
         for i in 0..particles.len() {
@@ -68,7 +68,7 @@ impl<S: Real> Energy<S> {
         energy
     }
 
-    /// Kinetic, stored and potential energy.
+    /// Sum of kinetic, stored and potential energy.
     pub fn mechanical(&self) -> S {
         self.kinetic + self.contact + self.external
     }

@@ -1,10 +1,10 @@
-//! Heat and work: sums over the history, thesis eqs. (74), (78)-(79).
+//! Ledger of heat and work: sums over the history, thesis eqs. (74), (78)-(79).
 
 use super::Energy;
 use crate::forces::Bookings;
 use gouge_common::scalar::Real;
 
-/// The terms of the balance that depend on the history, in J.
+/// The terms of the energy balance that depend on the history, in J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ledger<S> {
     pub(crate) initial: S,
@@ -16,7 +16,7 @@ pub struct Ledger<S> {
 }
 
 impl<S: Real> Ledger<S> {
-    /// An empty ledger that measures from the given energy.
+    /// An empty ledger; the balance is measured from the given energy.
     pub(crate) fn starting_from(energy: &Energy<S>) -> Self {
         Self {
             initial: energy.mechanical(),
@@ -24,15 +24,17 @@ impl<S: Real> Ledger<S> {
         }
     }
 
-    /// Book what appeared at once in an evaluation.
+    /// Add the heat and work that appeared instantaneously in an evaluation.
     pub(crate) fn book(&mut self, bookings: &Bookings<S>) {
         self.friction += bookings.friction;
         self.breaking += bookings.breaking;
         self.bonding += bookings.bonding;
     }
 
-    /// Book powers over one step, by the trapezoidal rule between its ends; methods that do not evaluate
-    /// at the end pass the powers at the beginning twice (erratum E53 of the thesis).
+    /// Integrate heat and work rates over one step, by the trapezoidal rule.
+    ///
+    /// Methods that do not evaluate forces at the end of a step pass the rates at its beginning twice (erratum E53 of the
+    /// thesis).
     pub(crate) fn advance(&mut self, before: &Bookings<S>, after: &Bookings<S>, step: f64) {
         let work = |before: S, after: S| (before + after) * (0.5 * step);
         self.friction += work(before.friction_rate, after.friction_rate);
@@ -40,7 +42,7 @@ impl<S: Real> Ledger<S> {
         self.driving += work(before.driving_rate, after.driving_rate);
     }
 
-    /// All terms of the balance, given those of the state.
+    /// All terms of the balance, from the terms of the state and the ledger.
     pub(crate) fn balance(&self, state: Energy<S>) -> Energy<S> {
         let left = state.mechanical() - self.initial + self.ambient + self.friction + self.breaking;
         Energy {
@@ -56,7 +58,7 @@ impl<S: Real> Ledger<S> {
 }
 
 impl Ledger<f64> {
-    /// All entries, for a record of the state.
+    /// All entries, for a record.
     pub(crate) fn numbers(&self) -> [f64; 6] {
         [
             self.initial,
@@ -67,7 +69,7 @@ impl Ledger<f64> {
             self.driving,
         ]
     }
-    /// The ledger with the given entries.
+    /// The ledger with the recorded entries.
     pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
         let [initial, ambient, friction, breaking, bonding, driving] = numbers;
         Self {

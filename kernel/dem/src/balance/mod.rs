@@ -1,4 +1,4 @@
-//! The energy balance, thesis eqs. (72)-(79): terms of the state and sums over the history.
+//! The energy balance, thesis eqs. (72)-(79): energies of the state, and sums of heat and work over the history.
 
 mod energy;
 mod ledger;

@@ -1,4 +1,4 @@
-//! Distributions of sizes and strengths in closed form, thesis appendices B, E and F.
+//! Probability distributions of sizes and strengths in closed form, thesis appendices B, E and F.
 
 mod number;
 mod strength;
@@ -16,6 +16,6 @@ pub use weibull::Weibull;
 pub trait Distribution {
     /// Probability density.
     fn density(&self, x: f64) -> f64;
-    /// Probability of a value not above x.
+    /// Cumulative distribution: probability of a value not greater than x.
     fn cumulative(&self, x: f64) -> f64;
 }

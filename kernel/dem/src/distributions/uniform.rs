@@ -1,20 +1,20 @@
-//! Uniform variables, their sums and products.
+//! Uniform random variables, their sums and products.
 
 use super::Distribution;
 use gouge_equations::rendered;
 
-/// Uniform over an interval.
+/// A uniform random variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Uniform {
-    /// Lower end.
+    /// Lower bound.
     pub low: f64,
-    /// Upper end, above the lower one.
+    /// Upper bound, greater than the lower one.
     pub high: f64,
 }
 
 #[rendered]
 impl Uniform {
-    /// The interval with a mean and a standard deviation.
+    /// The uniform variable with the given mean and standard deviation.
     ///
     /// $$ a = \mu - \sigma \sqrt3, \qquad b = \mu + \sigma \sqrt3 $$
     ///
@@ -30,11 +30,11 @@ impl Uniform {
     pub fn mean(&self) -> f64 {
         0.5 * (self.low + self.high)
     }
-    /// Standard deviation: the length over twice the root of three, thesis eq. (128).
+    /// Standard deviation: length of the interval divided by sqrt(12), thesis eq. (128).
     pub fn deviation(&self) -> f64 {
         (self.high - self.low) / 12.0_f64.sqrt()
     }
-    /// Standard deviation over mean.
+    /// Standard deviation divided by the mean.
     pub fn relative_deviation(&self) -> f64 {
         self.deviation() / self.mean()
     }
@@ -43,12 +43,12 @@ impl Uniform {
     }
 }
 
-/// Relative standard deviation of a positive interval whose upper end is so many times the lower one.
+/// Relative standard deviation of a positive uniform variable; `ratio` is its upper bound divided by its lower bound.
 ///
 /// $$ \frac{\sigma}{\mu} = \frac{1}{\sqrt3} \frac{b/a - 1}{b/a + 1} $$
 ///
-/// Thesis eq. (132), inverted. The root of two of the thesis gives the exact form of (131),
-/// 0.0990576; the decimal printed there lacks a zero (erratum E35 of the thesis).
+/// Inverse of thesis eq. (132). For the ratio sqrt(2) of the thesis the result is that of (131), 0.0990576. The decimal
+/// printed there lacks a zero (erratum E35 of the thesis).
 #[rendered]
 pub fn relative_deviation_of_ratio(ratio: f64) -> f64 {
     (ratio - 1.0) / (3.0_f64.sqrt() * (ratio + 1.0))
@@ -67,14 +67,14 @@ impl Distribution for Uniform {
     }
 }
 
-/// Whether sizes of this relative standard deviation order themselves, thesis eqs. (65) and (130).
+/// Whether particles with this relative standard deviation of sizes crystallise, thesis eqs. (65) and (130).
 ///
-/// The interval of thesis eq. (66) has 0.09906, which does (erratum E36 of the thesis).
+/// They do for the range of thesis eq. (66), with 0.09906 (erratum E36 of the thesis).
 pub fn crystallises(relative_deviation: f64) -> bool {
     relative_deviation < 0.1
 }
 
-/// Corners of the trapezoid of two intervals with the signs of its kinks, for any order of the ends.
+/// Kinks of the trapezoidal density, each with its sign; `join` combines the bounds of both variables.
 fn corners(a: &Uniform, b: &Uniform, join: impl Fn(f64, f64) -> f64) -> [(f64, f64); 4] {
     [
         (1.0, join(a.low, b.low)),
@@ -84,24 +84,24 @@ fn corners(a: &Uniform, b: &Uniform, join: impl Fn(f64, f64) -> f64) -> [(f64, f
     ]
 }
 
-/// A sum over the corners below x, each with its sign; `None` outside the support, where the terms
-/// cancel only up to rounding.
+/// Sum of a term over all kinks below x, each with its sign. `None` outside the support, where the terms would cancel
+/// only up to rounding.
 fn over_corners(corners: [(f64, f64); 4], x: f64, term: impl Fn(f64) -> f64) -> Option<f64> {
     let inside = x > corners[0].1 && x < corners[3].1;
     let below = corners.iter().filter(|(_, corner)| x > *corner);
     inside.then(|| below.map(|&(sign, corner)| sign * term(corner)).sum())
 }
 
-/// Zero below a support, one above it.
+/// Cumulative distribution outside the support: zero below it, one above it.
 fn outside(x: f64, upper_end: f64) -> f64 {
     if x < upper_end { 0.0 } else { 1.0 }
 }
 
-/// Sum of two independent uniform variables.
+/// Sum of two independent uniform random variables.
 ///
 /// $$ P_{A+B}(x) = \frac{1}{(b-a)(d-c)} \left( [x-a-c]_+ - [x-b-c]_+ - [x-a-d]_+ + [x-b-d]_+ \right) $$
 ///
-/// Thesis eqs. (121)-(123), both orders of the cases in one.
+/// Thesis eqs. (121)-(123), for both orders of the inner kinks.
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UniformSum(pub Uniform, pub Uniform);
@@ -129,11 +129,11 @@ impl Distribution for UniformSum {
     }
 }
 
-/// Product of two independent uniform variables over positive intervals.
+/// Product of two independent uniform random variables with positive values.
 ///
 /// $$ P_{AB}(x) = \frac{1}{(b-a)(d-c)} \left( \left[\log \tfrac{x}{ac}\right]_+ - \left[\log \tfrac{x}{bc}\right]_+ - \left[\log \tfrac{x}{ad}\right]_+ + \left[\log \tfrac{x}{bd}\right]_+ \right) $$
 ///
-/// Thesis eqs. (121) and (124)-(125), both orders of the cases in one.
+/// Thesis eqs. (121) and (124)-(125), for both orders of the inner kinks.
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UniformProduct(pub Uniform, pub Uniform);

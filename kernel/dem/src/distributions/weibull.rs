@@ -3,17 +3,17 @@
 use super::Distribution;
 use gouge_equations::rendered;
 
-/// Weibull distribution with a location.
+/// Three-parameter Weibull distribution.
 ///
 /// $$ F(x) = 1 - \exp \left( - \left( \frac{x - x_0}{\lambda} \right)^k \right), \qquad x \ge x_0 $$
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weibull {
-    /// Smallest value.
+    /// Location $x_0$: the smallest value.
     pub location: f64,
-    /// Scale.
+    /// Scale $\lambda$.
     pub scale: f64,
-    /// Shape: the Weibull modulus k.
+    /// Shape $k$: the Weibull modulus.
     pub shape: f64,
 }
 
@@ -39,7 +39,7 @@ impl Distribution for Weibull {
             return 0.0;
         }
         let power = libm::pow(u, self.shape);
-        // Where the power overflows the exponential has long been zero.
+        // The exponential is already zero when the power overflows.
         let falling = power.min(f64::MAX) * libm::exp(-power);
         self.shape / self.scale * falling / u
     }

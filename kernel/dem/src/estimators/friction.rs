@@ -1,25 +1,25 @@
-//! Coefficient of dry friction, thesis eqs. (85)-(86).
+//! Coefficient of friction of the driven block, thesis eqs. (85)-(86).
 
 use crate::world::Drive;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// Coefficient of friction from the load, dimensionless.
+/// Coefficient of friction from the driving force, dimensionless.
 ///
 /// $$ \mu = -\frac{\sum_i F_i^{driv\,x}}{\sum_i F_i^{driv\,y}} $$
 ///
-/// Thesis eq. (85) as a ratio of sums, with the sign that makes friction against a motion towards
-/// positive x under compression positive (erratum E23 of the thesis). Undefined without a load.
+/// Thesis eq. (85), as a ratio of sums over the driven particles. Positive if friction opposes motion towards positive x
+/// under compression (erratum E23 of the thesis). NaN or infinite without a normal load.
 #[rendered]
 pub fn friction_load<S: Real>(drive: &Drive<S>) -> f64 {
     -drive.applied.x.to_f64() / drive.applied.y.to_f64()
 }
 
-/// Coefficient of friction from the reaction, dimensionless.
+/// Coefficient of friction from the reaction on the driven particles, dimensionless.
 ///
 /// $$ \mu = -\frac{\sum_i (F_i^x - F_i^{driv\,x})}{\sum_i (F_i^y - F_i^{driv\,y})} $$
 ///
-/// Thesis eq. (86), as [`friction_load`].
+/// Thesis eq. (86); sums and sign as in [`friction_load`].
 #[rendered]
 pub fn friction_feedback<S: Real>(drive: &Drive<S>) -> f64 {
     -drive.reaction.x.to_f64() / drive.reaction.y.to_f64()

@@ -1,7 +1,7 @@
-//! Estimators read the state and never change it.
+//! Estimators read a state and never change it.
 //!
-//! Those that need no model are in [`gouge_common::estimators`];
-//! [`contact_network`](crate::World::contact_network) shows them the contacts and bonds of a world.
+//! Estimators that need no model are in [`gouge_common::estimators`];
+//! [`contact_network`](crate::World::contact_network) provides the contacts and bonds of a world for them.
 
 mod friction;
 mod fragments;

@@ -1,4 +1,4 @@
-//! Where two spheres touch: distances, half-length, area and volume of a contact (appendix D).
+//! Contact geometry of two spheres: distances, half-length, area and volume (thesis appendix D).
 
 use super::{MixedArms, PairFrame, PairMotion, overlap_factor};
 use core::f64::consts::PI;
@@ -6,34 +6,34 @@ use gouge_common::pair::map_ends;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// Which distance of a particle's centre from the contact is its lever arm (d in thesis eq. (7)).
+/// Lever arm of a contact: which distance of the centre from the contact is used (d in thesis eq. (7)).
 ///
-/// Only the radius is constant: with the others a tangential spring lacks the term in the rate of its
-/// lever arm, so that the balance of energy does not close (erratum E11 of the thesis).
+/// Only the radius is constant. The others change with the distance of the centres, which thesis eq. (34) neglects:
+/// with a tangential spring the energy balance then does not close (erratum E11 of the thesis).
 #[doc(alias = "lever arm")]
 #[doc(alias = "branch length")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactDistance {
     /// The radius.
     Radius,
-    /// The distance to the focal point, [`focal_distance`].
+    /// The distance from the focal point, [`focal_distance`].
     Focal,
-    /// The mean over the contact, [`mean_distance`].
+    /// The mean distance from the contact, [`mean_distance`].
     Mean,
-    /// Several at once, as another program has them; for comparisons only.
+    /// Different lever arms for different purposes, as in other programs; for comparisons only.
     Mixed(MixedArms),
 }
 
-/// A rule for the lever arms of both ends of a link, in m.
+/// Lever arms of both ends of an interaction, in m.
 #[rendered]
 pub trait Arm: Copy + Send + Sync {
-    /// Whether tangential displacements are summed up step by step instead of being functions of the state.
+    /// Whether tangential displacements are summed over steps, instead of being functions of state.
     const ACCUMULATES: bool = false;
-    /// Whether the arms are the radii, whatever the distance.
+    /// Whether the lever arms are the radii, for every distance of the centres.
     const CONSTANT: bool = false;
-    /// Distances of the centres of i and j from the contact.
+    /// Lever arms of i and j in m, for radii and distance of the centres in m.
     fn distances<S: Real>(self, radii: [S; 2], distance: S) -> [S; 2];
-    /// Tangential velocities of both ends in m/s, for angular velocities `spins` in rad/s.
+    /// Tangential velocities of both ends in m/s; `spins` are the angular velocities in rad/s.
     ///
     /// $$ \partial_t \zeta_{ij} = d_{ij} (\omega_i - \partial_t \lambda) $$
     ///
@@ -54,10 +54,10 @@ pub trait Arm: Copy + Send + Sync {
 /// Lever arm: the radius.
 #[derive(Clone, Copy, Debug)]
 pub struct RadiusArm;
-/// Lever arm: the distance to the focal point.
+/// Lever arm: the distance from the focal point.
 #[derive(Clone, Copy, Debug)]
 pub struct FocalArm;
-/// Lever arm: the mean distance to the contact.
+/// Lever arm: the mean distance from the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct MeanArm;
 
@@ -83,36 +83,36 @@ impl Arm for MeanArm {
     }
 }
 
-/// Distance of i from the focal point, negative where the focal point lies behind the centre.
+/// Distance of the centre of i from the focal point; negative if the focal point lies on the far side of the centre.
 ///
 /// $$ y_{ij} = b_{ij} \lvert \vec x_j - \vec x_i \rvert, \qquad y_{ij} + y_{ji} = \lvert \vec x_j - \vec x_i \rvert $$
 ///
-/// Thesis eq. (112), in m. Unbounded as the centres of unequal spheres approach.
+/// Thesis eq. (112), in m. Unbounded as the centres of unequal spheres approach each other.
 #[rendered]
 #[inline(always)]
 pub fn focal_distance<S: Real>(radii: [S; 2], distance: S) -> S {
     overlap_factor(radii, distance) * distance
 }
 
-/// Half-length of the contact, zero where the spheres do not cross.
+/// Half-length of the contact; zero unless the surfaces of the spheres intersect.
 ///
 /// $$ z_{ij} = \sqrt{r_i^2 - y_{ij}^2} = z_{ji} $$
 ///
-/// Thesis eq. (113), in m. Where one sphere contains the other, or they are apart, the root is
-/// imaginary and the half-length zero.
+/// Thesis eq. (113), in m. If one sphere contains the other or they are apart, the square root would be imaginary, and
+/// the half-length is zero.
 #[rendered]
 pub fn contact_half_length<S: Real>(radius: S, focal_distance: S) -> S {
     let squared = (radius - focal_distance) * (radius + focal_distance);
     squared.max(S::zero()).sqrt()
 }
 
-/// Mean distance of i from the contact.
+/// Mean distance of the centre of i from the contact.
 ///
 /// $$ u = \frac{1}{2z} \int_{-z}^{z} \sqrt{s^2 + y^2} \, \mathrm d s = \frac12 \left( r + \lvert y \rvert \frac{\mathrm{arsinh}\, q}{q} \right), \qquad q^2 = (r/y)^2 - 1 $$
 ///
-/// Thesis eq. (114), in m, with the absolute value of y that centres beyond the contact plane need
-/// (erratum E30 of the thesis). Apart or contained spheres (q imaginary) take the analytic
-/// continuation, arcsin in place of arsinh, so that the function is smooth in y.
+/// Thesis eq. (114), in m, with the absolute value of y, which is needed if the centre lies beyond the contact plane
+/// (erratum E30 of the thesis). For separate or contained spheres q is imaginary; the analytic continuation, with
+/// arcsin instead of arsinh, keeps the function smooth in y.
 #[rendered]
 pub fn mean_distance<S: Real>(radius: S, focal_distance: S) -> S {
     let y = focal_distance.abs();
@@ -132,24 +132,24 @@ pub fn mean_distance<S: Real>(radius: S, focal_distance: S) -> S {
     (radius + y * bent) * 0.5
 }
 
-/// The thesis's approximation of [`mean_distance`], the mean of the extremities.
+/// Mean of the smallest and the largest distance: the thesis's approximation of [`mean_distance`].
 ///
 /// $$ u \approx \frac{r + y}{2} $$
 ///
-/// Thesis eq. (115), in m. It overestimates u - y by a half near contact; the expansion to second
-/// order is (r + 2 y) / 3 (erratum E29 of the thesis).
+/// Thesis eq. (115), in m. Near touch it overestimates u - y by 50 %; the second-order expansion is (r + 2 y) / 3
+/// (erratum E29 of the thesis).
 #[rendered]
 pub fn mean_distance_of_extremities<S: Real>(radius: S, focal_distance: S) -> S {
     (radius + focal_distance) * 0.5
 }
 
-/// Area of the contact of two spheres: pi z^2 in m^2, thesis eq. (116).
+/// Contact area of two spheres, pi z^2, in m^2, thesis eq. (116).
 pub fn contact_area<S: Real>(half_length: S) -> S {
     half_length * half_length * PI
 }
 
-/// Radius of a circle that is the whole overlap of two: zero where they are apart, the smaller radius where
-/// one contains the other; none where they cross.
+/// The overlap of two circles if it is a circle: its radius is zero if they are apart, and the smaller radius if one
+/// contains the other. `None` if they intersect.
 fn whole_in_overlap<S: Real>(radii: [S; 2], distance: S) -> Option<S> {
     if distance >= radii[0] + radii[1] {
         Some(S::zero())
@@ -160,12 +160,12 @@ fn whole_in_overlap<S: Real>(radii: [S; 2], distance: S) -> Option<S> {
     }
 }
 
-/// Volume in which two spheres overlap, in m^3.
+/// Overlap volume of two spheres, in m^3.
 ///
 /// $$ V = \frac{\pi}{3} (2 r_i + y_{ij}) (r_i - y_{ij})^2 + \frac{\pi}{3} (2 r_j + y_{ji}) (r_j - y_{ji})^2 $$
 ///
-/// Thesis eq. (117): two caps. Zero where the spheres are apart; where one contains the other the
-/// caps do not describe the overlap and the result is the volume of the smaller sphere.
+/// Thesis eq. (117): two caps. Zero if the spheres are apart. If one contains the other, the caps do not describe the
+/// overlap, and the result is the volume of the smaller sphere.
 #[rendered]
 pub fn displaced_volume<S: Real>(radii: [S; 2], distance: S) -> S {
     if let Some(r) = whole_in_overlap(radii, distance) {
@@ -176,17 +176,17 @@ pub fn displaced_volume<S: Real>(radii: [S; 2], distance: S) -> S {
     cap(radii[0], y[0]) + cap(radii[1], y[1])
 }
 
-/// Area of the contact of two cylinders of the given depth: 2 L z in m^2, thesis eq. (118).
+/// Contact area of two cylinders, 2 L z, in m^2, thesis eq. (118); `depth` is their length L in m.
 pub fn cylinder_contact_area<S: Real>(depth: S, half_length: S) -> S {
     depth * half_length * 2.0
 }
 
-/// Volume in which two cylinders of the given depth overlap, in m^3.
+/// Overlap volume of two cylinders, in m^3; `depth` is their length L in m.
 ///
 /// $$ V = \tfrac12 L (\theta_{ij} r_i^2 - 2 y_{ij} z) + \tfrac12 L (\theta_{ji} r_j^2 - 2 y_{ji} z), \qquad \theta = 2 \arccos (y / r) $$
 ///
-/// Thesis eqs. (119)-(120), for crossing circles; zero where they are apart, the smaller cylinder
-/// where one contains the other.
+/// Thesis eqs. (119)-(120), for intersecting circles. Zero if the cylinders are apart, and the volume of the smaller
+/// one if one contains the other.
 #[rendered]
 pub fn cylinder_displaced_volume<S: Real>(depth: S, radii: [S; 2], distance: S) -> S {
     if let Some(r) = whole_in_overlap(radii, distance) {
@@ -194,7 +194,7 @@ pub fn cylinder_displaced_volume<S: Real>(depth: S, radii: [S; 2], distance: S) 
     }
     let y = FocalArm.distances(radii, distance);
     let z = contact_half_length(radii[0], y[0]);
-    // Rounding may put the chord of circles that just touch beyond either of them.
+    // Rounding may put the chord of circles that just touch outside one of them.
     let one = S::from_f64(1.0);
     let segment = |r: S, y: S| (y / r).min(one).max(-one).acos() * r * r - y * z;
     depth * (segment(radii[0], y[0]) + segment(radii[1], y[1]))

@@ -1,23 +1,23 @@
-//! Lever arms as other programs mix them, for comparisons with those programs.
+//! Lever arms as mixed by other programs, for comparison with them.
 
 use super::{Arm, FocalArm, PairFrame, PairMotion};
 use gouge_common::pair::map_ends;
 use gouge_common::scalar::Real;
 use gouge_equations::rendered;
 
-/// A distance of a particle's centre from the contact.
+/// A choice of lever arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lever {
     /// The radius.
     Radius,
-    /// The distance to the focal point.
+    /// The distance from the focal point.
     Focal,
-    /// The radius less half of the normal displacement.
+    /// The radius less half the normal displacement.
     HalfOverlap,
 }
 
 impl Lever {
-    /// The distances of both ends in m.
+    /// Lever arms of both ends in m.
     #[inline(always)]
     fn distances<S: Real>(self, radii: [S; 2], distance: S) -> [S; 2] {
         match self {
@@ -31,25 +31,25 @@ impl Lever {
     }
 }
 
-/// Factor by which the relative velocity of the centres enters the tangential velocity.
+/// Factor of the relative velocity of the centres in the tangential velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Translation {
     /// One.
     Whole,
-    /// The sum of the kinematic arms over the distance of the centres, as in thesis eq. (34).
+    /// The sum of the kinematic lever arms divided by the distance of the centres, as in thesis eq. (34).
     Levers,
 }
 
-/// Three conventions that other programs choose apart from each other; for comparisons only.
+/// Separate lever arms for rotation, translation and torque, as in other programs; for comparisons only.
 ///
 /// $$ \partial_t \zeta = d_i \omega_i + d_j \omega_j - f\, (\vec v_j - \vec v_i) \cdot \vec e^{\,t}, \qquad \zeta = \sum \partial_t \zeta\, \Delta t, \qquad \tau_i = h_i F $$
 ///
-/// d are the kinematic arms and h the arms of the torque, in m; f is the factor of the translation.
-/// The displacement is the sum over steps that these programs keep, not a function of the state: nothing
-/// is added when forces are found before the first step. The tangential force between the centres
-/// is F itself, so that angular momentum is conserved only where h_i + h_j is the distance. One number for
-/// all three (the thesis's d of both, with f their sum over the distance) is [`ContactDistance`]'s other
-/// variants.
+/// $d$ are the kinematic lever arms and $h$ the lever arms of the torque, in m; $f$ is the factor of the translation.
+///
+/// As in these programs, the displacement is a sum over steps and not a function of state. The evaluation before the
+/// first step adds nothing. The tangential force on the centres is $F$ itself, so angular momentum is conserved only
+/// if $h_i + h_j$ is the distance of the centres. The other variants of [`ContactDistance`] use the same lever arm
+/// for $d$ and $h$, with $f$ their sum divided by the distance.
 ///
 /// | program | d | f | h |
 /// |---|---|---|---|
@@ -62,11 +62,11 @@ pub enum Translation {
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MixedArms {
-    /// Arms d with which rotation enters the tangential velocity.
+    /// Lever arms $d$ of the rotation in the tangential velocity.
     pub kinematic: Lever,
-    /// Factor f of the translation.
+    /// Factor $f$ of the translation in the tangential velocity.
     pub translation: Translation,
-    /// Arms h of the torque.
+    /// Lever arms $h$ of the torque.
     pub torque: Lever,
 }
 

@@ -1,4 +1,4 @@
-//! Pair geometry: what follows from positions and radii alone. Geometry knows no force.
+//! Pair geometry: functions of positions, radii and their rates. Geometry knows no force.
 
 mod angle;
 mod contact;

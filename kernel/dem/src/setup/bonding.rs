@@ -1,15 +1,15 @@
-//! Bonds between nearest neighbours, thesis sections 3.5.2 and 3.7.5.
+//! Bonds between neighbours, thesis sections 3.5.2 and 3.7.5.
 
 use crate::particles::Particles;
 use gouge_common::geometry::{Domain, Metric, WithMetric};
 use gouge_common::neighbors::{Neighbors, SearchSpheres};
 use gouge_common::pair::Pair;
 
-/// Reach of bonds in sums of radii that the thesis author used: the root of 3/2.
+/// Largest distance of bonded particles in units of the sum of their radii, as chosen by the thesis's author: the
+/// square root of 3/2.
 pub const REACH: f64 = 1.224_744_871_391_589;
 
-/// All pairs whose distance is at most `reach` times the sum of their radii, in the order of their first and
-/// then of their second particles.
+/// All pairs whose distance is at most `reach` times the sum of their radii, sorted by first particle, then by second.
 pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<Pair> {
     let radii: Vec<f64> = particles.radius.iter().map(|r| r * reach).collect();
     let spheres = SearchSpheres {
@@ -30,7 +30,7 @@ pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<P
     pairs
 }
 
-/// Finds the pairs that may be near enough.
+/// Searches the pairs that may be near enough.
 struct Candidates<'a> {
     particles: &'a Particles,
     spheres: SearchSpheres<'a, f64>,
@@ -48,7 +48,7 @@ impl WithMetric for Candidates<'_> {
     }
 }
 
-/// So many independent strength factors, uniform in [1 - spread, 1 + spread).
+/// Independent strength factors, uniform in [1 - spread, 1 + spread), dimensionless.
 pub fn strength_factors(number: usize, spread: f64, mut uniform: impl FnMut() -> f64) -> Vec<f64> {
     (0..number)
         .map(|_| 1.0 + spread * (2.0 * uniform() - 1.0))

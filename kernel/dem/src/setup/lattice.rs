@@ -1,31 +1,31 @@
-//! Particles on a lattice, the start of every packing (thesis section 3.7.3).
+//! Lattices of particles, from which packings start (thesis section 3.7.3).
 
 use gouge_common::geometry::Vec2;
 
-/// How the rows of a lattice lie on each other.
+/// How the rows of a lattice are stacked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arrangement {
-    /// Each row above the other.
+    /// Each point directly above another one.
     Square,
-    /// Every second row shifted by half a pitch, rows closer by half the root of three.
+    /// Every second row shifted by half the pitch; rows are half the square root of three pitches apart.
     Hexagonal,
 }
 
 /// A lattice of points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice {
-    /// How rows lie on each other.
+    /// How the rows are stacked.
     pub arrangement: Arrangement,
-    /// Distance of neighbours in m.
+    /// Distance between neighbouring points in m.
     pub pitch: f64,
-    /// Points in a row.
+    /// Number of points per row.
     pub columns: usize,
-    /// The first point in m.
+    /// Position of the first point in m.
     pub origin: Vec2,
 }
 
 impl Lattice {
-    /// The point of the given number, counted along rows from the bottom.
+    /// Position in m of a point; points are numbered row by row, from the bottom.
     pub fn point(&self, number: usize) -> Vec2 {
         let (row, column) = (number / self.columns, number % self.columns);
         let (shift, height) = match self.arrangement {
@@ -39,7 +39,7 @@ impl Lattice {
             )
     }
 
-    /// The point displaced by up to `perturbation` in m, uniformly over a disc.
+    /// Position of a point, displaced by up to `perturbation` in m, uniformly over a disc.
     pub fn perturbed_point(
         &self,
         number: usize,

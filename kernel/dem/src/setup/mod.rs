@@ -1,6 +1,6 @@
-//! Initial states: sizes, lattice, bonds and fault, thesis sections 3.7.2-3.7.6.
+//! Initial states: particle sizes, lattice, bonds and fault, thesis sections 3.7.2-3.7.6.
 //!
-//! Random choices come from the caller as a source of uniform numbers in [0, 1).
+//! Random choices take `uniform`, a source of uniform random numbers in [0, 1), from the caller.
 
 mod bonding;
 mod fault;
