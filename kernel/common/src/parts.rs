@@ -1,6 +1,6 @@
 //! Division of the work on particles and interactions into parts that run in parallel.
 //!
-//! A part buffers consecutive particles and all interactions whose second particle is one of them. Only the part
+//! A part owns consecutive particles and all interactions whose second particle is one of them. Only the part
 //! itself writes to its particles. Forces of its interactions on particles of earlier parts are collected, and
 //! added when all parts are finished. A single part adds them last, too, so the result does not depend on the
 //! number of parts.

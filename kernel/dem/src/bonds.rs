@@ -3,7 +3,7 @@
 use crate::error::ModelError;
 use crate::geometry::PairFrame;
 use crate::laws::weakest_section;
-use crate::pairs::{Edition, check_pairs, rest_angles};
+use crate::pairs::{ListVersion, check_pairs, rest_angles};
 use crate::particles::{Particles, Role};
 use core::ops::{Deref, Range};
 use gouge_common::columns;
@@ -164,7 +164,7 @@ impl<S: Real> Bonds<S> {
                 && length > 0.5 * width
             {
                 return Err(ModelError::LongBond {
-                    link: position,
+                    index: position,
                     length,
                     width,
                 });
@@ -237,8 +237,8 @@ impl<S: Real> Bonds<S> {
         self.pairs.len()
     }
     /// Version of the bond list.
-    pub(crate) fn edition(&self) -> Edition {
-        Edition {
+    pub(crate) fn list_version(&self) -> ListVersion {
+        ListVersion {
             rebuilds: 0,
             pairs: self.len(),
         }
@@ -272,7 +272,7 @@ impl<S: Real> Bonds<S> {
     }
 
     /// Whether the bond of a pair broke in the latest evaluation.
-    pub(crate) fn breaks_now(&self, pair: Pair) -> bool {
+    pub(crate) fn just_broke(&self, pair: Pair) -> bool {
         self.broken
             .binary_search_by_key(&pair, |&position| self.pairs[position as usize])
             .is_ok()

@@ -3,7 +3,7 @@
 use crate::bonds::Bonds;
 use crate::error::ModelError;
 use crate::geometry::PairFrame;
-use crate::pairs::{Edition, check_pairs, rest_angles};
+use crate::pairs::{ListVersion, check_pairs, rest_angles};
 use crate::particles::Particles;
 use core::ops::{Deref, Range};
 use gouge_common::columns;
@@ -124,10 +124,10 @@ impl<S: Real> MemoryColumns<'_, S> {
 }
 
 impl<S: Real> Memories<S> {
-    fn reserve(&mut self, room: usize) {
-        fit(&mut self.touches, room);
-        for column in self.numbers() {
-            fit(column, room);
+    fn reserve(&mut self, capacity: usize) {
+        set_capacity(&mut self.touches, capacity);
+        for column in self.number_columns() {
+            set_capacity(column, capacity);
         }
     }
     /// The memory at an index.
@@ -155,18 +155,18 @@ impl<S: Real> Memories<S> {
     }
     fn insert(&mut self, position: usize, memory: ContactMemory<S>) {
         self.touches.insert(position, memory.touches);
-        for column in self.numbers() {
+        for column in self.number_columns() {
             column.insert(position, S::zero());
         }
         self.set(position, memory);
     }
     fn resize(&mut self, number: usize) {
         self.touches.resize(number, false);
-        for column in self.numbers() {
+        for column in self.number_columns() {
             column.resize(number, S::zero());
         }
     }
-    fn numbers(&mut self) -> impl Iterator<Item = &mut Vec<S>> {
+    fn number_columns(&mut self) -> impl Iterator<Item = &mut Vec<S>> {
         let pairs = self.references.iter_mut().chain(&mut self.ends);
         pairs.chain([&mut self.states])
     }
@@ -191,14 +191,14 @@ fn memory_at<S: Real, C: Deref<Target = [S]>>(
 }
 
 /// Capacity for the given number of near pairs, bonded pairs included, with a reserve so that lists rarely grow.
-fn roomy(near: usize) -> usize {
+fn capacity_for(near: usize) -> usize {
     near + near / 128 + 64
 }
 
 /// Set the capacity of a column exactly.
-fn fit<T>(column: &mut Vec<T>, room: usize) {
-    column.shrink_to(room);
-    column.reserve_exact(room.saturating_sub(column.len()));
+fn set_capacity<T>(column: &mut Vec<T>, capacity: usize) {
+    column.shrink_to(capacity);
+    column.reserve_exact(capacity.saturating_sub(column.len()));
 }
 
 /// The contact list: pairs that may touch, sorted, with their memories if a law has memory.
@@ -210,7 +210,7 @@ pub struct Contacts<S> {
     pub(crate) memories: Memories<S>,
     remembers: bool,
     /// Number of pairs for which memory is reserved.
-    room: usize,
+    capacity: usize,
 }
 
 impl<S: Real> Contacts<S> {
@@ -220,13 +220,13 @@ impl<S: Real> Contacts<S> {
             pairs: Vec::new(),
             memories: Memories::default(),
             remembers,
-            room: 0,
+            capacity: 0,
         }
     }
 
     /// Version of the contact list; `neighbors` is the search that built it.
-    pub(crate) fn edition(&self, neighbors: &Neighbors<S>) -> Edition {
-        Edition {
+    pub(crate) fn list_version(&self, neighbors: &Neighbors<S>) -> ListVersion {
+        ListVersion {
             rebuilds: neighbors.rebuilds(),
             pairs: self.pairs.len(),
         }
@@ -273,20 +273,21 @@ impl<S: Real> Contacts<S> {
 
     /// Reserve memory for all near pairs, including the bonded ones, whose bonds may break.
     fn reserve(&mut self) {
-        if self.pairs.len() <= self.room {
+        if self.pairs.len() <= self.capacity {
             return;
         }
-        self.room = roomy(self.pairs.len());
-        fit(&mut self.pairs, self.room);
+        self.capacity = capacity_for(self.pairs.len());
+        set_capacity(&mut self.pairs, self.capacity);
         if self.remembers {
-            self.memories.reserve(self.room);
+            self.memories.reserve(self.capacity);
         }
     }
 
-    /// Move the touching pairs and their memories to the front and drop all other pairs. Returns the number of touching
-    /// pairs.
+    /// Move the touching pairs and their memories to the front and drop all other pairs. Returns the number of
+    /// touching pairs.
     ///
-    /// Touching pairs are kept even outside the skin, so that the end of a contact is noticed whenever the list is rebuilt.
+    /// Touching pairs are kept even outside the skin, so that the end of a contact is noticed whenever the list is
+    /// rebuilt.
     fn gather_touching(&mut self) -> usize {
         let mut touching = 0;
         for position in 0..self.memories.touches.len() {
@@ -352,14 +353,14 @@ impl<S: Real> Contacts<S> {
         starts: &[ContactStart],
     ) -> Result<(), ModelError> {
         check_pairs(particles.len(), starts.iter().map(|start| start.between))?;
-        for (link, start) in starts.iter().enumerate() {
+        for (index, start) in starts.iter().enumerate() {
             let pair = Pair::new(start.between[0], start.between[1]);
             let (i, j) = pair.indices();
             let displacement = metric.displacement(particles.position[i], particles.position[j]);
             let reach = particles.radius[i] + particles.radius[j];
             let found = self.pairs.binary_search(&pair);
             let (Ok(at), true) = (found, displacement.norm_squared() < reach * reach) else {
-                return Err(ModelError::NoOverlap { link, i, j });
+                return Err(ModelError::NoOverlap { index, i, j });
             };
             if self.remembers {
                 let given = start.initial_angles;

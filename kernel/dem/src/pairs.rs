@@ -10,7 +10,7 @@ use gouge_common::scalar::Real;
 /// A rebuild replaces the contact list. Between rebuilds pairs are only added to the contact list, when bonds break,
 /// and only removed from the bond list. The number of rebuilds and the length therefore identify a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Edition {
+pub(crate) struct ListVersion {
     pub rebuilds: u64,
     pub pairs: usize,
 }
@@ -41,19 +41,19 @@ pub(crate) fn check_pairs(
     pairs: impl Iterator<Item = [usize; 2]>,
 ) -> Result<(), ModelError> {
     let mut seen = std::collections::HashSet::new();
-    for (link, [i, j]) in pairs.enumerate() {
+    for (index, [i, j]) in pairs.enumerate() {
         if let Some(particle) = [i, j].into_iter().find(|&p| p >= particles) {
             return Err(ModelError::NoSuchParticle {
-                link,
+                index,
                 particle,
                 particles,
             });
         }
         if i == j {
-            return Err(ModelError::SelfLink { link, particle: i });
+            return Err(ModelError::SelfPair { index, particle: i });
         }
         if !seen.insert(Pair::new(i, j)) {
-            return Err(ModelError::DuplicateLink { link, i, j });
+            return Err(ModelError::DuplicatePair { index, i, j });
         }
     }
     Ok(())

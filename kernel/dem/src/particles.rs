@@ -103,7 +103,7 @@ impl<S: Real> Particles<S> {
         self.role[i] == Role::Fixed
     }
     /// Input of the neighbour search: positions and radii.
-    pub fn spheres(&self) -> SearchSpheres<'_, S> {
+    pub fn search_spheres(&self) -> SearchSpheres<'_, S> {
         SearchSpheres {
             positions: &self.position,
             radii: &self.radius,

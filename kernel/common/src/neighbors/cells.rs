@@ -58,7 +58,7 @@ impl Cells {
         }
     }
 
-    /// Number of cells.
+    /// Number of cells of the grid.
     pub fn number(&self) -> usize {
         (self.columns * self.rows) as usize
     }
@@ -118,8 +118,8 @@ impl Cells {
 
     /// The cell itself and those adjacent cells that follow it in lexicographical order.
     ///
-    /// Iterated over all cells, every unordered pair of adjacent cells appears exactly once, even if a periodic box has
-    /// so few columns that a cell is adjacent on both sides.
+    /// Iterated over all cells, every unordered pair of adjacent cells appears exactly once, even if a periodic
+    /// box has so few columns that a cell is adjacent on both sides.
     pub fn neighbors_from(&self, index: CellIndex) -> impl Iterator<Item = CellIndex> + use<> {
         let cells = *self;
         let mut found = [index; 9];

@@ -17,8 +17,8 @@ const CELL_EXCESS: f64 = 0.4;
 pub struct SearchSpheres<'a, S> {
     /// Centres in m.
     pub positions: &'a [Vec2<S>],
-    /// Search radii in m: the particle radii for contacts, or larger ones. Pairs are found if their spheres overlap or
-    /// are closer than the skin.
+    /// Search radii in m: the particle radii for contacts, or larger ones. Pairs are found if their spheres
+    /// overlap or are closer than the skin.
     pub radii: &'a [S],
 }
 
@@ -37,6 +37,7 @@ impl<S: Real> SearchSpheres<'_, S> {
 ///
 /// Thesis eqs. (98)-(99), with the cutoff distance of the list instead of the cell side. The cell side would be safe
 /// only if the list contained all pairs of adjacent cells (erratum E32 of the thesis).
+#[doc(alias = "Verlet list")]
 #[rendered]
 #[derive(Clone, Debug)]
 pub struct Neighbors<S> {

@@ -1,4 +1,4 @@
-//! The pass of the surrounding medium.
+//! The pass over particles for the drag of the medium.
 
 use super::bookings::Bookings;
 use super::sums::Forces;

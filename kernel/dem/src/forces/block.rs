@@ -1,4 +1,4 @@
-//! A block of pairs that are computed together, with wide instructions.
+//! A block of pairs that are computed together with vector instructions.
 
 use super::ends::{Columns, Ends, Reads, vector};
 use super::prefetch::{BLOCKS_AHEAD, needed_at};
@@ -14,13 +14,14 @@ use prefetch_index::prefetch_index;
 /// Number of pairs in a block.
 pub(super) const PAIRS: usize = 64;
 
-/// Flag of a pair that exerts nothing: a bond that breaks, particles that do not touch.
+/// Flag of a pair without force: a bond that breaks, or particles that do not touch.
 pub(super) const IDLE: u64 = 1;
-/// Flag of a pair for which the short way does not hold; it is computed again in full.
+/// Flag of a pair that the regular path does not cover; it is recomputed by the general path.
 pub(super) const IRREGULAR: u64 = 2;
 
-/// The blocks of consecutive pairs, the first of which is at the position `first` among all. Except for the
-/// first one, blocks begin at cache lines of the columns.
+/// Ranges of the blocks of consecutive pairs; `first` is the index of the first pair among all pairs.
+///
+/// All blocks except the first one begin at cache lines of the columns.
 pub(super) fn blocks(first: usize, number: usize) -> impl Iterator<Item = Range<usize>> {
     let before = first % PAIRS;
     (0..before + number)
@@ -28,7 +29,7 @@ pub(super) fn blocks(first: usize, number: usize) -> impl Iterator<Item = Range<
         .map(move |begin| begin.saturating_sub(before)..number.min(begin + PAIRS - before))
 }
 
-/// What pairs read, as columns: one instruction serves several pairs.
+/// Input of a block: particle data of its pairs, as columns for vector instructions.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Inputs<S> {
@@ -39,19 +40,19 @@ pub(crate) struct Inputs<S> {
     radii: [[S; PAIRS]; 2],
 }
 
-/// Frames of pairs, as columns.
+/// Pair frames of a block, as columns.
 ///
-/// They are found in a loop of their own: a root and a quotient have a long latency, and a loop that also
-/// evaluates the law keeps too few pairs in flight to hide it.
+/// They are computed in a loop of their own. Square root and division have a long latency, and a loop that also
+/// evaluates the laws has too few pairs in flight to hide it.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Frames<S> {
     normal: [[S; PAIRS]; 2],
-    /// Distance, and its inverse.
+    /// Distance in m, and its inverse in 1/m.
     distances: [[S; PAIRS]; 2],
 }
 
-/// Forces of pairs, as columns.
+/// Forces of a block, as columns.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct Outputs<S> {
@@ -59,19 +60,22 @@ pub(crate) struct Outputs<S> {
     pub force: [[S; PAIRS]; 2],
     /// Torques on both ends in N m.
     pub torques: [[S; PAIRS]; 2],
-    /// Power turned into heat in W.
+    /// Continuous heat production in W.
     pub heat_rate: [S; PAIRS],
-    /// Energy turned into heat at once in J.
+    /// Heat released instantaneously, in J.
     pub heat: [S; PAIRS],
-    /// What the contact remembers from now on, where it changes step by step.
-    pub rest: [[S; PAIRS]; 2],
-    pub state: [S; PAIRS],
-    /// [`IDLE`] and [`IRREGULAR`].
+    /// New values of [`ContactMemory::ends`](crate::contacts::ContactMemory::ends), for lever arms that accumulate.
+    pub memory_ends: [[S; PAIRS]; 2],
+    /// New values of [`ContactMemory::state`](crate::contacts::ContactMemory::state).
+    pub memory_state: [S; PAIRS],
+    /// Union of [`IDLE`] and [`IRREGULAR`].
     pub flags: [u64; PAIRS],
 }
 
-/// A block of pairs. Inputs and outputs are separate allocations, so that the compiler knows that no result is
-/// the input of a later pair. Each begins at a cache line, and so does every column in it.
+/// A block of pairs.
+///
+/// Inputs and outputs are separate allocations, so that the compiler knows that no output is the input of a later
+/// pair. Each allocation begins at a cache line, and so does every column in it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block<S: Lanes> {
     pub inputs: Box<Inputs<S>>,
@@ -80,8 +84,10 @@ pub(crate) struct Block<S: Lanes> {
 }
 
 impl<S: Lanes> Block<S> {
-    /// Gather what the pairs at some positions read. If sums are given, prefetch what later pairs read and add to,
-    /// and call `prefetch` with the position from which on these pairs keep something.
+    /// Gather the particle data of the pairs in a range of indices.
+    ///
+    /// If `sums` is given, prefetch the particle data and force sums for later pairs, and call `prefetch` with the
+    /// index from which these pairs need their own data.
     #[inline(always)]
     pub fn gather(
         &mut self,
@@ -106,14 +112,14 @@ impl<S: Lanes> Block<S> {
         });
     }
 
-    /// Find the frames of the first pairs; returns what laws read and where they write.
+    /// Compute the frames of the first `number` pairs. Returns the inputs of the laws and their outputs.
     #[inline(always)]
     pub fn with_frames<M: Metric>(
         &mut self,
         metric: M,
         number: usize,
     ) -> (&Inputs<S>, &Frames<S>, &mut Outputs<S>) {
-        self.frames.find(metric, &self.inputs, number);
+        self.frames.compute(metric, &self.inputs, number);
         (&self.inputs, &self.frames, &mut self.outputs)
     }
 }
@@ -148,35 +154,36 @@ impl<S: Lanes> Default for Outputs<S> {
             torques: [[S::zero(); PAIRS]; 2],
             heat_rate: [S::zero(); PAIRS],
             heat: [S::zero(); PAIRS],
-            rest: [[S::zero(); PAIRS]; 2],
-            state: [S::zero(); PAIRS],
+            memory_ends: [[S::zero(); PAIRS]; 2],
+            memory_state: [S::zero(); PAIRS],
             flags: [0; PAIRS],
         }
     }
 }
 
 #[inline(always)]
-fn put<S>(columns: &mut [[S; PAIRS]; 2], lane: usize, [first, second]: [S; 2]) {
+fn set<S>(columns: &mut [[S; PAIRS]; 2], lane: usize, [first, second]: [S; 2]) {
     columns[0][lane] = first;
     columns[1][lane] = second;
 }
 
-/// Write two numbers of each of two pairs, so that one store serves both pairs.
+/// Write two numbers for each of two pairs, so that one store serves both pairs.
 #[inline(always)]
-fn put_two<S: Lanes>(columns: &mut [[S; PAIRS]; 2], two: usize, numbers: [[S; 2]; 2]) {
+fn set_two<S: Lanes>(columns: &mut [[S; PAIRS]; 2], two: usize, numbers: [[S; 2]; 2]) {
     let [firsts, seconds] = S::transposed(numbers);
     columns[0].as_chunks_mut().0[two] = firsts;
     columns[1].as_chunks_mut().0[two] = seconds;
 }
 
 #[inline(always)]
-fn taken<S: Copy>(columns: &[[S; PAIRS]; 2], lane: usize) -> [S; 2] {
+fn get<S: Copy>(columns: &[[S; PAIRS]; 2], lane: usize) -> [S; 2] {
     [columns[0][lane], columns[1][lane]]
 }
 
 impl<S: Lanes> Inputs<S> {
-    /// Gather what at most a block of pairs reads; the other lanes keep old values. `beside` is called once per
-    /// eight pairs.
+    /// Gather the particle data of at most one block of pairs. Other lanes keep old values.
+    ///
+    /// `beside` is called once per eight pairs.
     #[inline(always)]
     fn gather(
         &mut self,
@@ -196,76 +203,76 @@ impl<S: Lanes> Inputs<S> {
             self.gather_two(twos.len(), columns, [last; 2], reads);
         }
     }
-    /// Gather what two pairs read, into the given pair of lanes.
+    /// Gather the particle data of two pairs into two lanes.
     #[inline(always)]
     fn gather_two(&mut self, two: usize, columns: Columns<S>, pairs: [Pair; 2], reads: Reads) {
         let [a, b] = pairs;
-        put_two(
+        set_two(
             &mut self.difference,
             two,
             [columns.difference(a), columns.difference(b)],
         );
         let velocities = [columns.relative_velocity(a), columns.relative_velocity(b)];
-        put_two(&mut self.velocity, two, velocities);
+        set_two(&mut self.velocity, two, velocities);
         if reads.radii {
-            put_two(&mut self.radii, two, [columns.radii(a), columns.radii(b)]);
+            set_two(&mut self.radii, two, [columns.radii(a), columns.radii(b)]);
         }
         if reads.angles {
-            put_two(
+            set_two(
                 &mut self.angles,
                 two,
                 [columns.angles(a), columns.angles(b)],
             );
         }
         if reads.spins {
-            put_two(&mut self.spins, two, [columns.spins(a), columns.spins(b)]);
+            set_two(&mut self.spins, two, [columns.spins(a), columns.spins(b)]);
         }
     }
     #[inline(always)]
     pub fn ends(&self, lane: usize) -> Ends<S> {
         Ends {
-            difference: vector(taken(&self.difference, lane)),
-            velocity: vector(taken(&self.velocity, lane)),
-            angles: taken(&self.angles, lane),
-            spins: taken(&self.spins, lane),
-            radii: taken(&self.radii, lane),
+            difference: vector(get(&self.difference, lane)),
+            velocity: vector(get(&self.velocity, lane)),
+            angles: get(&self.angles, lane),
+            spins: get(&self.spins, lane),
+            radii: get(&self.radii, lane),
         }
     }
 }
 
 impl<S: Lanes> Frames<S> {
-    /// Find the frames of the first pairs of a block.
+    /// Compute the frames of the first `number` pairs.
     #[inline(always)]
-    pub fn find<M: Metric>(&mut self, metric: M, inputs: &Inputs<S>, number: usize) {
+    pub fn compute<M: Metric>(&mut self, metric: M, inputs: &Inputs<S>, number: usize) {
         for lane in 0..number.min(PAIRS) {
-            let difference = vector(taken(&inputs.difference, lane));
+            let difference = vector(get(&inputs.difference, lane));
             let frame = PairFrame::new(metric.nearest(difference));
-            put(&mut self.normal, lane, [frame.normal.x, frame.normal.y]);
+            set(&mut self.normal, lane, [frame.normal.x, frame.normal.y]);
             let distances = [frame.distance, frame.inverse_distance];
-            put(&mut self.distances, lane, distances);
+            set(&mut self.distances, lane, distances);
         }
     }
     #[inline(always)]
     pub fn at(&self, lane: usize) -> PairFrame<S> {
-        let [distance, inverse_distance] = taken(&self.distances, lane);
+        let [distance, inverse_distance] = get(&self.distances, lane);
         PairFrame {
             distance,
             inverse_distance,
-            normal: vector(taken(&self.normal, lane)),
+            normal: vector(get(&self.normal, lane)),
         }
     }
 }
 
 impl<S: Lanes> Outputs<S> {
-    /// Write the force on i in N.
+    /// Set the force on i in N.
     #[inline(always)]
     pub fn set_force(&mut self, lane: usize, force: Vec2<S>) {
-        put(&mut self.force, lane, [force.x, force.y]);
+        set(&mut self.force, lane, [force.x, force.y]);
     }
-    /// Write the torques on both ends in N m.
+    /// Set the torques on both ends in N m.
     #[inline(always)]
     pub fn set_torques(&mut self, lane: usize, torques: [S; 2]) {
-        put(&mut self.torques, lane, torques);
+        set(&mut self.torques, lane, torques);
     }
     #[inline(always)]
     pub fn force(&self, lane: usize) -> Vec2<S> {

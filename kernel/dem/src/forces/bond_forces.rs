@@ -1,4 +1,4 @@
-//! Bonds in blocks: their forces, and those that break.
+//! Forces of bonds in blocks, and the list of bonds that break.
 
 use super::block::{Block, IDLE, IRREGULAR, Outputs, PAIRS};
 use super::bond_pass::{BondPass, BondState};
@@ -14,7 +14,7 @@ use gouge_common::geometry::Metric;
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::{Pair, map_ends};
 
-/// Consecutive bonds. Those that break exert no force and are listed.
+/// A range of consecutive bonds. Bonds that break exert no force and are listed.
 pub(crate) struct BondForces<'a, S: Lanes, M, B, Y, const LEDGER: bool> {
     pub pass: BondPass<M, B, Y>,
     pub particles: &'a Particles<S>,
@@ -55,7 +55,9 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> PairForce
         self.bonds.prefetch(position);
     }
     #[inline(always)]
-    fn cross_part(workspace: &mut PartWorkspace<S>) -> (&mut CrossPartForces<S>, &Block<S>) {
+    fn cross_part_and_block(
+        workspace: &mut PartWorkspace<S>,
+    ) -> (&mut CrossPartForces<S>, &Block<S>) {
         (&mut workspace.bonds, &workspace.block)
     }
 
@@ -68,7 +70,7 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> PairForce
         for lane in 0..number {
             let rest = bonds.rest(lane);
             let ends = with_radii(inputs.ends(lane), &bonds, lane);
-            let (state, is_regular) = self.pass.regular(&ends, frames.at(lane), &rest);
+            let (state, is_regular) = self.pass.regular_state(&ends, frames.at(lane), &rest);
             let flag = self
                 .pass
                 .write::<S, LEDGER>(outputs, lane, &state, bonds.sections[lane])
@@ -89,7 +91,7 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> PairForce
             }
             let mut rest = self.bonds.rest(position);
             let ends = with_radii(block.inputs.ends(lane), &self.bonds, position);
-            let state = self.pass.any(&ends, &mut rest);
+            let state = self.pass.general_state(&ends, &mut rest);
             self.bonds.set_reference(position, &rest);
             let section = self.bonds.sections[position];
             let outputs = &mut block.outputs;
@@ -102,13 +104,13 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> PairForce
 
     /// List the bonds that break.
     #[inline(always)]
-    fn keep(&mut self, workspace: &mut PartWorkspace<S>, positions: Range<usize>, has_idle: bool) {
+    fn store(&mut self, workspace: &mut PartWorkspace<S>, positions: Range<usize>, has_idle: bool) {
         if has_idle {
             self.list_broken(workspace, positions);
         }
     }
 
-    /// Nothing: what breaks is booked when it is listed.
+    /// Nothing: the energy of a broken bond is recorded when the bond is listed.
     #[inline(always)]
     fn book(&self, _: &mut PartWorkspace<S>, _: Range<usize>) {}
 }
@@ -127,13 +129,13 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>
             if LEDGER {
                 let (pair, rest) = (self.bonds.pairs[position], self.bonds.rest(position));
                 let state = self.pass.state_of(self.particles, pair, rest);
-                workspace.bookings.breaking += self.pass.stored(&state);
+                workspace.bookings.breaking += self.pass.stored_energy(&state);
             }
         }
     }
 }
 
-/// What the bond at a position reads, with the radii that it keeps.
+/// Particle data of the bond at an index, with the radii that the bond stores.
 #[inline(always)]
 fn with_radii<S: Lanes>(ends: Ends<S>, bonds: &BondColumns<S>, position: usize) -> Ends<S> {
     Ends {
@@ -143,7 +145,7 @@ fn with_radii<S: Lanes>(ends: Ends<S>, bonds: &BondColumns<S>, position: usize) 
 }
 
 impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
-    /// Write the forces of a bond into its lane, and its heat with `LEDGER`; returns [`IDLE`] if it breaks.
+    /// Write the forces of a bond into its lane, and its heat if `LEDGER`. Returns [`IDLE`] if the bond breaks.
     #[inline(always)]
     fn write<S: Lanes, const LEDGER: bool>(
         &self,

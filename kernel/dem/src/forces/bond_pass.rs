@@ -1,7 +1,7 @@
-//! One bond: its kinematics, and the laws applied to it.
+//! Kinematics and laws of a single bond.
 
 use super::ends::{Columns, Ends};
-use super::turning::{turned, turned_far};
+use super::rotations::{general_rotations, regular_rotations};
 use crate::bonds::{Bonds, Rest};
 use crate::geometry::{PairFrame, PairMotion};
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, YieldLaw};
@@ -10,18 +10,18 @@ use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 
-/// The laws and choices of the pass over bonds.
+/// Laws and options of the pass over bonds.
 #[derive(Clone, Copy)]
 pub(crate) struct BondPass<M, B, Y> {
     pub metric: M,
     pub normal: AdjustedKelvinVoigt,
     pub beam: B,
     pub yielding: Y,
-    /// Whether angles are wrapped to [-pi, pi), as the thesis author's program does.
+    /// Whether angles are wrapped to [-pi, pi), as in the program of the thesis's author.
     pub wraps_angles: bool,
 }
 
-/// A bond in its present state.
+/// Present kinematics and forces of a bond.
 pub(crate) struct BondState<S> {
     pub frame: PairFrame<S>,
     pub motion: PairMotion<S>,
@@ -42,8 +42,8 @@ impl<S: Lanes> BondState<S> {
 }
 
 impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
-    /// Forces of a bond whose ends are at the given angles, in rad, to their unbent directions; thesis
-    /// eqs. (33)-(34) and (43)-(45).
+    /// Kinematics and forces of a bond whose ends are bent by the given angles in rad, thesis eqs. (33)-(34) and
+    /// (43)-(45).
     #[inline(always)]
     fn state<S: Lanes>(
         &self,
@@ -77,10 +77,12 @@ impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
         }
     }
 
-    /// The state of a bond whose frame has turned little and whose angles need no wrapping, thesis eqs.
-    /// (28)-(34), and whether this bond is one; otherwise [`any`](Self::any) has its state.
+    /// State of a bond by the regular path, thesis eqs. (28)-(34), and whether that path applies.
+    ///
+    /// It applies if the frame has rotated little and no angle needs wrapping; otherwise use
+    /// [`general_state`](Self::general_state).
     #[inline(always)]
-    pub fn regular<S: Lanes>(
+    pub fn regular_state<S: Lanes>(
         &self,
         ends: &Ends<S>,
         frame: PairFrame<S>,
@@ -90,22 +92,23 @@ impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
             return (self.state(ends, frame, rest.distance, [S::zero(); 2]), true);
         }
         let unbent = (rest.reference, rest.angles);
-        let (angles, is_regular) = turned(ends.angles, unbent, frame.normal, self.wraps_angles);
+        let (angles, is_regular) =
+            regular_rotations(ends.angles, unbent, frame.normal, self.wraps_angles);
         (self.state(ends, frame, rest.distance, angles), is_regular)
     }
 
-    /// The state of any bond; takes a new reference if its frame has turned far.
-    pub fn any<S: Lanes>(&self, ends: &Ends<S>, rest: &mut Rest<S>) -> BondState<S> {
+    /// State of a bond by the general path. Renews the reference direction if the frame has rotated far.
+    pub fn general_state<S: Lanes>(&self, ends: &Ends<S>, rest: &mut Rest<S>) -> BondState<S> {
         let frame = PairFrame::new(self.metric.nearest(ends.difference));
         if B::ABSENT {
             return self.state(ends, frame, rest.distance, [S::zero(); 2]);
         }
         let unbent = (&mut rest.reference, &mut rest.angles);
-        let angles = turned_far(ends.angles, unbent, frame.normal, self.wraps_angles);
+        let angles = general_rotations(ends.angles, unbent, frame.normal, self.wraps_angles);
         self.state(ends, frame, rest.distance, angles)
     }
 
-    /// The present state of a bond.
+    /// Present state of a bond.
     pub fn state_of<S: Lanes>(
         &self,
         particles: &Particles<S>,
@@ -113,28 +116,28 @@ impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
         mut rest: Rest<S>,
     ) -> BondState<S> {
         let ends = Columns::of(particles).ends(pair);
-        self.any(&ends, &mut rest)
+        self.general_state(&ends, &mut rest)
     }
 
-    /// Energy stored in a bond in J.
+    /// Elastic energy stored in a bond in J.
     #[inline(always)]
-    pub fn stored<S: Lanes>(&self, state: &BondState<S>) -> S {
+    pub fn stored_energy<S: Lanes>(&self, state: &BondState<S>) -> S {
         self.normal.stored_energy(state.xi_adjusted)
             + (self.beam.stored_energy(state.zeta[0]) + self.beam.stored_energy(state.zeta[1]))
     }
 
-    /// Power turned into heat in a bond in W.
+    /// Heat production of a bond in W.
     #[inline(always)]
     pub fn heat_rate<S: Lanes>(&self, state: &BondState<S>) -> S {
         self.normal.heat_rate(state.motion.normal_velocity)
             + (self.beam.heat_rate(state.d_zeta[0]) + self.beam.heat_rate(state.d_zeta[1]))
     }
 
-    /// Energy stored in all bonds in J, thesis eq. (77).
-    pub fn stored_in_all<S: Lanes>(&self, particles: &Particles<S>, bonds: &Bonds<S>) -> S {
+    /// Elastic energy stored in all bonds in J, thesis eq. (77).
+    pub fn total_stored_energy<S: Lanes>(&self, particles: &Particles<S>, bonds: &Bonds<S>) -> S {
         let mut sum = S::zero();
         for bond in bonds.iter() {
-            sum += self.stored(&self.state_of(particles, bond.pair, bond.rest));
+            sum += self.stored_energy(&self.state_of(particles, bond.pair, bond.rest));
         }
         sum
     }

@@ -1,13 +1,13 @@
-//! What passes book besides forces.
+//! Heat and work of an evaluation.
 
-/// What an evaluation books for the energy balance.
+/// Heat and work that an evaluation contributes to the energy balance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bookings<S> {
-    /// Power that contacts and bonds turn into heat, in W.
+    /// Continuous heat production of contacts and bonds, in W.
     pub friction_rate: S,
-    /// Heat of contacts and bonds that appeared at once, in J.
+    /// Heat of contacts and bonds released instantaneously, in J.
     pub friction: S,
-    /// Power that the medium turns into heat, in W.
+    /// Heat production by the drag of the medium, in W.
     pub ambient_rate: S,
     /// Power of the driving force, in W.
     pub driving_rate: S,
@@ -18,7 +18,7 @@ pub(crate) struct Bookings<S> {
 }
 
 impl Bookings<f64> {
-    /// All entries, for a record of the state.
+    /// All entries, for a record.
     pub(crate) fn numbers(&self) -> [f64; 6] {
         [
             self.friction_rate,
@@ -29,7 +29,7 @@ impl Bookings<f64> {
             self.bonding,
         ]
     }
-    /// The bookings with the given entries.
+    /// The bookings with the recorded entries.
     pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
         let [
             friction_rate,

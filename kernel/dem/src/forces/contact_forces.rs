@@ -1,4 +1,4 @@
-//! Contacts in blocks: their forces, and the memories that begin and end.
+//! Forces of contacts in blocks, and the memories that begin and end.
 
 use super::block::{Block, IDLE, IRREGULAR, Outputs, PAIRS};
 use super::contact_pass::{ContactPass, ContactState};
@@ -15,17 +15,18 @@ use gouge_common::geometry::Metric;
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 
-/// Consecutive pairs that may touch, with their memories.
+/// A range of consecutive pairs that may touch, with their memories.
 ///
-/// All pairs of a block are computed as if they touched, without a branch; pairs that begin or end to touch
-/// are flagged and computed again.
+/// All pairs of a block are computed as if they touched, without a branch. Pairs that begin or cease to touch are
+/// flagged and recomputed.
 pub(crate) struct ContactForces<'a, S: Lanes, M, A, N, T, const LEDGER: bool> {
     pub pass: ContactPass<M, A, N, T>,
-    /// Position of the first pair among all.
+    /// Index of the first of these pairs among all pairs.
     pub first: usize,
     pub pairs: &'a [Pair],
     pub memories: MemoryColumns<'a, S>,
-    /// The bonds; those that broke in this evaluation become contacts, whose stored energy is booked.
+    /// All bonds. If the pair of a bond that breaks in this evaluation overlaps, it becomes a contact whose stored
+    /// energy is recorded.
     pub bonds: Option<&'a Bonds<S>>,
 }
 
@@ -34,7 +35,8 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
 {
     const LEDGER: bool = LEDGER;
     const HAS_TORQUES: bool = !T::ABSENT;
-    /// Other arms need roots and arctangents and serve comparisons: wide instructions are not worth the code.
+    /// Other lever arms need square roots or arctangents and serve comparisons: vector instructions are not worth the
+    /// code size.
     const IS_WIDE: bool = A::CONSTANT;
     const READS: Reads = Reads {
         angles: ContactPass::<M, A, N, T>::FOLLOWS_ANGLES,
@@ -73,7 +75,9 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
         }
     }
     #[inline(always)]
-    fn cross_part(workspace: &mut PartWorkspace<S>) -> (&mut CrossPartForces<S>, &Block<S>) {
+    fn cross_part_and_block(
+        workspace: &mut PartWorkspace<S>,
+    ) -> (&mut CrossPartForces<S>, &Block<S>) {
         (&mut workspace.contacts, &workspace.block)
     }
 
@@ -89,21 +93,21 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
         let mut flags = 0;
         for lane in 0..number {
             let ends = inputs.ends(lane);
-            let touches = self.pass.touch(&ends);
+            let touches = self.pass.overlaps(&ends);
             let old = if T::REMEMBERS {
                 memories.get(lane)
             } else {
                 ContactMemory::default()
             };
             let mut memory = old;
-            let (state, is_regular) = self.pass.regular(&ends, frames.at(lane), &mut memory);
+            let (state, is_regular) = self.pass.regular_state(&ends, frames.at(lane), &mut memory);
             if T::REMEMBERS {
-                outputs.state[lane] = if touches { memory.state } else { old.state };
+                outputs.memory_state[lane] = if touches { memory.state } else { old.state };
             }
             if A::ACCUMULATES {
                 let now = if touches { memory.ends } else { old.ends };
-                outputs.rest[0][lane] = now[0];
-                outputs.rest[1][lane] = now[1];
+                outputs.memory_ends[0][lane] = now[0];
+                outputs.memory_ends[1][lane] = now[1];
             }
             self.pass
                 .write::<S, LEDGER>(outputs, lane, &state, ends.radii, touches);
@@ -115,9 +119,10 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
         flags
     }
 
-    /// Begin and end contacts, and compute flagged ones in full; whether a pair is idle does not change.
+    /// Begin and end contacts, and recompute flagged ones by the general path. Adds no idle pair.
     ///
-    /// A contact that ends: without a normal force no law stores anything, all that was left is heat.
+    /// When a contact ends, its remaining tangential energy becomes heat: no law stores energy without a normal
+    /// force.
     #[cold]
     #[inline(never)]
     fn compute_irregular(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64 {
@@ -133,7 +138,7 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
             if touches && !memory.touches {
                 memory = self.pass.begin(&ends);
             }
-            let state = self.pass.any(&ends, &mut memory);
+            let state = self.pass.general_state(&ends, &mut memory);
             self.pass
                 .write::<S, LEDGER>(outputs, lane, &state, ends.radii, touches);
             if !touches {
@@ -141,31 +146,31 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
                 outputs.heat[lane] = state.friction.heat;
             }
             self.memories.set(position, memory);
-            outputs.state[lane] = memory.state;
+            outputs.memory_state[lane] = memory.state;
             for end in 0..2 {
-                outputs.rest[end][lane] = memory.ends[end];
+                outputs.memory_ends[end][lane] = memory.ends[end];
             }
         }
         0
     }
 
-    /// Store what contacts remember.
+    /// Store the history variables of the contacts.
     #[inline(always)]
-    fn keep(&mut self, workspace: &mut PartWorkspace<S>, positions: Range<usize>, _: bool) {
+    fn store(&mut self, workspace: &mut PartWorkspace<S>, positions: Range<usize>, _: bool) {
         if !T::REMEMBERS {
             return;
         }
         let number = positions.len().min(PAIRS);
         let outputs = &*workspace.block.outputs;
-        self.memories.states[positions.clone()].copy_from_slice(&outputs.state[..number]);
+        self.memories.states[positions.clone()].copy_from_slice(&outputs.memory_state[..number]);
         if A::ACCUMULATES {
-            for (ends, now) in self.memories.ends.iter_mut().zip(&outputs.rest) {
+            for (ends, now) in self.memories.ends.iter_mut().zip(&outputs.memory_ends) {
                 ends[positions.clone()].copy_from_slice(&now[..number]);
             }
         }
     }
 
-    /// Book the stored energy of contacts that replace broken bonds.
+    /// Record the stored energy of contacts that replace broken bonds.
     #[inline(always)]
     fn book(&self, workspace: &mut PartWorkspace<S>, positions: Range<usize>) {
         let Some(bonds) = self.bonds.filter(|bonds| !bonds.broken.is_empty()) else {
@@ -173,7 +178,7 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
         };
         for (lane, position) in positions.enumerate() {
             let touches = workspace.block.outputs.flags[lane] & IDLE == 0;
-            if touches && bonds.breaks_now(self.pairs[position]) {
+            if touches && bonds.just_broke(self.pairs[position]) {
                 let ends = workspace.block.inputs.ends(lane);
                 let mut memory = if T::REMEMBERS {
                     self.memories.get(position)
@@ -184,15 +189,15 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
                     elapsed: 0.0,
                     ..self.pass
                 };
-                let state = pass.any(&ends, &mut memory);
-                workspace.bookings.bonding += pass.stored(ends.radii, &state, memory.state);
+                let state = pass.general_state(&ends, &mut memory);
+                workspace.bookings.bonding += pass.stored_energy(ends.radii, &state, memory.state);
             }
         }
     }
 }
 
 impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> {
-    /// Write the forces of a contact into its lane, and its heat with `LEDGER`.
+    /// Write the forces of a contact into its lane, and its heat if `LEDGER`.
     #[inline(always)]
     fn write<S: Lanes, const LEDGER: bool>(
         &self,

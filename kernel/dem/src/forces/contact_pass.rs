@@ -1,18 +1,18 @@
-//! One contact: its kinematics, and the laws applied to it.
+//! Kinematics and laws of a single contact.
 
 use super::ends::Columns;
 use super::ends::Ends;
-use super::turning::{turned, turned_far};
+use super::rotations::{general_rotations, regular_rotations};
 use crate::contacts::{ContactMemory, Contacts};
 use crate::geometry::{Arm, PairFrame, PairMotion};
-use crate::laws::{Friction, NormalLaw, Slide, TangentialLaw};
+use crate::laws::{Friction, NormalLaw, TangentialLaw, TangentialMotion};
 use crate::model::Reading;
 use crate::particles::Particles;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::map_ends;
 
-/// The laws and choices of the pass over contacts.
+/// Laws and options of the pass over contacts.
 #[derive(Clone, Copy)]
 pub(crate) struct ContactPass<M, A, N, T> {
     pub metric: M,
@@ -20,11 +20,11 @@ pub(crate) struct ContactPass<M, A, N, T> {
     pub normal: N,
     pub tangential: T,
     pub reading: Reading,
-    /// Time since the previous evaluation in s, for arms that accumulate.
+    /// Time since the previous evaluation in s, for lever arms that accumulate.
     pub elapsed: f64,
 }
 
-/// A contact in its present state.
+/// Present kinematics and forces of a contact.
 pub(crate) struct ContactState<S> {
     pub frame: PairFrame<S>,
     pub motion: PairMotion<S>,
@@ -46,11 +46,11 @@ impl<S: Lanes> ContactState<S> {
 }
 
 impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> {
-    /// Whether tangential displacements are functions of the present angles.
+    /// Whether tangential displacements are functions of the particle angles.
     pub const FOLLOWS_ANGLES: bool = T::REMEMBERS && !A::ACCUMULATES;
 
-    /// Kinematics and forces of a contact whose ends have turned by the given angles since it began, in
-    /// rad; thesis eqs. (28)-(42).
+    /// Kinematics and forces of a contact, thesis eqs. (28)-(42); `angles` are the rotations of both ends in rad
+    /// since the contact began.
     #[inline(always)]
     fn state<S: Lanes>(
         &self,
@@ -83,7 +83,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
         state
     }
 
-    /// Add the tangential part: displacements, velocities, force, and torques of both particles.
+    /// Compute the tangential displacements and velocities, the tangential force, and the torques on both particles.
     #[inline(always)]
     fn add_tangential<S: Lanes>(
         &self,
@@ -104,13 +104,13 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
             });
             state.zeta = memory.ends;
         }
-        let slide = Slide {
+        let motion = TangentialMotion {
             displacement: state.zeta[0] + state.zeta[1],
             velocity: state.d_zeta[0] + state.d_zeta[1],
         };
         state.friction = self
             .tangential
-            .friction(slide, state.normal_force, &mut memory.state);
+            .friction(motion, state.normal_force, &mut memory.state);
         state.torques = [
             arms[0] * state.friction.force,
             arms[1] * state.friction.force,
@@ -124,12 +124,12 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
 
     /// Whether the spheres overlap.
     #[inline(always)]
-    pub fn touch<S: Lanes>(&self, ends: &Ends<S>) -> bool {
+    pub fn overlaps<S: Lanes>(&self, ends: &Ends<S>) -> bool {
         let reach = ends.radii[0] + ends.radii[1];
         self.metric.nearest(ends.difference).norm_squared() < reach * reach
     }
 
-    /// The memory of a contact that begins.
+    /// Memory of a contact that begins now.
     pub fn begin<S: Lanes>(&self, ends: &Ends<S>) -> ContactMemory<S> {
         let frame = PairFrame::new(self.metric.nearest(ends.difference));
         let rest = if A::ACCUMULATES {
@@ -140,7 +140,7 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
         ContactMemory::begin(&frame, rest)
     }
 
-    /// The memory of the contact at a position, or that of a contact that begins now if there is none.
+    /// Memory of the contact at an index; if it has none, that of a contact that begins now.
     pub fn memory_at<S: Lanes>(
         &self,
         contacts: &Contacts<S>,
@@ -152,10 +152,12 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
             .unwrap_or_else(|| self.begin(ends))
     }
 
-    /// The state of a contact whose frame has turned little and whose angles need no wrapping, thesis eqs.
-    /// (29)-(32), and whether this contact is one; otherwise [`any`](Self::any) has its state.
+    /// State of a contact by the regular path, thesis eqs. (29)-(32), and whether that path applies.
+    ///
+    /// It applies if the frame has rotated little and no angle needs wrapping; otherwise use
+    /// [`general_state`](Self::general_state).
     #[inline(always)]
-    pub fn regular<S: Lanes>(
+    pub fn regular_state<S: Lanes>(
         &self,
         ends: &Ends<S>,
         frame: PairFrame<S>,
@@ -165,30 +167,35 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
             return (self.state(ends, frame, [S::zero(); 2], memory), true);
         }
         let initial = (memory.reference, memory.ends);
-        let (angles, is_regular) = turned(ends.angles, initial, frame.normal, self.wraps_angles());
+        let (angles, is_regular) =
+            regular_rotations(ends.angles, initial, frame.normal, self.wraps_angles());
         (self.state(ends, frame, angles, memory), is_regular)
     }
 
-    /// Whether angles are wrapped to [-pi, pi), as the thesis author's program does.
+    /// Whether angles are wrapped to [-pi, pi), as in the program of the thesis's author.
     #[inline(always)]
     fn wraps_angles(&self) -> bool {
         self.reading == Reading::Thesis
     }
 
-    /// The state of any contact; takes a new reference if its frame has turned far.
-    pub fn any<S: Lanes>(&self, ends: &Ends<S>, memory: &mut ContactMemory<S>) -> ContactState<S> {
+    /// State of a contact by the general path. Renews the reference direction if the frame has rotated far.
+    pub fn general_state<S: Lanes>(
+        &self,
+        ends: &Ends<S>,
+        memory: &mut ContactMemory<S>,
+    ) -> ContactState<S> {
         let frame = PairFrame::new(self.metric.nearest(ends.difference));
         if !Self::FOLLOWS_ANGLES {
             return self.state(ends, frame, [S::zero(); 2], memory);
         }
         let initial = (&mut memory.reference, &mut memory.ends);
-        let angles = turned_far(ends.angles, initial, frame.normal, self.wraps_angles());
+        let angles = general_rotations(ends.angles, initial, frame.normal, self.wraps_angles());
         self.state(ends, frame, angles, memory)
     }
 
-    /// Energy stored in a contact in J.
+    /// Elastic energy stored in a contact in J.
     #[inline(always)]
-    pub fn stored<S: Lanes>(&self, radii: [S; 2], state: &ContactState<S>, memory: S) -> S {
+    pub fn stored_energy<S: Lanes>(&self, radii: [S; 2], state: &ContactState<S>, memory: S) -> S {
         let displacement = state.zeta[0] + state.zeta[1];
         self.normal.stored_energy(radii, state.xi)
             + self
@@ -196,25 +203,29 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
                 .stored_energy(displacement, state.normal_force, memory)
     }
 
-    /// Power turned into heat in a contact in W: what elastic forces do not store.
+    /// Heat production of a contact in W: power of the forces that is not stored as elastic energy.
     #[inline(always)]
     pub fn heat_rate<S: Lanes>(&self, radii: [S; 2], state: &ContactState<S>) -> S {
         let viscous = self.normal.elastic_force(radii, state.xi) - state.normal_force;
         viscous * state.motion.normal_velocity + state.friction.heat_rate
     }
 
-    /// Energy stored in all contacts in J, thesis eqs. (75)-(76).
-    pub fn stored_in_all<S: Lanes>(&self, particles: &Particles<S>, contacts: &Contacts<S>) -> S {
+    /// Elastic energy stored in all contacts in J, thesis eqs. (75)-(76).
+    pub fn total_stored_energy<S: Lanes>(
+        &self,
+        particles: &Particles<S>,
+        contacts: &Contacts<S>,
+    ) -> S {
         let columns = Columns::of(particles);
         let mut sum = S::zero();
         for (position, pair) in contacts.pairs.iter().enumerate() {
             let ends = columns.ends(*pair);
-            if !self.touch(&ends) {
+            if !self.overlaps(&ends) {
                 continue;
             }
             let mut memory = self.memory_at(contacts, position, &ends);
-            let state = self.any(&ends, &mut memory);
-            sum += self.stored(ends.radii, &state, memory.state);
+            let state = self.general_state(&ends, &mut memory);
+            sum += self.stored_energy(ends.radii, &state, memory.state);
         }
         sum
     }

@@ -1,14 +1,14 @@
-//! Forces of a part's pairs on particles of earlier parts.
+//! Forces of the pairs of a part on particles of earlier parts.
 
 use super::block::{IDLE, Outputs};
 use super::sums::Sums;
-use crate::pairs::Edition;
+use crate::pairs::ListVersion;
 use core::ops::Range;
 use gouge_common::geometry::Vec2;
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 
-/// What a pair exerts on its first particle, if that belongs to an earlier part.
+/// Force of a pair on its first particle, if that particle belongs to an earlier part.
 #[derive(Clone, Debug)]
 struct CrossPartForce<S> {
     /// The first particle.
@@ -19,38 +19,38 @@ struct CrossPartForce<S> {
     torque: S,
 }
 
-/// The pairs of a part whose first particle belongs to an earlier part, and the forces on it.
+/// The pairs of a part whose first particle belongs to an earlier part, and their forces on that particle.
 ///
-/// A pair belongs to the part of its second particle. Pairs are in the order of their second particles, so that
-/// in a single loop these forces would be added after all others of the first particle: adding them when all
-/// parts are done gives the same sums.
+/// A pair belongs to the part of its second particle, and pairs are sorted by second particle. In a single loop
+/// these forces would therefore be added after all other forces on the first particle. Adding them when all parts
+/// are finished gives the same sums.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CrossPartForces<S> {
-    /// The list of pairs in which they were sought.
-    edition: Option<Edition>,
-    /// Their positions among the pairs of the part.
+    /// Version of the pair list in which these pairs were searched.
+    list_version: Option<ListVersion>,
+    /// Indices of these pairs among the pairs of the part.
     positions: Vec<usize>,
-    /// Index of the next of these positions.
+    /// How many of these pairs the present evaluation has passed.
     next: usize,
-    present: Vec<CrossPartForce<S>>,
+    forces: Vec<CrossPartForce<S>>,
 }
 
 impl<S: Lanes> CrossPartForces<S> {
-    /// Begin an evaluation: find the pairs with particles before the first of the part, if the list has changed.
-    pub fn begin(&mut self, edition: Edition, pairs: &[Pair], first: usize) {
-        self.present.clear();
+    /// Begin an evaluation. If the pair list has changed, search the pairs whose first particle precedes the part.
+    pub fn begin(&mut self, list_version: ListVersion, pairs: &[Pair], first: usize) {
+        self.forces.clear();
         self.next = 0;
-        if self.edition != Some(edition) {
-            self.edition = Some(edition);
+        if self.list_version != Some(list_version) {
+            self.list_version = Some(list_version);
             let crosses = |&position: &usize| (pairs[position].i as usize) < first;
             self.positions.clear();
             self.positions.extend((0..pairs.len()).filter(crosses));
-            self.present.reserve(self.positions.len());
+            self.forces.reserve(self.positions.len());
         }
     }
-    /// Note the forces of a block of pairs on earlier parts, and the torques if pairs exert any.
+    /// Collect the forces of a block on earlier parts, and the torques if pairs exert any.
     #[inline(always)]
-    pub fn note(
+    pub fn collect(
         &mut self,
         pairs: &[Pair],
         positions: Range<usize>,
@@ -59,13 +59,13 @@ impl<S: Lanes> CrossPartForces<S> {
     ) {
         let next = self.positions.get(self.next);
         if next.is_some_and(|&position| position < positions.end) {
-            self.note_block(pairs, positions, outputs, has_torques);
+            self.collect_block(pairs, positions, outputs, has_torques);
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn note_block(
+    fn collect_block(
         &mut self,
         pairs: &[Pair],
         positions: Range<usize>,
@@ -79,7 +79,7 @@ impl<S: Lanes> CrossPartForces<S> {
             let lane = position - positions.start;
             if outputs.flags[lane] & IDLE == 0 {
                 let [torque, _] = outputs.torques(lane);
-                self.present.push(CrossPartForce {
+                self.forces.push(CrossPartForce {
                     particle: pairs[position].i,
                     force: outputs.force(lane),
                     torque: if has_torques { torque } else { S::zero() },
@@ -88,12 +88,12 @@ impl<S: Lanes> CrossPartForces<S> {
         }
     }
 
-    /// Add what was noted to the sums of all particles.
+    /// Add the collected forces and torques to the sums of all particles.
     pub fn add_to(&self, sums: &mut Sums<S>) {
-        for noted in &self.present {
-            let particle = noted.particle as usize;
-            sums.force[particle] += noted.force;
-            sums.torque[particle] += noted.torque;
+        for collected in &self.forces {
+            let particle = collected.particle as usize;
+            sums.force[particle] += collected.force;
+            sums.torque[particle] += collected.torque;
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The pass of the driving force.
+//! The pass over driven particles for the driving force.
 
 use super::bookings::Bookings;
 use super::sums::Forces;
@@ -7,29 +7,29 @@ use crate::particles::Particles;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 
-/// What the controller needs to know of the driven particles, before the driving force is added.
+/// Measure the driven particles for the controller, before the driving force is added.
 #[inline(never)]
-pub(crate) fn measure<S: Real>(
+pub(crate) fn measure_driven<S: Real>(
     particles: &Particles<S>,
     driven: &[u32],
     forces: &Forces<S>,
 ) -> Driven<S> {
     let mut sums = Driven {
         number: S::from_f64(driven.len() as f64),
-        velocity: S::zero(),
-        known_velocity: S::zero(),
+        velocity_sum: S::zero(),
+        velocity_at_step_start: S::zero(),
         velocity_gain: 1.0,
         reaction: Vec2::zero(),
-        inverse_mass: S::zero(),
-        acceleration: S::zero(),
+        inverse_mass_sum: S::zero(),
+        acceleration_sum: S::zero(),
     };
     for &i in driven {
         let i = i as usize;
         let inverse_mass = S::from_f64(1.0) / particles.mass[i];
-        sums.velocity += particles.velocity[i].x;
+        sums.velocity_sum += particles.velocity[i].x;
         sums.reaction += forces.force[i];
-        sums.inverse_mass += inverse_mass;
-        sums.acceleration += forces.force[i].x * inverse_mass;
+        sums.inverse_mass_sum += inverse_mass;
+        sums.acceleration_sum += forces.force[i].x * inverse_mass;
     }
     sums
 }

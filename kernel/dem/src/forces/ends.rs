@@ -1,4 +1,4 @@
-//! What pairs read of their particles.
+//! Particle data that pairs read.
 
 use super::sums::MISSING;
 use crate::particles::Particles;
@@ -7,7 +7,7 @@ use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 use prefetch_index::prefetch_index;
 
-/// What a law reads of both particles of a pair, besides their positions and velocities.
+/// Which particle data the laws read, besides positions and velocities.
 #[derive(Clone, Copy)]
 pub(crate) struct Reads {
     pub angles: bool,
@@ -15,10 +15,10 @@ pub(crate) struct Reads {
     pub radii: bool,
 }
 
-/// What a pair reads of its particles.
+/// Data of the two particles of a pair.
 #[derive(Clone, Copy)]
 pub(crate) struct Ends<S> {
-    /// Difference of the positions of j and i in m, before the nearest image is taken.
+    /// Position of j minus position of i in m, not yet that of the nearest image.
     pub difference: Vec2<S>,
     /// Velocity of j relative to i in m/s.
     pub velocity: Vec2<S>,
@@ -30,7 +30,7 @@ pub(crate) struct Ends<S> {
     pub radii: [S; 2],
 }
 
-/// The columns of particles that pairs read, known to be equally long: one bounds check serves all.
+/// The columns of particles that pairs read, all cut to the same length so that one bounds check serves all.
 #[derive(Clone, Copy)]
 pub(crate) struct Columns<'a, S> {
     position: &'a [Vec2<S>],
@@ -59,7 +59,7 @@ impl<'a, S: Lanes> Columns<'a, S> {
         assert!(i < number && j < number, "{MISSING}");
         (i, j)
     }
-    /// What a pair reads.
+    /// Data of the two particles of a pair.
     #[inline(always)]
     pub fn ends(&self, pair: Pair) -> Ends<S> {
         Ends {
@@ -70,7 +70,7 @@ impl<'a, S: Lanes> Columns<'a, S> {
             radii: self.radii(pair),
         }
     }
-    /// Prefetch what pairs read of a particle, and of its neighbours in the same cache lines.
+    /// Prefetch the data of a particle, and of other particles in the same cache lines.
     #[inline(always)]
     pub fn prefetch(&self, particle: usize, reads: Reads) {
         prefetch_index(self.position, particle);
@@ -112,13 +112,13 @@ impl<'a, S: Lanes> Columns<'a, S> {
     }
 }
 
-/// Components of the difference of two vectors.
+/// Components of the difference of two vectors, `to` minus `from`.
 #[inline(always)]
 fn difference<S: Lanes>(to: &Vec2<S>, from: &Vec2<S>) -> [S; 2] {
     S::differences([to.x, to.y], [from.x, from.y])
 }
 
-/// A vector of its components.
+/// The vector with the given components.
 #[inline(always)]
 pub(super) fn vector<S: Lanes>([x, y]: [S; 2]) -> Vec2<S> {
     Vec2::new(x, y)

@@ -1,4 +1,4 @@
-//! The pass of the external potential.
+//! The pass over particles for the external potential.
 
 use super::sums::Forces;
 use crate::laws::ExternalLaw;

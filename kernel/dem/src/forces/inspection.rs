@@ -1,4 +1,4 @@
-//! Every contact and bond of a state with its kinematics and forces, for inspection.
+//! Kinematics and forces of all contacts and bonds of a state, for inspection.
 
 use super::bond_pass::BondPass;
 use super::contact_pass::ContactPass;
@@ -13,46 +13,46 @@ use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 use gouge_common::scalar::Real;
 
-/// Whether a pair is in contact or bonded.
+/// Kind of an interaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InteractionKind {
-    /// A contact: a weak link of the thesis.
+    /// A contact: the weak link of the thesis.
     Contact,
-    /// A bond: a strong link of the thesis.
+    /// A bond: the strong link of the thesis.
     Bond,
 }
 
-/// A contact or bond in the present state, with the signs of the thesis.
+/// Present kinematics and forces of a contact or bond, with the signs of the thesis.
 #[doc(alias = "link")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interaction {
-    /// The pair.
+    /// The two particles i and j.
     pub pair: Pair,
-    /// Contact or bond.
+    /// Whether it is a contact or a bond.
     pub kind: InteractionKind,
-    /// Overlap factor of i.
+    /// Overlap factor of i, dimensionless.
     pub overlap_factor: f64,
     /// Focal point in m.
     pub focal_point: Vec2,
-    /// Normal from i to j.
+    /// Unit normal from i to j.
     pub normal: Vec2,
     /// Distance of the centres in m.
     pub distance: f64,
-    /// Normal displacement in m.
+    /// Normal displacement in m, positive in overlap.
     pub normal_displacement: f64,
-    /// Adjusted normal displacement of a bond in m; zero for a contact.
+    /// Adjusted normal displacement of a bond in m, positive in compression; zero for a contact.
     pub adjusted_normal_displacement: f64,
     /// Tangential displacements of both ends in m.
     pub tangential_displacement: [f64; 2],
-    /// Rate of the normal displacement in m/s.
+    /// Rate of the normal displacement in m/s, positive while the particles approach each other.
     pub normal_velocity: f64,
     /// Tangential velocities of both ends in m/s.
     pub tangential_velocity: [f64; 2],
-    /// Normal force in N.
+    /// Normal force in N; a negative force is repulsive.
     pub normal_force: f64,
-    /// Tangential force in N.
+    /// Tangential force on i in N, along the normal rotated by +90 degrees.
     pub tangential_force: f64,
-    /// Torques on both ends in N m.
+    /// Torques on both ends in N m, positive counter-clockwise.
     pub torque: [f64; 2],
 }
 
@@ -60,7 +60,7 @@ fn doubles<S: Lanes>(pair: [S; 2]) -> [f64; 2] {
     pair.map(Real::to_f64)
 }
 
-/// What contacts and bonds have in common.
+/// The part that contacts and bonds have in common.
 fn common<S: Lanes>(
     kind: InteractionKind,
     pair: Pair,
@@ -90,7 +90,7 @@ fn common<S: Lanes>(
     }
 }
 
-/// The contacts of a state.
+/// All contacts of a state.
 pub(crate) fn contact_states<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
     pass: ContactPass<M, A, N, T>,
     particles: &Particles<S>,
@@ -99,11 +99,11 @@ pub(crate) fn contact_states<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: Tange
     let columns = Columns::of(particles);
     let state = |(position, &pair): (usize, &Pair)| {
         let ends = columns.ends(pair);
-        if !pass.touch(&ends) {
+        if !pass.overlaps(&ends) {
             return None;
         }
         let mut memory = pass.memory_at(contacts, position, &ends);
-        let state = pass.any(&ends, &mut memory);
+        let state = pass.general_state(&ends, &mut memory);
         Some(Interaction {
             tangential_displacement: doubles(state.zeta),
             normal_velocity: state.motion.normal_velocity.to_f64(),
@@ -122,7 +122,7 @@ pub(crate) fn contact_states<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: Tange
         .collect()
 }
 
-/// The bonds of a state.
+/// All bonds of a state.
 pub(crate) fn bond_states<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw>(
     pass: BondPass<M, B, Y>,
     particles: &Particles<S>,

@@ -1,6 +1,6 @@
 //! The only place that writes forces: one pass per type of interaction, thesis eqs. (26)-(27).
 //!
-//! Each pass is generic over the laws it calls. The laws are chosen once per pass, outside its loop.
+//! A pass is generic over its laws, which are chosen once per pass, outside its loop.
 
 mod ambient;
 mod block;
@@ -18,7 +18,7 @@ mod pair_loop;
 mod prefetch;
 mod scatter;
 mod sums;
-mod turning;
+mod rotations;
 mod workspace;
 
 pub use inspection::{Interaction, InteractionKind};
@@ -30,7 +30,7 @@ pub(crate) use bond_pass::BondPass;
 pub(crate) use bookings::Bookings;
 pub(crate) use contact_forces::ContactForces;
 pub(crate) use contact_pass::ContactPass;
-pub(crate) use driving::{driving, measure};
+pub(crate) use driving::{driving, measure_driven};
 pub(crate) use external::external;
 pub(crate) use inspection::{bond_states, contact_states};
 pub(crate) use pair_loop::PairLoop;

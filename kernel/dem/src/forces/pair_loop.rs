@@ -1,4 +1,4 @@
-//! The loop over pairs, which contacts and bonds share.
+//! The loop over pairs, shared by contacts and bonds.
 
 use super::block::{Block, IDLE, IRREGULAR, blocks};
 use super::cross_part::CrossPartForces;
@@ -7,7 +7,7 @@ use super::prefetch::is_large;
 use super::scatter::Scatter;
 use super::sums::Sums;
 use super::workspace::PartWorkspace;
-use crate::pairs::Edition;
+use crate::pairs::ListVersion;
 use crate::particles::Particles;
 use core::ops::Range;
 use gouge_common::instructions::Instructions;
@@ -16,43 +16,47 @@ use gouge_common::pair::{Pair, pairs_before};
 use gouge_common::parts::{PartTask, Work};
 use pulp::NullaryFnOnce;
 
-/// Consecutive contacts or bonds, as the loop sees them.
+/// A range of consecutive contacts or bonds, as the loop uses them.
 pub(crate) trait PairForces<S: Lanes>: Sized + Send {
-    /// Whether heat and work are booked.
+    /// Whether heat and work are recorded.
     const LEDGER: bool;
     /// Whether pairs exert torques.
     const HAS_TORQUES: bool;
-    /// Whether the loop is compiled for wide instructions.
+    /// Whether the loop is compiled for vector instructions.
     const IS_WIDE: bool;
-    /// What the laws read of particles.
+    /// Which particle data the laws read.
     const READS: Reads;
 
-    /// Position of the first pair among all.
+    /// Index of the first of these pairs among all pairs.
     fn first(&self) -> usize;
-    /// The pairs, in order.
+    /// The pairs, sorted.
     fn pairs(&self) -> &[Pair];
-    /// The pairs before and from a position on.
+    /// Split the pairs at an index.
     fn split_at(self, at: usize) -> (Self, Self);
-    /// Prefetch what the pairs keep, from a position on.
+    /// Prefetch the data that the pairs store, at an index.
     fn prefetch(&self, position: usize);
-    /// Where their forces on earlier parts are noted, and the block.
-    fn cross_part(workspace: &mut PartWorkspace<S>) -> (&mut CrossPartForces<S>, &Block<S>);
-    /// Compute a block the short way; returns the union of its flags.
+    /// The buffer for their forces on earlier parts, and the block.
+    fn cross_part_and_block(
+        workspace: &mut PartWorkspace<S>,
+    ) -> (&mut CrossPartForces<S>, &Block<S>);
+    /// Compute a block by the regular path. Returns the union of the flags.
     fn compute(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64;
-    /// Compute flagged pairs of a block in full; returns the union of flags that this adds.
+    /// Recompute flagged pairs of a block by the general path. Returns the union of the flags that this adds.
     fn compute_irregular(&mut self, block: &mut Block<S>, positions: Range<usize>) -> u64;
-    /// Keep what a block leaves besides forces; `has_idle` if some of its pairs exert nothing.
-    fn keep(&mut self, workspace: &mut PartWorkspace<S>, positions: Range<usize>, has_idle: bool);
-    /// Book what appears at once; called only with a ledger.
+    /// Store the results of a block other than forces; `has_idle` if some of its pairs are idle.
+    fn store(&mut self, workspace: &mut PartWorkspace<S>, positions: Range<usize>, has_idle: bool);
+    /// Record energies that change instantaneously; called only with a ledger.
     fn book(&self, workspace: &mut PartWorkspace<S>, positions: Range<usize>);
 }
 
-/// Adds the forces of contacts or bonds to their particles, block by block. Allocates nothing.
+/// Adds the forces of contacts or bonds to their particles, block by block.
+///
+/// Reads particles and pairs; writes force sums, memories and bookings. Allocates nothing.
 pub(crate) struct PairLoop<'a, S, F> {
     pub forces: F,
     pub particles: &'a Particles<S>,
     pub sums: Sums<'a, S>,
-    pub edition: Edition,
+    pub list_version: ListVersion,
 }
 
 impl<S: Lanes, F: PairForces<S>> Work<PartWorkspace<S>> for PairLoop<'_, S, F> {
@@ -75,22 +79,22 @@ impl<S: Lanes, F: PairForces<S>> Work<PartWorkspace<S>> for PairLoop<'_, S, F> {
 
     #[inline(always)]
     fn run_part(mut self, workspace: &mut PartWorkspace<S>, instructions: Instructions) {
-        let (cross_part, _) = F::cross_part(workspace);
-        cross_part.begin(self.edition, self.forces.pairs(), self.sums.first);
+        let (cross_part, _) = F::cross_part_and_block(workspace);
+        cross_part.begin(self.list_version, self.forces.pairs(), self.sums.first);
         let columns = Columns::of(self.particles);
         let is_large = is_large(self.particles.len());
         for positions in blocks(self.forces.first(), self.forces.pairs().len()) {
             let block = &mut workspace.block;
             let flags = self.compute_block(block, columns, positions.clone(), is_large);
             let has_idle = flags & IDLE != 0;
-            self.forces.keep(workspace, positions.clone(), has_idle);
+            self.forces.store(workspace, positions.clone(), has_idle);
             if F::LEDGER {
                 self.scatter::<true>(workspace, positions.clone(), has_idle, instructions);
             } else {
                 self.scatter::<false>(workspace, positions.clone(), has_idle, instructions);
             }
-            let (cross_part, block) = F::cross_part(workspace);
-            cross_part.note(
+            let (cross_part, block) = F::cross_part_and_block(workspace);
+            cross_part.collect(
                 self.forces.pairs(),
                 positions.clone(),
                 &block.outputs,
@@ -112,7 +116,7 @@ impl<S: Lanes, F: PairForces<S>> Work<PartWorkspace<S>> for PairLoop<'_, S, F> {
 }
 
 impl<S: Lanes, F: PairForces<S>> PairLoop<'_, S, F> {
-    /// Compute the forces of a block; returns the union of its flags.
+    /// Compute the forces of a block. Returns the union of the flags.
     #[inline(always)]
     fn compute_block(
         &mut self,
@@ -135,7 +139,7 @@ impl<S: Lanes, F: PairForces<S>> PairLoop<'_, S, F> {
         flags
     }
 
-    /// Add the forces of a block to the sums.
+    /// Add the forces of a block to the force sums.
     #[inline(always)]
     fn scatter<const LEDGER: bool>(
         &mut self,

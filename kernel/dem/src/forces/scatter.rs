@@ -1,4 +1,4 @@
-//! Forces of pairs, added to the sums of their particles.
+//! Adding the forces of pairs to the sums of their particles.
 
 use super::block::{IDLE, Outputs, PAIRS};
 use super::bookings::Bookings;
@@ -7,15 +7,15 @@ use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
 use pulp::NullaryFnOnce;
 
-/// Adds the forces of a block of pairs one after the other, in their order; `LEDGER` books their heat.
+/// Adds the forces of a block of pairs one after the other, in the order of the pairs; with `LEDGER` also their heat.
 ///
-/// A loop of its own, so that everything it needs stays in registers.
+/// A loop of its own, so that all its variables stay in registers.
 pub(super) struct Scatter<'a, S: Lanes, const LEDGER: bool> {
     pub pairs: &'a [Pair],
     pub outputs: &'a Outputs<S>,
     /// Whether pairs exert torques.
     pub has_torques: bool,
-    /// Whether some pair is idle.
+    /// Whether any pair is idle.
     pub has_idle: bool,
     pub sums: Sums<'a, S>,
     pub bookings: &'a mut Bookings<S>,
@@ -38,7 +38,7 @@ impl<S: Lanes, const LEDGER: bool> NullaryFnOnce for Scatter<'_, S, LEDGER> {
 impl<S: Lanes, const LEDGER: bool> Scatter<'_, S, LEDGER> {
     #[inline(always)]
     fn add<const TORQUES: bool, const ALL: bool>(self) {
-        let (outputs, mut sums) = (self.outputs, self.sums.equally_long());
+        let (outputs, mut sums) = (self.outputs, self.sums.with_equal_lengths());
         let (mut heat_rate, mut heat) = (self.bookings.friction_rate, self.bookings.friction);
         for (lane, &pair) in (0..PAIRS).zip(self.pairs) {
             if LEDGER {

@@ -1,11 +1,11 @@
-//! Forces and torques on particles, and how pairs add to them.
+//! Forces and torques on particles, and adding the forces of pairs.
 
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
-/// What an index out of range would mean: pairs join particles that exist, and no particle is ever removed.
+/// Message for an index out of range. It cannot occur: particles are never removed.
 pub(super) const MISSING: &str = "a pair joins particles that exist";
 
 /// Forces and torques on all particles.
@@ -18,7 +18,7 @@ pub struct Forces<S> {
 }
 
 impl<S: Real> Forces<S> {
-    /// No force on any of so many particles.
+    /// Zero force and torque on each particle.
     pub fn new(number: usize) -> Self {
         Self {
             force: vec![Vec2::zero(); number],
@@ -29,7 +29,7 @@ impl<S: Real> Forces<S> {
         self.force.fill(Vec2::zero());
         self.torque.fill(S::zero());
     }
-    /// All of them, to be added to.
+    /// The sums of all particles.
     pub(crate) fn sums(&mut self) -> Sums<'_, S> {
         Sums {
             first: 0,
@@ -39,9 +39,9 @@ impl<S: Real> Forces<S> {
     }
 }
 
-/// Forces and torques on consecutive particles, while pairs add to them.
+/// Force and torque sums of a range of consecutive particles.
 pub(crate) struct Sums<'a, S> {
-    /// Index of the first of the particles.
+    /// Index of the first of these particles.
     pub first: usize,
     pub force: &'a mut [Vec2<S>],
     pub torque: &'a mut [S],
@@ -73,9 +73,9 @@ impl<'a, S: Real> Sums<'a, S> {
             torque: self.torque,
         }
     }
-    /// The same, with both columns known to be equally long: one bounds check serves both.
+    /// The same sums, with both columns cut to the same length so that one bounds check serves both.
     #[inline(always)]
-    pub fn equally_long(self) -> Self {
+    pub fn with_equal_lengths(self) -> Self {
         let number = self.force.len();
         Self {
             first: self.first,
@@ -85,29 +85,30 @@ impl<'a, S: Real> Sums<'a, S> {
     }
     /// Prefetch the sums of a particle; torques only if pairs exert torques.
     #[inline(always)]
-    pub fn prefetch(&self, particle: usize, turns: bool) {
+    pub fn prefetch(&self, particle: usize, torques: bool) {
         let particle = particle.wrapping_sub(self.first);
         prefetch_index(&*self.force, particle);
-        if turns {
+        if torques {
             prefetch_index(&*self.torque, particle);
         }
     }
-    /// Add the force of j on i, its reaction on j and, with `TURNS`, both torques. j is among the particles; i
-    /// gets its share here only if it is, too.
+    /// Add the force of j on i, its reaction on j and, with `TORQUES`, the torques on both.
+    ///
+    /// j must be in the range. The force on i is added only if i is in the range, too.
     #[inline(always)]
-    pub fn add<const TURNS: bool>(&mut self, pair: Pair, force: Vec2<S>, torques: [S; 2]) {
+    pub fn add<const TORQUES: bool>(&mut self, pair: Pair, force: Vec2<S>, torques: [S; 2]) {
         let (i, j) = pair.indices();
         let (i, j) = (i.wrapping_sub(self.first), j.wrapping_sub(self.first));
         let number = self.force.len();
         assert!(j < number, "{MISSING}");
         if i < number {
             self.force[i] += force;
-            if TURNS {
+            if TORQUES {
                 self.torque[i] += torques[0];
             }
         }
         self.force[j] -= force;
-        if TURNS {
+        if TORQUES {
             self.torque[j] += torques[1];
         }
     }

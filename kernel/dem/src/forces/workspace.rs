@@ -1,18 +1,18 @@
-//! Buffers of a part, which can be thrown away.
+//! Buffers of a part. They hold no state between evaluations.
 
 use super::block::Block;
 use super::bookings::Bookings;
 use super::cross_part::CrossPartForces;
 use gouge_common::lanes::Lanes;
 
-/// What a part needs to compute its contacts and bonds.
+/// Buffers that a part needs to compute its contacts and bonds.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PartWorkspace<S: Lanes> {
-    /// The pairs that are computed together.
+    /// The block of pairs that is computed.
     pub block: Block<S>,
-    /// What the part books; without a ledger nothing.
+    /// Heat and work of the part; unused without a ledger.
     pub bookings: Bookings<S>,
-    /// Positions of the bonds that broke.
+    /// Indices of the bonds that broke.
     pub broken: Vec<u32>,
     /// Forces of bonds on particles of earlier parts.
     pub bonds: CrossPartForces<S>,

@@ -98,8 +98,8 @@ pub fn focal_distance<S: Real>(radii: [S; 2], distance: S) -> S {
 ///
 /// $$ z_{ij} = \sqrt{r_i^2 - y_{ij}^2} = z_{ji} $$
 ///
-/// Thesis eq. (113), in m. If one sphere contains the other or they are apart, the square root would be imaginary, and
-/// the half-length is zero.
+/// Thesis eq. (113), in m. If one sphere contains the other or they are apart, the square root would be imaginary,
+/// and the half-length is zero.
 #[rendered]
 pub fn contact_half_length<S: Real>(radius: S, focal_distance: S) -> S {
     let squared = (radius - focal_distance) * (radius + focal_distance);

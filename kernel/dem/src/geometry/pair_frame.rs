@@ -11,8 +11,8 @@ const COINCIDENT: f64 = 1e-290;
 ///
 /// $$ \vec e^{\,n} = \frac{\vec x_j - \vec x_i}{\lvert \vec x_j - \vec x_i \rvert}, \qquad \vec e^{\,t} = \mathrm{per}\, \vec e^{\,n} $$
 ///
-/// Thesis eq. (5). Coincident centres have no direction: the normal is then the x axis and the rate of rotation is zero,
-/// so that every law stays finite. The thesis defines only the overlap factor for this case.
+/// Thesis eq. (5). Coincident centres have no direction: the normal is then the x axis and the rate of rotation is
+/// zero, so that every law stays finite. The thesis defines only the overlap factor for this case.
 #[rendered]
 #[derive(Clone, Copy, Debug)]
 pub struct PairFrame<S> {
@@ -122,8 +122,8 @@ pub fn overlap_factor<S: Real>(radii: [S; 2], distance: S) -> S {
 ///
 /// $$ \vec o_{ij} = \vec x_i + b_{ij} (\vec x_j - \vec x_i) = \vec o_{ji} $$
 ///
-/// Thesis eq. (3). `position` is that of i in m, `displacement` that from i to the nearest image of j in m, and `factor`
-/// the [`overlap_factor`].
+/// Thesis eq. (3). `position` is that of i in m, `displacement` that from i to the nearest image of j in m, and
+/// `factor` the [`overlap_factor`].
 #[doc(alias = "contact point")]
 #[rendered]
 pub fn focal_point<S: Real>(position: Vec2<S>, displacement: Vec2<S>, factor: S) -> Vec2<S> {
