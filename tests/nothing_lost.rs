@@ -526,7 +526,7 @@ fn a_time_step_far_too_large_ends_with_its_cause_and_the_last_good_state() {
             ] {
                 assert!(said.contains(part), "{integrator} {step}: {part}: {said}");
             }
-            assert!(said.contains("link is "), "{integrator} {step}: {said}");
+            assert!(said.contains("bond is "), "{integrator} {step}: {said}");
             let report = summary(&out);
             let status = report["status"].as_str().expect("a status");
             assert!(

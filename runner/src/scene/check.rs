@@ -143,8 +143,8 @@ impl Scene {
         let bond = |(bond, place): &(BondStart, Place)| (bond.between, place.clone());
         let contact = |(contact, place): &(ContactStart, Place)| (contact.between, place.clone());
         let place = match error {
-            ModelError::LongBond { link, .. } => self.bonds.get(*link).map(bond),
-            ModelError::NoOverlap { link, .. } => self.contacts.get(*link).map(contact),
+            ModelError::LongBond { index, .. } => self.bonds.get(*index).map(bond),
+            ModelError::NoOverlap { index, .. } => self.contacts.get(*index).map(contact),
             _ => None,
         };
         match place {

@@ -1,4 +1,4 @@
-//! How a world advances by a step.
+//! How a world advances by one step.
 
 use super::dispatch::{WithMethod, with_method};
 use super::simulation::{Number, World};
@@ -12,8 +12,8 @@ impl<S: Number> World<S> {
     /// Advance by one time step.
     ///
     /// # Errors
-    /// A state that is no longer finite, or a particle that moved farther than a cell. The state is then
-    /// that of the failure, not of the last good step.
+    /// If a state is no longer finite, or if a particle moves farther than a cell. The world is then left in the
+    /// failed state, not in that before the step.
     pub fn step(&mut self) -> Result<(), StepError> {
         S::step(self)
     }
@@ -21,7 +21,7 @@ impl<S: Number> World<S> {
     pub(super) fn take_step(&mut self) -> Result<(), StepError> {
         self.evaluate_if_pending()?;
         let before = self.state.bookings;
-        with_method(self.model.integrator, Take { world: self })?;
+        with_method(self.model.integrator, MoveParticles { world: self })?;
         let state = &mut self.state;
         state.steps += 1;
         state.is_evaluated = !self.model.integrator.evaluates_first();
@@ -36,19 +36,19 @@ impl<S: Number> World<S> {
         Ok(())
     }
 
-    /// Note the mean velocity of the driven particles, before it is predicted.
-    pub(super) fn note_drive_velocity(&mut self) {
+    /// Store the mean velocity of the driven particles before it is predicted.
+    pub(super) fn store_drive_velocity(&mut self) {
         let driven = &self.workspace.driven;
         if !driven.is_empty() {
             let mut sum = S::zero();
             for &i in driven {
                 sum += self.state.particles.velocity[i as usize].x;
             }
-            self.state.drive.known_velocity = sum * (1.0 / driven.len() as f64);
+            self.state.drive.velocity_at_step_start = sum * (1.0 / driven.len() as f64);
         }
     }
 
-    /// Advance all particles by a stage of a method; rotations only where something turns.
+    /// Advance all particles by one stage of a method; rotations only if something can rotate.
     fn advance<T: Stage>(&mut self) {
         let domain = self.model.domain;
         domain.with_metric(AdvanceAll {
@@ -66,37 +66,37 @@ impl<S: Number> World<S> {
     }
 }
 
-/// Moves a world by a method; what happens before and after is not part of it.
-struct Take<'a, S: Number> {
+/// Moves the particles of a world by one step of its method.
+struct MoveParticles<'a, S: Number> {
     world: &'a mut World<S>,
 }
 
-impl<S: Number> WithMethod for Take<'_, S> {
+impl<S: Number> WithMethod for MoveParticles<'_, S> {
     type Output = Result<(), StepError>;
 
-    fn single<T: Stage>(self) -> Self::Output {
+    fn one_stage<T: Stage>(self) -> Self::Output {
         self.world.advance::<T>();
         Ok(())
     }
 
-    fn double<T: Stage, U: Stage>(self) -> Self::Output {
-        self.world.note_drive_velocity();
+    fn two_stages<T: Stage, U: Stage>(self) -> Self::Output {
+        self.world.store_drive_velocity();
         self.world.advance::<T>();
         let outcome = self.world.evaluate(true, T::KEEPS_FORCES);
         self.world.advance::<U>();
         outcome
     }
 
-    fn double_begun_by<B: Stage, T: Stage, U: Stage>(self) -> Self::Output {
+    fn two_stages_with_start<B: Stage, T: Stage, U: Stage>(self) -> Self::Output {
         if !self.world.state.previous.is_set {
             self.world.advance::<B>();
             self.world.state.previous.is_set = true;
         }
-        self.double::<T, U>()
+        self.two_stages::<T, U>()
     }
 }
 
-/// Advances all particles by a stage.
+/// Advances all particles by one stage.
 struct AdvanceAll<'a, S: Number, T> {
     world: &'a mut World<S>,
     stage: PhantomData<fn() -> T>,

@@ -18,20 +18,20 @@ use gouge_common::scalar::Real;
 /// The initial state of a scene, besides its particles.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
-    /// Bonds.
+    /// Initial bonds.
     pub bonds: Vec<BondStart>,
-    /// Memory of contacts that began earlier.
+    /// Contacts that began before the initial state.
     pub contacts: Vec<ContactStart>,
-    /// Total driving force in N.
+    /// Initial total driving force in N.
     pub drive_force: Vec2,
 }
 
 impl<S: Number> World<S> {
-    /// The world of a model, with its particles, contacts and bonds at t = 0.
+    /// A world with its particles, contacts and bonds at t = 0.
     ///
     /// # Errors
-    /// Contacts or bonds that cannot exist, a periodic box narrower than two cells, driving without driven
-    /// particles, masses or moments of inertia that are not finite or have no finite inverse.
+    /// If a contact or bond is impossible, a periodic box is narrower than two cells, a driving law has no driven
+    /// particle, or a mass or moment of inertia is not finite or has no finite inverse.
     pub fn new(model: Model, particles: Particles<S>, start: &Start) -> Result<Self, ModelError> {
         check_width(&model, &particles)?;
         check_inertia(&particles)?;
@@ -41,7 +41,7 @@ impl<S: Number> World<S> {
         }
         let mut world = Self {
             execution: Execution::serial(particles.len()),
-            state: blank(&model, particles, start.drive_force.cast()),
+            state: without_interactions(&model, particles, start.drive_force.cast()),
             workspace,
             model,
         };
@@ -54,7 +54,7 @@ impl<S: Number> World<S> {
         Ok(world)
     }
 
-    /// Measure the energy balance from the present state, if the model books it.
+    /// Start the energy balance at the present state, if the model has a ledger.
     pub(super) fn begin_ledger(&mut self) {
         if self.model.ledger {
             self.state.ledger = Some(Ledger::starting_from(&S::state_energy(self)));
@@ -62,8 +62,12 @@ impl<S: Number> World<S> {
     }
 }
 
-/// The state of particles without contacts and bonds.
-fn blank<S: Number>(model: &Model, particles: Particles<S>, drive_force: Vec2<S>) -> State<S> {
+/// A state without contacts and bonds.
+fn without_interactions<S: Number>(
+    model: &Model,
+    particles: Particles<S>,
+    drive_force: Vec2<S>,
+) -> State<S> {
     State {
         bonds: None,
         contacts: None,
@@ -82,7 +86,7 @@ fn blank<S: Number>(model: &Model, particles: Particles<S>, drive_force: Vec2<S>
     }
 }
 
-/// Makes the bonds and finds the contacts of a new world.
+/// Creates the bonds and searches the contacts of a new world.
 struct MakeInteractions<'a, S: Number> {
     world: &'a mut World<S>,
     start: &'a Start,
@@ -114,7 +118,7 @@ impl<S: Number> WithMetric for MakeInteractions<'_, S> {
     }
 }
 
-/// Whatever can move has a mass and a moment of inertia that are finite and have finite inverses.
+/// Check that the masses and moments of inertia of all particles that can move are finite and have finite inverses.
 fn check_inertia<S: Real>(particles: &Particles<S>) -> Result<(), ModelError> {
     let columns = [
         ("the mass of a particle", &particles.mass),
@@ -139,7 +143,7 @@ fn check_inertia<S: Real>(particles: &Particles<S>) -> Result<(), ModelError> {
     Ok(())
 }
 
-/// A periodic box holds at least two cells across, so that a pair never meets twice.
+/// Check that a periodic box is at least two cells wide, so that a pair does not meet across both sides.
 fn check_width<S: Real>(model: &Model, particles: &Particles<S>) -> Result<(), ModelError> {
     let cell = 2.0 * particles.largest_radius();
     match model.period() {

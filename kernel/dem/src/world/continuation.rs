@@ -1,4 +1,4 @@
-//! Going on from one phase to the next.
+//! Continuing from one phase of a scene to the next.
 
 use super::begin::Start;
 use super::simulation::World;
@@ -7,12 +7,12 @@ use crate::model::Model;
 use crate::particles::{Particles, Role};
 
 impl World {
-    /// Go on from the present state at t = 0 with another model and, if given, other roles.
+    /// Continue from the present state, at t = 0, with another model and, if given, other roles.
     ///
-    /// Bonds, contacts that remember and the driving force are kept; the ledger begins anew.
+    /// Bonds, contact memories and the driving force are kept; the ledger starts again.
     ///
     /// # Errors
-    /// As [`World::new`].
+    /// As for [`World::new`].
     pub fn continue_with(
         mut self,
         model: Model,
@@ -40,12 +40,12 @@ impl World {
         Ok(world)
     }
 
-    /// The particles alone.
+    /// The particles only.
     pub fn into_particles(self) -> Particles {
         self.state.particles
     }
 
-    /// Make the bonds of driven and fixed particles unbreakable, if the model wants them so.
+    /// Make bonds with a driven or fixed particle unbreakable, if the model requires it.
     fn make_edges_unbreakable(&mut self) {
         if let (Some(bonds), Some(laws)) = (&mut self.state.bonds, self.model.bond)
             && laws.has_unbreakable_edges()

@@ -1,6 +1,6 @@
-//! The only place where the choices of a model are matched: once per pass, never inside a loop.
+//! The only place that matches the choices of a model: once per pass, never inside a loop.
 //!
-//! Each function calls an action with the types that the model chooses; the action is compiled for each of
+//! Each function calls an operation with the types that the model selects. The operation is compiled for each of
 //! them.
 
 use crate::forces::{BondPass, ContactPass};
@@ -19,7 +19,7 @@ use crate::model::{
 };
 use gouge_common::geometry::{Metric, WithMetric};
 
-/// An action on contacts.
+/// An operation on contacts.
 pub(super) trait WithContactPass {
     type Output;
     fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
@@ -28,35 +28,35 @@ pub(super) trait WithContactPass {
     ) -> Self::Output;
 }
 
-/// An action on bonds.
+/// An operation on bonds.
 pub(super) trait WithBondPass {
     type Output;
     fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) -> Self::Output;
 }
 
-/// An action with the law of drag.
+/// An operation with the drag law.
 pub(super) trait WithAmbientLaw {
     fn call<L: AmbientLaw>(self, law: L);
 }
 
-/// An action with the law of the external potential.
+/// An operation with the law of the external potential.
 pub(super) trait WithExternalLaw {
     type Output;
     fn call<L: ExternalLaw>(self, law: L) -> Self::Output;
 }
 
-/// An action with the stages of an integration method.
+/// An operation with the stages of an integration method.
 pub(super) trait WithMethod: Sized {
     type Output;
-    /// One stage, after an evaluation.
-    fn single<T: Stage>(self) -> Self::Output;
-    /// Two stages, with an evaluation between them.
-    fn double<T: Stage, U: Stage>(self) -> Self::Output;
-    /// The same, and another stage before the very first step.
-    fn double_begun_by<B: Stage, T: Stage, U: Stage>(self) -> Self::Output;
+    /// A method with one stage, after an evaluation.
+    fn one_stage<T: Stage>(self) -> Self::Output;
+    /// A method with two stages and an evaluation between them.
+    fn two_stages<T: Stage, U: Stage>(self) -> Self::Output;
+    /// As [`two_stages`](Self::two_stages), with a stage `B` before the first step.
+    fn two_stages_with_start<B: Stage, T: Stage, U: Stage>(self) -> Self::Output;
 }
 
-/// Call an action with the laws of contacts; `elapsed` is the time since the previous evaluation in s.
+/// Call an operation with the laws of contacts; `elapsed` is the time since the previous evaluation in s.
 pub(super) fn with_contact_pass<V: WithContactPass>(
     model: &Model,
     laws: ContactLaws,
@@ -132,7 +132,7 @@ impl<V: WithContactPass> ChooseContactLaws<V> {
     }
 }
 
-/// Call an action with the laws of bonds.
+/// Call an operation with the laws of bonds.
 pub(super) fn with_bond_pass<V: WithBondPass>(
     model: &Model,
     laws: BondLaws,
@@ -186,7 +186,7 @@ impl<V: WithBondPass> ChooseBondLaws<V> {
     }
 }
 
-/// Call an action with the law of drag.
+/// Call an operation with the drag law.
 pub(super) fn with_ambient_law<V: WithAmbientLaw>(ambient: Ambient, action: V) {
     match ambient {
         Ambient::Creeping(law) => action.call(law),
@@ -194,7 +194,7 @@ pub(super) fn with_ambient_law<V: WithAmbientLaw>(ambient: Ambient, action: V) {
     }
 }
 
-/// Call an action with the law of the external potential.
+/// Call an operation with the law of the external potential.
 pub(super) fn with_external_law<V: WithExternalLaw>(external: External, action: V) -> V::Output {
     match external {
         External::Gravity(law) => action.call(law),
@@ -202,14 +202,16 @@ pub(super) fn with_external_law<V: WithExternalLaw>(external: External, action: 
     }
 }
 
-/// Call an action with the stages of an integration method.
+/// Call an operation with the stages of an integration method.
 pub(super) fn with_method<V: WithMethod>(integrator: Integrator, action: V) -> V::Output {
     match integrator {
-        Integrator::Euler => action.single::<Euler>(),
-        Integrator::SymplecticEuler => action.single::<SymplecticEuler>(),
-        Integrator::Taylor => action.single::<Taylor>(),
-        Integrator::VelocityVerlet => action.double::<VerletPredict, VerletCorrect>(),
-        Integrator::VelocityVerletHalfStep => action.double::<HalfKickAndDrift, HalfKick>(),
-        Integrator::Beeman => action.double_begun_by::<BeemanBegin, BeemanPredict, BeemanCorrect>(),
+        Integrator::Euler => action.one_stage::<Euler>(),
+        Integrator::SymplecticEuler => action.one_stage::<SymplecticEuler>(),
+        Integrator::Taylor => action.one_stage::<Taylor>(),
+        Integrator::VelocityVerlet => action.two_stages::<VerletPredict, VerletCorrect>(),
+        Integrator::VelocityVerletHalfStep => action.two_stages::<HalfKickAndDrift, HalfKick>(),
+        Integrator::Beeman => {
+            action.two_stages_with_start::<BeemanBegin, BeemanPredict, BeemanCorrect>()
+        }
     }
 }

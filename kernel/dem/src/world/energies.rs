@@ -13,7 +13,7 @@ use crate::laws::{BeamLaw, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::geometry::Metric;
 
 impl<S: Number> World<S> {
-    /// Every term of the energy balance (72) in J; those of the ledger are zero without one.
+    /// All terms of the energy balance in J, thesis eq. (72). Without a ledger, heat, work and residual are zero.
     pub fn energy(&self) -> Energy<S> {
         let energy = S::state_energy(self);
         match &self.state.ledger {
@@ -22,7 +22,7 @@ impl<S: Number> World<S> {
         }
     }
 
-    /// The energies that are functions of the state, in J.
+    /// The energies that are functions of state, in J.
     pub(super) fn sum_state_energy(&self) -> Energy<S> {
         let (model, state) = (&self.model, &self.state);
         let mut energy = Energy::kinetic_of(&state.particles);
@@ -51,7 +51,7 @@ impl<S: Number> WithExternalLaw for Stored<'_, S> {
     }
 }
 
-/// Energy in contacts, in bonds or in the external potential, in J.
+/// Energy stored in contacts, in bonds or in the external potential, in J.
 struct Stored<'a, S> {
     state: &'a State<S>,
 }
@@ -64,7 +64,7 @@ impl<S: Number> WithContactPass for Stored<'_, S> {
     ) -> S {
         let contacts = self.state.contacts.as_ref();
         contacts.map_or(S::zero(), |contacts| {
-            pass.stored_in_all(&self.state.particles, contacts)
+            pass.total_stored_energy(&self.state.particles, contacts)
         })
     }
 }
@@ -74,7 +74,7 @@ impl<S: Number> WithBondPass for Stored<'_, S> {
     fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) -> S {
         let bonds = self.state.bonds.as_ref();
         bonds.map_or(S::zero(), |bonds| {
-            pass.stored_in_all(&self.state.particles, bonds)
+            pass.total_stored_energy(&self.state.particles, bonds)
         })
     }
 }

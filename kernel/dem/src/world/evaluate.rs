@@ -1,5 +1,4 @@
-//! One evaluation: contacts and bonds, forces, and what the ledger books, at the present positions and
-//! velocities.
+//! One evaluation: contacts, bonds, forces, heat and work at the present positions and velocities.
 
 use super::dispatch::{
     WithAmbientLaw, WithBondPass, WithContactPass, WithExternalLaw, with_ambient_law,
@@ -15,10 +14,11 @@ use crate::laws::{
 use gouge_common::geometry::{Metric, WithMetric};
 
 impl<S: Number> World<S> {
-    /// Bring forces, contacts and bonds up to date with the positions, as the next step would.
+    /// Evaluate forces, contacts and bonds at the present positions, unless they are up to date. The next step
+    /// would do so, too.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
+    /// As for [`step`](Self::step).
     pub fn evaluate_if_pending(&mut self) -> Result<(), StepError> {
         if self.state.is_evaluated {
             return Ok(());
@@ -27,16 +27,16 @@ impl<S: Number> World<S> {
     }
 
     pub(super) fn evaluate_first(&mut self) -> Result<(), StepError> {
-        self.note_drive_velocity();
+        self.store_drive_velocity();
         self.evaluate(self.model.integrator.evaluates_first(), false)?;
         self.state.is_evaluated = true;
         Ok(())
     }
 
-    /// Forces at the present positions and velocities; bonds break, contacts begin and end.
+    /// Evaluate forces at the present positions and velocities. Bonds break, contacts begin and end.
     ///
-    /// `advances`: whether a step has passed since the previous evaluation, which decides what the drive and
-    /// sums over steps gain. `forces_are_clear`: whether they are all zero.
+    /// `advances`: whether a step has passed since the previous evaluation; only then do the driving force and
+    /// accumulated displacements change. `forces_are_clear`: whether all forces are zero already.
     pub(super) fn evaluate(
         &mut self,
         advances: bool,
@@ -62,10 +62,10 @@ impl<S: Number> World<S> {
         Ok(())
     }
 
-    /// Keep the neighbour list valid for the present positions; changes no motion.
+    /// Rebuild the neighbour list if it is stale. No result depends on when it is rebuilt.
     ///
     /// # Errors
-    /// As [`check`](Self::check), if particles have moved far.
+    /// As for [`check`](Self::check), if the list is stale.
     pub fn refresh_neighbors(&mut self) -> Result<(), StepError> {
         if self.are_neighbors_stale() || self.state.contacts.is_none() {
             self.check()?;
@@ -79,7 +79,7 @@ impl<S: Number> World<S> {
         known.unwrap_or_else(|| self.model.domain.with_metric(AreStale { world: self }))
     }
 
-    /// Find all pairs that may touch anew.
+    /// Search all pairs that may touch.
     pub(super) fn find_neighbors(&mut self) {
         let domain = self.model.domain;
         domain.with_metric(FindNeighbors { world: self });
@@ -121,9 +121,9 @@ impl<S: Number> World<S> {
         let state = &mut self.state;
         let (driven, integrator) = (&self.workspace.driven, self.model.integrator);
         let measured = Driven {
-            known_velocity: state.drive.known_velocity,
+            velocity_at_step_start: state.drive.velocity_at_step_start,
             velocity_gain: integrator.velocity_gain(),
-            ..forces::measure(&state.particles, driven, &state.forces)
+            ..forces::measure_driven(&state.particles, driven, &state.forces)
         };
         state.drive.reaction = measured.reaction;
         let before = state.drive.force;
@@ -173,7 +173,7 @@ impl<S: Number> WithMetric for FindNeighbors<'_, S> {
     }
 }
 
-/// Adds the forces of a pass, and books their heat and work.
+/// Adds the forces of a pass, and records their heat and work.
 struct AddForces<'a, S: Number> {
     world: &'a mut World<S>,
 }
@@ -190,7 +190,7 @@ impl<S: Number> WithBondPass for AddForces<'_, S> {
 }
 
 impl<S: Number> AddForces<'_, S> {
-    /// Add the forces of bonds, and list those that break.
+    /// Add the forces of bonds, and list the bonds that break.
     fn add_bonds<M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>(
         self,
         pass: BondPass<M, B, Y>,
@@ -206,7 +206,7 @@ impl<S: Number> AddForces<'_, S> {
         };
         let particles = &state.particles;
         let work = PairLoop {
-            edition: bonds.edition(),
+            list_version: bonds.list_version(),
             sums: state.forces.sums(),
             particles,
             forces: BondForces::<_, _, _, _, LEDGER> {
@@ -238,7 +238,7 @@ impl<S: Number> WithContactPass for AddForces<'_, S> {
 }
 
 impl<S: Number> AddForces<'_, S> {
-    /// Add the forces of contacts, and begin and end their memories.
+    /// Add the forces of contacts, and begin and end contact memories.
     fn add_contacts<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>(
         self,
         pass: ContactPass<M, A, N, T>,
@@ -253,7 +253,7 @@ impl<S: Number> AddForces<'_, S> {
             return;
         };
         let work = PairLoop {
-            edition: contacts.edition(neighbors),
+            list_version: contacts.list_version(neighbors),
             sums: state.forces.sums(),
             particles: &state.particles,
             forces: ContactForces::<_, _, _, _, _, LEDGER> {

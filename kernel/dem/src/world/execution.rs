@@ -1,11 +1,11 @@
-//! With which instructions and in how many threads a world is computed. No bit depends on it.
+//! Instruction set and threads with which a world is computed. The bits of the results do not depend on them.
 
 use crate::forces::{Bookings, PartWorkspace};
 use gouge_common::instructions::Instructions;
 use gouge_common::lanes::Lanes;
 use gouge_common::parts::{PartTask, Parts, Work};
 
-/// Instructions and the division into parts.
+/// Instruction set, and division into parts.
 #[derive(Clone, Debug)]
 pub(super) struct Execution {
     pub instructions: Instructions,
@@ -13,7 +13,7 @@ pub(super) struct Execution {
 }
 
 impl Execution {
-    /// The widest instructions, in one thread.
+    /// The widest instruction set, in one thread.
     pub fn serial(particles: usize) -> Self {
         Self {
             instructions: Instructions::default(),
@@ -21,13 +21,12 @@ impl Execution {
         }
     }
 
-    /// Do all parts of a work, each with its own buffer.
+    /// Run all parts of a work, each with its own buffer.
     pub fn run<W: Send, D: Work<W>>(&self, work: D, buffers: &mut [W]) {
         self.parts.run(work, buffers, self.instructions);
     }
 
-    /// Do a loop over pairs. With `LEDGER` it is done as a single part, so that sums keep their order, and adds
-    /// to the bookings.
+    /// Run a loop over pairs. With `LEDGER` it runs as a single part, so that sums of heat keep their order.
     pub fn run_pairs<S: Lanes, D: Work<PartWorkspace<S>>, const LEDGER: bool>(
         &self,
         work: D,

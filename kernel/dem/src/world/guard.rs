@@ -1,4 +1,4 @@
-//! Stops a run whose state is no longer physical, and reports the likely cause.
+//! Stops a run whose state is no longer physical and reports the likely cause.
 
 use super::simulation::{Number, World};
 use crate::error::StepError;
@@ -9,7 +9,7 @@ impl<S: Number> World<S> {
     /// Check that the state is finite and that no particle moves farther than a cell per step.
     ///
     /// # Errors
-    /// The first particle that violates either.
+    /// The first particle that violates either condition.
     pub fn check(&self) -> Result<(), StepError> {
         check(self)
     }
@@ -18,7 +18,7 @@ impl<S: Number> World<S> {
 fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
     let p = &world.state.particles;
     let step = world.model.time_step;
-    let cell = farthest(world);
+    let cell = distance_limit(world);
     for i in 0..p.len() {
         let is_finite = p.position[i].is_finite()
             && p.velocity[i].is_finite()
@@ -27,7 +27,7 @@ fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
         if !is_finite {
             return Err(StepError::NotFinite {
                 particle: i,
-                link: most_strained_link(world, i),
+                interaction: most_strained_interaction(world, i),
                 time: world.time(),
                 steps: world.state.steps,
                 time_step: step,
@@ -38,7 +38,7 @@ fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
         if distance > cell {
             return Err(StepError::TooFast {
                 particle: i,
-                link: most_strained_link(world, i),
+                interaction: most_strained_interaction(world, i),
                 distance,
                 cell,
                 time: world.time(),
@@ -50,9 +50,9 @@ fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
     Ok(())
 }
 
-/// How far a particle may move in one step in m: a cell, where there are contacts; with bonds alone
-/// the largest diameter, which no bond survives; without links any distance.
-fn farthest<S: Number>(world: &World<S>) -> f64 {
+/// How far a particle may move per step in m: a cell if there are contacts; the largest diameter if there are only
+/// bonds, since no bond survives that; any distance without interactions.
+fn distance_limit<S: Number>(world: &World<S>) -> f64 {
     match (&world.workspace.neighbors, &world.state.bonds) {
         (Some(neighbors), _) => neighbors.cell_side(),
         (None, Some(_)) => 2.0 * world.state.particles.largest_radius(),
@@ -60,33 +60,35 @@ fn farthest<S: Number>(world: &World<S>) -> f64 {
     }
 }
 
-/// The link of a particle with the largest force, or one whose force is not even finite.
-fn most_strained_link<S: Number>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
-    let strain = |link: &crate::forces::Interaction| {
-        let force = link.normal_force.abs() + link.tangential_force.abs();
+/// Pair of the contact or bond of a particle with the largest force; forces that are not finite count as infinite.
+fn most_strained_interaction<S: Number>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
+    let strain = |interaction: &crate::forces::Interaction| {
+        let force = interaction.normal_force.abs() + interaction.tangential_force.abs();
         if force.is_finite() {
             force
         } else {
             f64::INFINITY
         }
     };
-    let links = world.interactions();
-    let touching = links.iter().filter(|link| {
-        let (i, j) = link.pair.indices();
+    let interactions = world.interactions();
+    let own = interactions.iter().filter(|interaction| {
+        let (i, j) = interaction.pair.indices();
         i == particle || j == particle
     });
-    let worst = touching.max_by(|a, b| strain(a).total_cmp(&strain(b)))?;
+    let worst = own.max_by(|a, b| strain(a).total_cmp(&strain(b)))?;
     let (i, j) = worst.pair.indices();
     Some([i, j])
 }
 
-/// Estimate of the largest stable step of a world in s, on the safe side for linear forces and methods
-/// whose bound falls with damping: symplectic Euler and velocity Verlet. The others need damping in every
-/// mode to be stable at all, which a bound from above does not see.
+/// Estimate of the largest stable time step of a world, in s.
 ///
-/// By Gershgorin's theorem no mode is stiffer than twice the sum of the stiffnesses on one particle
-/// over its inertia; the same holds for damping. The largest of both are taken together. Contacts count
-/// as if every pair near enough to touch did.
+/// The estimate is conservative for linear forces and methods whose bound decreases with damping: symplectic Euler
+/// and velocity Verlet. The other methods are stable only if every mode is damped, which an upper bound of the
+/// damping does not ensure.
+///
+/// By Gershgorin's theorem, the squared frequency of a mode is at most twice the sum of the stiffnesses acting on
+/// a particle divided by its inertia. The same holds for damping. The maxima of both are combined. All pairs of
+/// the contact list count as touching.
 pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
     let number = world.state.particles.len();
     let mut stiffness = vec![0.0; number];
@@ -97,20 +99,20 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
             damping[particle] += c;
         }
     };
-    if let (Some(strong), Some((k, c))) = (&world.state.bonds, bond_constants(&world.model)) {
-        strong
+    if let (Some(bonds), Some((k, c))) = (&world.state.bonds, bond_constants(&world.model)) {
+        bonds
             .pairs
             .iter()
             .for_each(|pair| add(pair.indices(), k, c));
     }
-    if let (Some(weak), Some(contact)) = (&world.state.contacts, world.model.contact) {
-        for pair in &weak.pairs {
+    if let (Some(contacts), Some(laws)) = (&world.state.contacts, world.model.contact) {
+        for pair in &contacts.pairs {
             let (i, j) = pair.indices();
             let radii = [
                 world.state.particles.radius[i].to_f64(),
                 world.state.particles.radius[j].to_f64(),
             ];
-            let (k, c) = contact_constants(&contact.normal, &contact.tangential, radii);
+            let (k, c) = contact_constants(&laws.normal, &laws.tangential, radii);
             add((i, j), k, c);
         }
     }
@@ -122,32 +124,32 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
         per_mass.fold(0.0, f64::max)
     };
     let stiffest = Oscillator {
-        stiffness: largest(&stiffness),
-        damping: largest(&damping),
+        frequency_squared: largest(&stiffness),
+        damping_rate: largest(&damping),
     };
     critical_step(world.model.integrator, stiffest)
 }
 
-/// How much stiffer than k the tangential spring of a contact acts on a pair: its mode of rolling has
-/// the squared frequency 7 k / m, its normal mode 2 k / m.
-const ROLLING: f64 = 3.5;
-/// The same for a beam, whose ends are springs of their own: at most 9/2 k / m for any ratio of radii
-/// (7/2 for equal ones).
-const SHEARING: f64 = 2.25;
+/// Factor of the tangential stiffness of a contact in units of normal stiffness: the rolling mode of a pair has the
+/// squared frequency 7 k / m, the normal mode 2 k / m.
+const ROLLING_FACTOR: f64 = 3.5;
+/// The same factor for bonds, whose ends are separate springs: the squared frequency is at most 9/2 k / m for any
+/// ratio of radii, and 7/2 k / m for equal radii.
+const SHEARING_FACTOR: f64 = 2.25;
 
-/// The larger of normal and tangential constants of a bond, for the mass of a particle.
+/// Stiffness in kg/s^2 and damping in kg/s of a bond: the larger of its normal and scaled tangential constants.
 fn bond_constants(model: &Model) -> Option<(f64, f64)> {
     let bond = model.bond?;
     let (k, c) = bond
         .tangential
         .map_or((0.0, 0.0), |beam| (beam.stiffness, beam.damping));
     Some((
-        bond.normal.stiffness.max(SHEARING * k),
-        bond.normal.damping.max(SHEARING * c),
+        bond.normal.stiffness.max(SHEARING_FACTOR * k),
+        bond.normal.damping.max(SHEARING_FACTOR * c),
     ))
 }
 
-/// The larger of normal and tangential constants of a contact, for the mass of a particle.
+/// Stiffness in kg/s^2 and damping in kg/s of a contact: the larger of its normal and scaled tangential constants.
 fn contact_constants(
     normal: &ContactNormal,
     tangential: &Option<ContactTangential>,
@@ -155,5 +157,5 @@ fn contact_constants(
 ) -> (f64, f64) {
     let [k_n, c_n] = normal.constants(radii);
     let [k_t, c_t] = tangential.map_or([0.0; 2], |law| law.constants());
-    (k_n.max(ROLLING * k_t), c_n.max(ROLLING * c_t))
+    (k_n.max(ROLLING_FACTOR * k_t), c_n.max(ROLLING_FACTOR * c_t))
 }

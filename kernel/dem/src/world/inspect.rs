@@ -11,7 +11,7 @@ use gouge_common::geometry::{Metric, WithMetric};
 use gouge_common::pair::Pair;
 
 impl<S: Number> World<S> {
-    /// Every contact and bond of the present state: contacts first, each in the order of pairs.
+    /// All contacts and bonds of the present state, contacts first; each sorted by pair.
     pub fn interactions(&self) -> Vec<Interaction> {
         S::interactions(self)
     }
@@ -28,7 +28,7 @@ impl<S: Number> World<S> {
         all
     }
 
-    /// The network of contacts and bonds that estimators read.
+    /// The network of contacts and bonds, for estimators.
     pub fn contact_network(&self) -> ContactNetwork {
         let contact = |one: Interaction| {
             let (normal, tangent) = (one.normal, one.normal.perpendicular());
@@ -44,7 +44,7 @@ impl<S: Number> World<S> {
         }
     }
 
-    /// Number of pairs that overlap without being bonded.
+    /// Number of pairs that overlap and are not bonded.
     pub fn number_of_contacts(&self) -> usize {
         let state = &self.state;
         self.model.domain.with_metric(CountOverlaps { state })

@@ -1,4 +1,4 @@
-//! A model, its state, and how it advances.
+//! A model with its state, and how it advances.
 
 mod advance;
 mod begin;

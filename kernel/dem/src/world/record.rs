@@ -14,7 +14,7 @@ use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 use gouge_common::record::{Column, Record, Shape};
 
-/// Name of the model in records.
+/// Name of this kernel in records.
 pub const NAME: &str = "dem";
 
 /// Columns of every record, in order.
@@ -37,7 +37,7 @@ const COLUMNS: [(&str, Shape); 17] = [
     ("ledger", Shape::Words(6)),
     ("bookings", Shape::Words(6)),
 ];
-/// Columns that follow where a method keeps something of the previous evaluation.
+/// Further columns for methods that keep data of the previous evaluation.
 const PREVIOUS: [(&str, Shape); 5] = [
     ("previous_is_set", Shape::Words(1)),
     ("previous_linear", Shape::List(2)),
@@ -46,7 +46,7 @@ const PREVIOUS: [(&str, Shape); 5] = [
     ("older_angular", Shape::List(1)),
 ];
 
-/// Columns of the records of a method.
+/// Columns of a record for a method.
 fn layout(integrator: Integrator) -> Vec<(&'static str, Shape)> {
     let previous: &[_] = match integrator.needs_previous() {
         true => &PREVIOUS,
@@ -56,7 +56,7 @@ fn layout(integrator: Integrator) -> Vec<(&'static str, Shape)> {
 }
 
 impl World {
-    /// The whole state; [`from_record`](Self::from_record) continues from it with the same bits.
+    /// The whole state as a record; [`from_record`](Self::from_record) continues from it bit by bit.
     pub fn record(&self) -> Record {
         let columns = layout(self.model.integrator);
         let words = words_of(&self.state, columns.len() > COLUMNS.len());
@@ -70,7 +70,7 @@ impl World {
         }
     }
 
-    /// The world of a model in a recorded state; none if the record is not such a state.
+    /// The world of a model in a recorded state; `None` if the record does not fit the model.
     pub fn from_record(model: Model, record: &Record) -> Option<Self> {
         let layout = layout(model.integrator);
         let fits = |(column, &(name, shape)): (&Column, &(&str, Shape))| {
@@ -86,18 +86,19 @@ impl World {
         restore(model, &columns)
     }
 
-    /// The words of the record, one after the other.
+    /// The words of the record in sequence.
     pub fn to_words(&self) -> Vec<u64> {
         self.record().words()
     }
 
-    /// The world of a model in the state of such words; none if they are not such a state.
+    /// The world of a model in the state that [`to_words`](Self::to_words) wrote; `None` if the words do not fit
+    /// the model.
     pub fn from_words(model: Model, words: &[u64]) -> Option<Self> {
         let record = Record::from_words(NAME, &layout(model.integrator), words)?;
         Self::from_record(model, &record)
     }
 
-    /// Replace all bonds and all memories of contacts.
+    /// Replace all bonds and all contact memories.
     pub(super) fn adopt(
         &mut self,
         bonds: Vec<Bond<f64>>,
@@ -114,7 +115,7 @@ impl World {
     }
 }
 
-/// The words of every column.
+/// The words of each column.
 fn words_of(state: &State<f64>, with_previous: bool) -> Vec<Vec<u64>> {
     let (p, drive, previous) = (&state.particles, &state.drive, &state.previous);
     let bonds = state.bonds.iter().flat_map(Bonds::iter);
@@ -194,13 +195,13 @@ fn contact_words((pair, memory): &(Pair, ContactMemory<f64>)) -> [u64; 6] {
     [pair_word(*pair), a, b, c, d, e]
 }
 
-/// The world of a model whose columns have the right shapes; none if their contents do not fit each other.
+/// The world of a model from columns of the right shapes; `None` if their contents are inconsistent.
 fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
     let (common, previous) = columns.split_at_checked(COLUMNS.len())?;
     let &[
         &[steps],
         &[is_evaluated],
-        ref of_particles @ ..,
+        ref particle_columns @ ..,
         force,
         torque,
         drive,
@@ -212,7 +213,7 @@ fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
     else {
         return None;
     };
-    let particles = read_particles(of_particles)?;
+    let particles = read_particles(particle_columns)?;
     let number = particles.len();
     let forces = Forces {
         force: read_vectors(force),
@@ -220,11 +221,11 @@ fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
     };
     let bonds: Vec<Bond<f64>> = read_items(bonds, read_bond);
     let contacts: Vec<(Pair, ContactMemory<f64>)> = read_items(contacts, read_contact);
-    let can_be = can_exist(bonds.iter().map(|bond| bond.pair), number)
-        && can_exist(contacts.iter().map(|one| one.0), number)
+    let is_consistent = are_valid(bonds.iter().map(|bond| bond.pair), number)
+        && are_valid(contacts.iter().map(|one| one.0), number)
         && forces.force.len() == number
         && forces.torque.len() == number;
-    if !can_be {
+    if !is_consistent {
         return None;
     }
     let mut world = World::new(model, particles, &Start::default()).ok()?;
@@ -252,7 +253,7 @@ fn read_vectors(words: &[u64]) -> Vec<Vec2> {
     })
 }
 
-/// Items of a fixed number of words each.
+/// Read items of `WIDTH` words each.
 fn read_items<T, const WIDTH: usize>(words: &[u64], read: impl Fn([u64; WIDTH]) -> T) -> Vec<T> {
     let (items, _) = words.as_chunks();
     items.iter().copied().map(read).collect()
@@ -342,8 +343,8 @@ fn read_contact([pair, numbers @ ..]: [u64; 6]) -> (Pair, ContactMemory<f64>) {
     (read_pair(pair), memory)
 }
 
-/// Whether pairs are in order, each once, of so many particles.
-fn can_exist(mut pairs: impl Iterator<Item = Pair> + Clone, particles: usize) -> bool {
+/// Whether pairs are sorted, distinct, and of existing particles.
+fn are_valid(mut pairs: impl Iterator<Item = Pair> + Clone, particles: usize) -> bool {
     let exists = |pair: Pair| pair.i < pair.j && (pair.j as usize) < particles;
     pairs.clone().is_sorted_by(|a, b| a < b) && pairs.all(exists)
 }

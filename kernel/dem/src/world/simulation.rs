@@ -1,4 +1,4 @@
-//! A model with its state, and the number types of which both can be made.
+//! A world, and the number types for which worlds exist.
 
 use super::execution::Execution;
 use super::state::{Drive, State};
@@ -17,7 +17,7 @@ use gouge_common::parts::Parts;
 
 /// A model, its state, the buffers of a step, and how steps are executed.
 ///
-/// Only the state is saved in checkpoints; the rest follows from the model, the state and the machine.
+/// Checkpoints hold only the state; the rest follows from the model, the state and the machine.
 #[derive(Clone, Debug)]
 pub struct World<S: Number = f64> {
     pub(super) model: Model,
@@ -27,15 +27,15 @@ pub struct World<S: Number = f64> {
 }
 
 impl<S: Number> World<S> {
-    /// The same world, computed with the given instructions; bits do not depend on them.
+    /// The same world with another instruction set; the bits of the results do not depend on it.
     pub fn with_instructions(mut self, instructions: Instructions) -> Self {
         self.execution.instructions = instructions;
         self
     }
 
-    /// The same world, divided for so many threads of the pool; bits do not depend on their number.
+    /// The same world, divided among threads of the pool; the bits of the results do not depend on their number.
     ///
-    /// Worlds with a ledger compute contacts and bonds in one part, so that its sums keep their order.
+    /// With a ledger, contacts and bonds are computed in one part, so that sums of heat keep their order.
     pub fn with_threads(self, threads: usize) -> Self {
         let parts = Parts::new(self.state.particles.len(), threads);
         self.with_parts(parts)
@@ -50,7 +50,7 @@ impl<S: Number> World<S> {
         self
     }
 
-    /// Reserve room for broken bonds.
+    /// Reserve memory for broken bonds.
     pub(super) fn reserve(&mut self) {
         let bonds = self.state.bonds.as_ref().map_or(0, Bonds::len);
         let particles = self.state.particles.len();
@@ -74,7 +74,7 @@ impl<S: Number> World<S> {
     pub fn bonds(&self) -> Option<&Bonds<S>> {
         self.state.bonds.as_ref()
     }
-    /// The pairs that may touch, if the model has contacts.
+    /// The contact list, if the model has contacts.
     pub fn contacts(&self) -> Option<&Contacts<S>> {
         self.state.contacts.as_ref()
     }
@@ -86,48 +86,48 @@ impl<S: Number> World<S> {
     pub fn forces(&self) -> &Forces<S> {
         &self.state.forces
     }
-    /// How often the neighbour list was built.
+    /// Number of times the neighbour list was built.
     pub fn rebuilds(&self) -> u64 {
         self.workspace
             .neighbors
             .as_ref()
             .map_or(0, Neighbors::rebuilds)
     }
-    /// Completed steps.
+    /// Number of completed steps.
     pub fn steps(&self) -> u64 {
         self.state.steps
     }
-    /// Time since the initial state in s.
+    /// Time in s: number of steps times the time step.
     pub fn time(&self) -> f64 {
         self.state.steps as f64 * self.model.time_step
     }
 }
 
-/// A number type of which a world can be made.
+/// A number type for which worlds exist.
 ///
-/// Generic functions are compiled in every crate that calls them, and those of a world contain every pass for
-/// every choice of laws. They are therefore methods of the number type: for `f64`, which all crates use, they
-/// are compiled once, with the kernel. Other number types need no methods of their own.
+/// Generic functions are compiled in each crate that calls them, and those of a world contain every pass for every
+/// choice of laws. They are therefore methods of the number type: for `f64`, which all crates use, they are
+/// compiled only once, with this crate. Other number types use the default methods.
 pub trait Number: Lanes {
-    /// What [`World::step`] does.
+    /// Implementation of [`World::step`].
     ///
     /// # Errors
-    /// Those of [`World::step`].
+    /// As for [`World::step`].
     fn step(world: &mut World<Self>) -> Result<(), StepError> {
         world.take_step()
     }
-    /// What [`World::evaluate_if_pending`] does where forces are pending.
+    /// Implementation of [`World::evaluate_if_pending`] when an evaluation is pending.
     ///
     /// # Errors
-    /// Those of [`World::step`].
+    /// As for [`World::step`].
     fn evaluate(world: &mut World<Self>) -> Result<(), StepError> {
         world.evaluate_first()
     }
-    /// What [`World::interactions`] finds.
+    /// Implementation of [`World::interactions`].
     fn interactions(world: &World<Self>) -> Vec<Interaction> {
         world.find_interactions()
     }
-    /// The energies of [`World::energy`] that are functions of the state, in J.
+    /// The energies of [`World::energy`] that are functions of state, in J.
     fn state_energy(world: &World<Self>) -> Energy<Self> {
         world.sum_state_energy()
     }

@@ -1,4 +1,4 @@
-//! What changes with time.
+//! The state of a world: everything that changes with time.
 
 use crate::balance::Ledger;
 use crate::bonds::Bonds;
@@ -8,22 +8,22 @@ use crate::integrators::Previous;
 use crate::particles::Particles;
 use gouge_common::geometry::Vec2;
 
-/// Total driving force and what it meets.
+/// The driving force and the reaction to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drive<S> {
-    /// Total driving force in N, for the next step.
+    /// Total driving force of the next step, in N.
     pub force: Vec2<S>,
-    /// Total driving force in N in the step that led to the present state.
+    /// Total driving force of the step that led to the present state, in N.
     pub applied: Vec2<S>,
-    /// Sum of all other forces on the driven particles in N, at the latest evaluation.
+    /// Reaction: sum of all other forces on the driven particles at the latest evaluation, in N.
     pub reaction: Vec2<S>,
-    /// Mean horizontal velocity of the driven particles in m/s when the step began.
-    pub known_velocity: S,
+    /// Mean horizontal velocity of the driven particles at the beginning of the step, in m/s.
+    pub velocity_at_step_start: S,
 }
 
-/// Everything that changes with time: what a checkpoint saves and estimators read.
+/// Everything that changes with time: what checkpoints hold and estimators read.
 ///
-/// Arrays exist only where the model needs them.
+/// Optional parts exist only if the model needs them.
 #[derive(Clone, Debug)]
 pub struct State<S = f64> {
     pub(super) particles: Particles<S>,
@@ -47,7 +47,7 @@ impl<S> State<S> {
     pub fn bonds(&self) -> Option<&Bonds<S>> {
         self.bonds.as_ref()
     }
-    /// The pairs that may touch, if the model has contacts.
+    /// The contact list, if the model has contacts.
     pub fn contacts(&self) -> Option<&Contacts<S>> {
         self.contacts.as_ref()
     }
@@ -59,7 +59,7 @@ impl<S> State<S> {
     pub fn forces(&self) -> &Forces<S> {
         &self.forces
     }
-    /// Completed steps.
+    /// Number of completed steps.
     pub fn steps(&self) -> u64 {
         self.steps
     }

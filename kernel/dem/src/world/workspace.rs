@@ -1,4 +1,4 @@
-//! Buffers and constants that follow from the state and the model, and can be thrown away.
+//! Buffers and constants of a world that follow from its model and state.
 
 use crate::forces::PartWorkspace;
 use crate::model::Model;
@@ -7,7 +7,7 @@ use gouge_common::lanes::Lanes;
 use gouge_common::neighbors::Neighbors;
 use gouge_common::scalar::Real;
 
-/// What a step needs besides the state.
+/// Buffers and constants that a step needs besides the state.
 #[derive(Clone, Debug)]
 pub(super) struct Workspace<S: Lanes> {
     /// Inverse masses in 1/kg, zero for fixed particles.
@@ -16,20 +16,20 @@ pub(super) struct Workspace<S: Lanes> {
     pub inverse_inertia: Vec<S>,
     /// Indices of the driven particles.
     pub driven: Vec<u32>,
-    /// Whether any particle can turn.
+    /// Whether any particle can rotate.
     pub has_rotation: bool,
     /// The neighbour search, if the model has contacts.
     pub neighbors: Option<Neighbors<S>>,
-    /// Whether the neighbour list is stale, if that is known.
+    /// Whether the neighbour list is stale; `None` if unknown.
     pub is_stale: Option<bool>,
-    /// A buffer per part.
+    /// Buffers, one per part.
     pub parts: Vec<PartWorkspace<S>>,
-    /// Per part, whether its particles make the neighbour list stale.
+    /// Whether the neighbour list is stale, according to the particles of each part.
     pub stale_parts: Vec<bool>,
 }
 
 impl<S: Lanes> Workspace<S> {
-    /// The workspace of a single part.
+    /// The workspace for a single part.
     pub fn new(model: &Model, particles: &Particles<S>) -> Self {
         let neighbors = || Neighbors::new(particles.search_spheres(), &model.domain);
         let driven = particles.with_role(Role::Driven).map(|i| i as u32);
@@ -45,8 +45,8 @@ impl<S: Lanes> Workspace<S> {
         }
     }
 
-    /// Reserve room for as many broken bonds as there are, so that a step allocates nothing; `sizes` are those
-    /// of the parts, in particles.
+    /// Reserve memory for the indices of broken bonds, so that a step allocates nothing. `sizes` are the numbers
+    /// of particles of the parts.
     pub fn reserve(&mut self, bonds: usize, particles: usize, sizes: impl Iterator<Item = usize>) {
         for (part, size) in self.parts.iter_mut().zip(sizes) {
             part.broken.reserve(bonds * size / particles.max(1));
@@ -54,7 +54,7 @@ impl<S: Lanes> Workspace<S> {
     }
 }
 
-/// Inverses of masses or moments of inertia; zero for fixed particles.
+/// Inverse masses or moments of inertia; zero for fixed particles.
 fn inverse<S: Real>(column: &[S], particles: &Particles<S>) -> Vec<S> {
     let of = |(i, &x): (usize, &S)| match particles.is_fixed(i) {
         true => S::zero(),
@@ -63,7 +63,7 @@ fn inverse<S: Real>(column: &[S], particles: &Particles<S>) -> Vec<S> {
     column.iter().enumerate().map(of).collect()
 }
 
-/// Whether anything turns: a particle that spins already, or a law that exerts a torque.
+/// Whether anything rotates: a law exerts torques, or a particle spins initially.
 fn has_rotation<S: Real>(model: &Model, particles: &Particles<S>) -> bool {
     let mut spins = particles.angular_velocity.iter();
     let has_friction = model.contact.is_some_and(|laws| laws.tangential.is_some());
