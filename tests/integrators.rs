@@ -77,8 +77,8 @@ fn stability_ends_where_the_amplification_matrix_says() {
     for (name, integrator) in NAMES {
         for zeta in [0.1, 0.3, 0.5, 0.6649, 1.0, 2.0] {
             let oscillator = Oscillator {
-                stiffness: 1.0,
-                damping: 2.0 * zeta,
+                frequency_squared: 1.0,
+                damping_rate: 2.0 * zeta,
             };
             let critical = critical_step(integrator, oscillator);
             for (factor, expected) in [(0.995, false), (1.005, true)] {
@@ -96,8 +96,8 @@ fn critical_steps_have_their_closed_forms() {
         critical_step(
             integrator,
             Oscillator {
-                stiffness: 1.0,
-                damping: 2.0 * zeta,
+                frequency_squared: 1.0,
+                damping_rate: 2.0 * zeta,
             },
         )
     };

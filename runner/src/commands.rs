@@ -116,8 +116,8 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
         let step = critical_step(
             scene.integrator,
             Oscillator {
-                stiffness: k,
-                damping: c,
+                frequency_squared: k,
+                damping_rate: c,
             },
         );
         json!({

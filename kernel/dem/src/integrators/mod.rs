@@ -1,4 +1,4 @@
-//! How time advances, thesis eqs. (55)-(62).
+//! Integration methods and bounds of the time step, thesis eqs. (55)-(62).
 
 mod beeman;
 mod euler;

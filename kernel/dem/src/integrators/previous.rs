@@ -1,11 +1,12 @@
-//! What methods keep of the previous evaluation.
+//! Data of previous evaluations that methods keep.
 
 use super::method::Integrator;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 
-/// What is kept of the previous evaluation: forces for velocity Verlet, during a step and zero otherwise;
-/// accelerations for Beeman.
+/// Data of previous evaluations.
+///
+/// Velocity Verlet keeps forces during a step; between steps they are zero. Beeman keeps accelerations.
 #[derive(Clone, Debug)]
 pub struct Previous<S> {
     /// Forces in N or accelerations in m/s^2.
@@ -16,12 +17,12 @@ pub struct Previous<S> {
     pub older_linear: Vec<Vec2<S>>,
     /// Angular accelerations one evaluation earlier, for the Beeman method only.
     pub older_angular: Vec<S>,
-    /// Whether they have been set.
+    /// Whether the accelerations have been set.
     pub is_set: bool,
 }
 
 impl<S: Real> Previous<S> {
-    /// None yet, for so many particles.
+    /// Zeros, for a number of particles.
     pub fn new(integrator: Integrator, number: usize) -> Self {
         let kept = match integrator {
             Integrator::VelocityVerlet | Integrator::Beeman => number,

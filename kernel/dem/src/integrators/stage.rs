@@ -1,4 +1,4 @@
-//! A stage of a method, and the loop that advances particles by it.
+//! A stage of an integration method, and the loop that applies it to all particles.
 
 use core::ops::{Add, AddAssign, Mul, Sub};
 use gouge_common::geometry::{Metric, Vec2};
@@ -8,7 +8,7 @@ use gouge_common::neighbors::Staleness;
 use gouge_common::parts::{PartTask, Work, split_or_empty};
 use gouge_common::scalar::Real;
 
-/// What moves: a vector for translations, a number for rotations.
+/// Type of a coordinate: a vector for translations, a number for rotations.
 pub(crate) trait Coordinate<S>:
     Copy
     + Default
@@ -33,22 +33,22 @@ pub(crate) struct Motion<'a, V, S> {
     pub force: &'a [V],
     /// Inverse masses in 1/kg or moments of inertia in 1/(kg m^2), zero for fixed particles.
     pub inverse_inertia: &'a [S],
-    /// What the method keeps of the previous evaluation: forces or accelerations.
+    /// Forces or accelerations of the previous evaluation.
     pub previous: &'a mut [V],
     /// Accelerations one evaluation earlier, for methods that keep them.
     pub older: &'a mut [V],
 }
 
-/// A stage of a method: how coordinates and velocities change under given forces.
+/// A stage of a method: changes coordinates and velocities under given forces.
 ///
 /// Accelerations are forces times inverse inertias, thesis eq. (51).
 pub(crate) trait Stage {
-    /// Whether coordinates change.
+    /// Whether the stage changes coordinates.
     const MOVES: bool = true;
-    /// Whether the forces are kept when it is over, as those of the previous evaluation; the next one
-    /// adds to what was kept there before, all zero.
+    /// Whether the forces are kept as those of the previous evaluation when the stage is finished. The buffers are
+    /// swapped: the next evaluation adds to the old buffer of previous forces, which must be zero.
     const KEEPS_FORCES: bool = false;
-    /// Advance by a time in s.
+    /// Apply the stage with a time step in s.
     fn advance<V: Coordinate<S>, S: Real>(motion: Motion<V, S>, step: f64);
 }
 
@@ -94,8 +94,8 @@ impl<V, S> Motion<'_, V, S> {
     }
 }
 
-/// A stage and what it advances: translations, rotations where something turns, and then, where
-/// coordinates change, the representatives in the box.
+/// Applies a stage to translations, and to rotations if anything rotates. If the stage changes coordinates, positions
+/// are then moved back into the box and the neighbour list is tested.
 pub(crate) struct Advance<'a, T, S, M> {
     pub stage: core::marker::PhantomData<fn() -> T>,
     pub step: f64,
@@ -104,8 +104,8 @@ pub(crate) struct Advance<'a, T, S, M> {
     pub staleness: Staleness<'a, S, M>,
 }
 
-/// Particles that are advanced together, few enough to stay in the cache from one column to the next.
-const TOGETHER: usize = 256;
+/// Number of particles that are advanced together: few enough for their columns to stay in the cache.
+const CHUNK: usize = 256;
 
 /// Each part returns whether the neighbour list has become stale.
 impl<T: Stage, S: Lanes, M: Metric> Work<bool> for Advance<'_, T, S, M> {
@@ -143,9 +143,9 @@ impl<T: Stage, S: Lanes, M: Metric> Work<bool> for Advance<'_, T, S, M> {
         *is_stale = false;
         let mut rest = self;
         while !rest.linear.coordinate.is_empty() {
-            let together = TOGETHER.min(rest.linear.coordinate.len());
-            let (now, others) = rest.split_at(together);
-            rest = others;
+            let size = CHUNK.min(rest.linear.coordinate.len());
+            let (now, remaining) = rest.split_at(size);
+            rest = remaining;
             let Self {
                 step,
                 mut linear,

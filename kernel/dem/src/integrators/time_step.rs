@@ -1,27 +1,28 @@
-//! Bounds of the time step: stability of every method, waves and cracks (59)-(62).
+//! Bounds of the time step: stability of each method, waves and cracks (59)-(62).
 
 use super::method::Integrator;
 use crate::material::Elastic;
 use gouge_equations::rendered;
 
-/// A damped oscillator, to which every mode of linked particles reduces.
+/// A damped oscillator. Every mode of interacting particles reduces to one.
 ///
 /// $$ \ddot x = -\omega^2 x - 2 \zeta \omega\, \dot x $$
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillator {
-    /// Stiffness over inertia, the squared angular frequency, in 1/s^2.
-    pub stiffness: f64,
-    /// Damping coefficient over inertia, twice the damping ratio times the frequency, in 1/s.
-    pub damping: f64,
+    /// Squared angular frequency: stiffness divided by inertia, in 1/s^2.
+    pub frequency_squared: f64,
+    /// Damping coefficient divided by inertia, $2 \zeta \omega$, in 1/s.
+    pub damping_rate: f64,
 }
 
-/// Coefficients, from the highest power, of the polynomial whose roots are the factors by which one
-/// step multiplies the modes of an oscillator, with k = w^2 dt^2 and c = 2 zeta w dt.
+/// Characteristic polynomial of a step: its roots are the factors by which one step multiplies the modes of an
+/// oscillator. Coefficients begin with the highest power.
 ///
-/// They follow from writing one step of each method as a linear map of position and velocity (velocity
-/// Verlet: and the acceleration; Beeman: and two of them) and expanding the determinant. Velocity Verlet
-/// with velocities of half a step is symplectic Euler on these velocities.
+/// `k` is (w dt)^2 and `c` is 2 zeta w dt, both dimensionless. The coefficients follow from writing one step as a
+/// linear map and expanding its determinant. The map acts on position and velocity; for velocity Verlet also on
+/// the acceleration, and for Beeman also on two accelerations. Velocity Verlet with forces at the half-step
+/// velocity is symplectic Euler for that velocity.
 pub fn characteristic_polynomial(integrator: Integrator, k: f64, c: f64) -> Vec<f64> {
     match integrator {
         Integrator::Euler => vec![1.0, c - 2.0, 1.0 - c + k],
@@ -40,18 +41,18 @@ pub fn characteristic_polynomial(integrator: Integrator, k: f64, c: f64) -> Vec<
     }
 }
 
-/// How much a mode may grow in one step and still count as stable, to admit methods that conserve
-/// undamped amplitudes exactly.
+/// Growth of a mode per step that still counts as stable, so that methods which conserve undamped amplitudes exactly
+/// are accepted.
 const GROWTH: f64 = 1e-9;
 
-/// Whether no mode of the oscillator grows with the given step in s.
+/// Whether no mode of an oscillator grows with the given time step in s.
 pub fn is_stable(integrator: Integrator, oscillator: Oscillator, step: f64) -> bool {
     let mut polynomial = characteristic_polynomial(
         integrator,
-        oscillator.stiffness * step * step,
-        oscillator.damping * step,
+        oscillator.frequency_squared * step * step,
+        oscillator.damping_rate * step,
     );
-    // Substituting (1 + growth) times the root admits roots up to that modulus.
+    // Scaling the roots by 1 / (1 + growth) accepts roots up to the modulus 1 + growth.
     let mut scale = 1.0;
     for coefficient in polynomial.iter_mut() {
         *coefficient *= scale;
@@ -77,11 +78,15 @@ fn all_roots_inside(mut polynomial: Vec<f64>) -> bool {
     true
 }
 
-/// Largest step in s up to which the method is stable for the oscillator; infinite without forces.
+/// Largest time step in s for which a method is stable for an oscillator; infinite without forces.
 ///
-/// The first step at which a mode begins to grow, found by a scan and bisection.
+/// The smallest time step at which a mode begins to grow, found by a scan and bisection.
 pub fn critical_step(integrator: Integrator, oscillator: Oscillator) -> f64 {
-    let rate = oscillator.stiffness.sqrt().max(oscillator.damping);
+    let Oscillator {
+        frequency_squared,
+        damping_rate,
+    } = oscillator;
+    let rate = frequency_squared.sqrt().max(damping_rate);
     if rate <= 0.0 {
         return f64::INFINITY;
     }
@@ -103,21 +108,21 @@ pub fn critical_step(integrator: Integrator, oscillator: Oscillator) -> f64 {
     low
 }
 
-/// Step in s that lets a primary wave cross a particle of the given radius in m.
+/// Time in s in which a primary wave crosses a particle with radius in m; an upper bound of the time step.
 ///
 /// $$ \Delta t < \frac{2 R}{c^P} $$
 ///
-/// Thesis eq. (61), for a density in kg/m^3.
+/// Thesis eq. (61), with the density in kg/m^3.
 #[rendered]
 pub fn wave_bound(elastic: Elastic, density: f64, radius: f64) -> f64 {
     2.0 * radius / elastic.primary_wave_speed(density)
 }
 
-/// Step in s that lets a crack of the given Mach number cross a particle.
+/// Time in s in which a crack with the given Mach number crosses a particle; an upper bound of the time step.
 ///
 /// $$ \Delta t < \frac{2 R}{Ma\, c^P} $$
 ///
-/// Thesis eq. (62).
+/// Thesis eq. (62), with radius in m and density in kg/m^3.
 #[rendered]
 pub fn crack_bound(elastic: Elastic, density: f64, radius: f64, mach_number: f64) -> f64 {
     wave_bound(elastic, density, radius) / mach_number

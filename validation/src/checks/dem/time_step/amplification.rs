@@ -122,8 +122,8 @@ fn boundaries() -> Outcome {
         for zeta in ratios() {
             let expected = boundary(method, [1.0, 2.0 * zeta], ADMITTED);
             let oscillator = Oscillator {
-                stiffness: 1.0,
-                damping: 2.0 * zeta,
+                frequency_squared: 1.0,
+                damping_rate: 2.0 * zeta,
             };
             let found = critical_step(integrator(method), oscillator);
             all.push(if zeta > 0.0 {
