@@ -6,7 +6,7 @@ use gouge_common::scalar::Real;
 use gouge_dem::geometry::mean_distance;
 use gouge_dem::laws::{
     AdjustedKelvinVoigt, BeamLaw, Bshp, CundallStrack, CundallStrackTruncated, EulerBernoulli,
-    ExternalLaw, Gravity, HarmonicWell, KelvinVoigt, NormalLaw, Slide, TangentialLaw,
+    ExternalLaw, Gravity, HarmonicWell, KelvinVoigt, NormalLaw, TangentialLaw, TangentialMotion,
 };
 use gouge_validation::scalars::Dual;
 use proptest::prelude::*;
@@ -40,7 +40,7 @@ proptest! {
         let eb = EulerBernoulli { stiffness: k, damping: 3.0 };
         prop_assert!(is_minus(eb.force(zeta, 0.0), eb.stored_energy(x).slope()));
         let normal = Dual::from_f64(-load);
-        let slide = Slide { displacement: zeta, velocity: 1.0 };
+        let slide = TangentialMotion { displacement: zeta, velocity: 1.0 };
         let cs = CundallStrack { friction: 1e9, stiffness: k, grips_at_rest: false };
         let force = cs.friction(slide, -load, &mut 0.0).force;
         prop_assert!(is_minus(force, cs.stored_energy(x, normal, Dual::default()).slope()));

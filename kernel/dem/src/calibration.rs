@@ -26,7 +26,8 @@ pub fn breaking_overlap_linear(
 ///
 /// $$ \xi = \left( \frac{\pi (s r)^2 \sigma}{P} \right)^{2/3} $$
 ///
-/// Thesis eqs. (90)-(91): radius $r$ in m, strength $\sigma$ in Pa, strength factor $s$; $P$ is the [`Bshp::prefactor`].
+/// Thesis eqs. (90)-(91): radius $r$ in m, strength $\sigma$ in Pa, strength factor $s$; $P$ is the
+/// [`Bshp::prefactor`].
 #[rendered]
 pub fn breaking_overlap_hertzian(
     elastic: Elastic,
@@ -58,8 +59,8 @@ pub fn matching_stiffness(
 ///
 /// $$ \gamma^n < \Lambda k^n $$
 ///
-/// Thesis eqs. (94)-(97). For granite 5.1e4 kg/s with the dissipative constant printed in the thesis, and 1.3e3 kg/s with
-/// the correct one (erratum E5 of the thesis).
+/// Thesis eqs. (94)-(97). For granite 5.1e4 kg/s with the dissipative constant printed in the thesis, and 1.3e3
+/// kg/s with the correct one (erratum E5 of the thesis).
 #[rendered]
 pub fn damping_bound(dissipative_constant: f64, matching_stiffness: f64) -> f64 {
     dissipative_constant * matching_stiffness
@@ -69,9 +70,9 @@ pub fn damping_bound(dissipative_constant: f64, matching_stiffness: f64) -> f64 
 ///
 /// $$ \Lambda = \frac{1 - \Upsilon}{C_1 \kappa^{2/5} v^{1/5}}, \qquad \kappa = \frac{P}{m^*}, \qquad C_1 = \frac{\sqrt\pi\, \Gamma(3/5)}{2^{1/5} 5^{2/5}\, \Gamma(21/10)} = 1.15345 $$
 ///
-/// Thesis eq. (93), for two equal spheres with radius in m, density in kg/m^3 and relative speed in m/s. $\kappa$ is the ratio
-/// of stiffness to reduced mass. The source calls it rho, which the thesis mistook for the mass density (erratum E4 of
-/// the thesis).
+/// Thesis eq. (93), for two equal spheres with radius in m, density in kg/m^3 and relative speed in m/s. $\kappa$
+/// is the ratio of stiffness to reduced mass. The source calls it rho, which the thesis mistook for the mass
+/// density (erratum E4 of the thesis).
 #[rendered]
 pub fn dissipative_constant_from_restitution(
     restitution: f64,

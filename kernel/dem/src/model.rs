@@ -23,7 +23,7 @@ pub enum Reading {
 pub enum ContactNormal {
     /// Truncated Kelvin-Voigt.
     KelvinVoigt(KelvinVoigt),
-    /// Viscoelastic spheres.
+    /// BSHP: viscoelastic spheres.
     Bshp(Bshp),
 }
 

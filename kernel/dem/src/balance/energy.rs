@@ -8,8 +8,8 @@ use gouge_equations::rendered;
 ///
 /// $$ E^{kin} + E^{cont} + E^{ext} + Q^{amb} + Q^{fric} + Q^{brk} = W^{bond} + W^{driv} $$
 ///
-/// Thesis eq. (72), with the energies measured from the initial state (erratum E21 of the thesis). Heat keeps its sign:
-/// a law that creates energy shows up as negative heat.
+/// Thesis eq. (72), with the energies measured from the initial state (erratum E21 of the thesis). Heat keeps its
+/// sign: a law that creates energy shows up as negative heat.
 #[rendered]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy<S = f64> {

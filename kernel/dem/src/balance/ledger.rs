@@ -33,8 +33,8 @@ impl<S: Real> Ledger<S> {
 
     /// Integrate heat and work rates over one step, by the trapezoidal rule.
     ///
-    /// Methods that do not evaluate forces at the end of a step pass the rates at its beginning twice (erratum E53 of the
-    /// thesis).
+    /// Methods that do not evaluate forces at the end of a step pass the rates at its beginning twice (erratum E53
+    /// of the thesis).
     pub(crate) fn advance(&mut self, before: &Bookings<S>, after: &Bookings<S>, step: f64) {
         let work = |before: S, after: S| (before + after) * (0.5 * step);
         self.friction += work(before.friction_rate, after.friction_rate);

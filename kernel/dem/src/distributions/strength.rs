@@ -39,9 +39,9 @@ impl<D: Distribution> Distribution for Power<D> {
 ///
 /// $$ f(x) = \frac{2}{(b-a)^2 (d-c)} \left( b \log \frac{y_1}{y_0} - (y_1 - y_0) \right), \qquad y_0 = \max\{a, x/d\}, \quad y_1 = \min\{b, x/c\} $$
 ///
-/// Radii are in [a, b] and factors in [c, d]. The smaller radius y has the density 2 (b - y) / (b - a)^2, and f is the
-/// density of its product with the factor. Figure 8 of the thesis is computed with a single uniform radius instead,
-/// although (49) uses the smaller one (erratum E27 of the thesis).
+/// Radii are in [a, b] and factors in [c, d]. The smaller radius y has the density 2 (b - y) / (b - a)^2, and f is
+/// the density of its product with the factor. Figure 8 of the thesis is computed with a single uniform radius
+/// instead, although (49) uses the smaller one (erratum E27 of the thesis).
 #[rendered]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeakestProduct {

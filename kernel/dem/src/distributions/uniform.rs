@@ -47,8 +47,8 @@ impl Uniform {
 ///
 /// $$ \frac{\sigma}{\mu} = \frac{1}{\sqrt3} \frac{b/a - 1}{b/a + 1} $$
 ///
-/// Inverse of thesis eq. (132). For the ratio sqrt(2) of the thesis the result is that of (131), 0.0990576. The decimal
-/// printed there lacks a zero (erratum E35 of the thesis).
+/// Inverse of thesis eq. (132). For the ratio sqrt(2) of the thesis the result is that of (131), 0.0990576. The
+/// decimal printed there lacks a zero (erratum E35 of the thesis).
 #[rendered]
 pub fn relative_deviation_of_ratio(ratio: f64) -> f64 {
     (ratio - 1.0) / (3.0_f64.sqrt() * (ratio + 1.0))

@@ -8,8 +8,8 @@ use gouge_equations::rendered;
 ///
 /// $$ \mu = -\frac{\sum_i F_i^{driv\,x}}{\sum_i F_i^{driv\,y}} $$
 ///
-/// Thesis eq. (85), as a ratio of sums over the driven particles. Positive if friction opposes motion towards positive x
-/// under compression (erratum E23 of the thesis). NaN or infinite without a normal load.
+/// Thesis eq. (85), as a ratio of sums over the driven particles. Positive if friction opposes motion towards
+/// positive x under compression (erratum E23 of the thesis). NaN or infinite without a normal load.
 #[rendered]
 pub fn friction_load<S: Real>(drive: &Drive<S>) -> f64 {
     -drive.applied.x.to_f64() / drive.applied.y.to_f64()

@@ -53,17 +53,17 @@ pub struct Driven<S> {
     /// Number of driven particles.
     pub number: S,
     /// Sum of the horizontal velocities in m/s.
-    pub velocity: S,
+    pub velocity_sum: S,
     /// Mean horizontal velocity in m/s at the beginning of the step.
-    pub known_velocity: S,
+    pub velocity_at_step_start: S,
     /// Fraction of the velocity error that the exact controller corrects per step.
     pub velocity_gain: f64,
     /// Reaction: sum of all other forces on the driven particles in N.
     pub reaction: Vec2<S>,
     /// Sum of the inverse masses in 1/kg.
-    pub inverse_mass: S,
+    pub inverse_mass_sum: S,
     /// Sum of the horizontal accelerations due to all other forces, in m/s^2.
-    pub acceleration: S,
+    pub acceleration_sum: S,
 }
 
 impl Driving {
@@ -71,20 +71,22 @@ impl Driving {
     #[inline]
     pub fn next_force<S: Real>(self, force: Vec2<S>, driven: &Driven<S>, step: f64) -> Vec2<S> {
         let load = S::from_f64(self.pressure * self.area);
-        let missing_speed = S::from_f64(self.speed) - driven.velocity / driven.number;
+        let velocity_error = S::from_f64(self.speed) - driven.velocity_sum / driven.number;
         match self.controller {
             Controller::RateLimited { force_rate } => {
                 let change = force_rate * step;
                 let excess = driven.reaction.y - load;
                 Vec2::new(
-                    force.x + missing_speed.signum_or_one() * change,
+                    force.x + velocity_error.signum_or_one() * change,
                     force.y + excess.signum_or_one() * change,
                 )
             }
             Controller::Exact => {
-                let missing = S::from_f64(self.speed) - driven.known_velocity;
-                let wanted = missing * driven.number * (driven.velocity_gain / step);
-                let share = (wanted - driven.acceleration) / driven.inverse_mass;
+                let velocity_error = S::from_f64(self.speed) - driven.velocity_at_step_start;
+                let target_acceleration =
+                    velocity_error * driven.number * (driven.velocity_gain / step);
+                let share =
+                    (target_acceleration - driven.acceleration_sum) / driven.inverse_mass_sum;
                 Vec2::new(share * driven.number, -load)
             }
         }

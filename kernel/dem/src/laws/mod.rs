@@ -22,6 +22,6 @@ pub use normal::{
 };
 pub use tangential::{
     BeamLaw, CundallStrack, CundallStrackTruncated, EulerBernoulli, Friction, Frictionless,
-    HaffWerner, NoBending, Slide, TangentialLaw,
+    HaffWerner, NoBending, TangentialLaw, TangentialMotion,
 };
 pub use yielding::{Unbreakable, YieldLaw, ZhangEckert, weakest_section};

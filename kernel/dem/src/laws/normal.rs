@@ -151,9 +151,9 @@ impl NormalLaw for Bshp {
 ///
 /// $$ A = \frac{1}{Y} \frac{1 + \nu}{1 - \nu} \left( \tfrac43 \eta_G (1 - \nu + \nu^2) + \eta_K (1 - 2 \nu)^2 \right), \qquad \Lambda = \tfrac32 A $$
 ///
-/// Shear viscosity $\eta_G$ and bulk viscosity $\eta_K$ in Pa s. This replaces thesis eq. (38), whose constant vanishes
-/// at $3 \eta_K = \eta_G$ and is wrong for viscosities proportional to the moduli; E2 of `docs/thesis/errata.md` has the
-/// derivation. For the printed form see [`dissipative_constant_printed`].
+/// Shear viscosity $\eta_G$ and bulk viscosity $\eta_K$ in Pa s. This replaces thesis eq. (38), whose constant
+/// vanishes at $3 \eta_K = \eta_G$ and is wrong for viscosities proportional to the moduli; E2 of
+/// `docs/thesis/errata.md` has the derivation. For the printed form see [`dissipative_constant_printed`].
 #[rendered]
 pub fn dissipative_constant(elastic: Elastic, shear_viscosity: f64, bulk_viscosity: f64) -> f64 {
     let nu = elastic.poissons_ratio;
@@ -185,8 +185,8 @@ pub fn dissipative_constant_printed(
 /// $$ F^n = -(\bar k\, \Xi + \bar\gamma\, \partial_t \Xi), \qquad \Xi = D(t^{init}) - D $$
 ///
 /// # Symbols
-/// $D$ is the distance of the centres in m, $\Xi$ the adjusted normal displacement in m, $\bar k$ `stiffness` in kg/s^2
-/// and $\bar\gamma$ `damping` in kg/s.
+/// $D$ is the distance of the centres in m, $\Xi$ the adjusted normal displacement in m, $\bar k$ `stiffness` in
+/// kg/s^2 and $\bar\gamma$ `damping` in kg/s.
 ///
 /// # Sign
 /// $\Xi$ is positive in compression. A negative force is repulsive, a positive one attractive.
@@ -223,7 +223,7 @@ impl AdjustedKelvinVoigt {
     pub fn stored_energy<S: Real>(self, xi_adjusted: S) -> S {
         xi_adjusted * xi_adjusted * (0.5 * self.stiffness)
     }
-    /// Power turned into heat in W, never negative.
+    /// Heat production in W, never negative.
     #[inline(always)]
     pub fn heat_rate<S: Real>(self, d_xi: S) -> S {
         d_xi * d_xi * self.damping

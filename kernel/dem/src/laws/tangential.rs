@@ -5,7 +5,7 @@ use gouge_equations::rendered;
 
 /// Tangential motion at a contact, summed over both ends.
 #[derive(Clone, Copy, Debug)]
-pub struct Slide<S> {
+pub struct TangentialMotion<S> {
     /// Sum of the tangential displacements of both ends since the contact began, in m, thesis eq. (32).
     pub displacement: S,
     /// Sum of the tangential velocities of both ends, in m/s, thesis eq. (34).
@@ -32,7 +32,12 @@ pub trait TangentialLaw: Copy + Send + Sync {
     /// Whether the law has memory.
     const REMEMBERS: bool;
     /// Force and heat for a tangential motion, under the given normal force in N.
-    fn friction<S: Real>(self, slide: Slide<S>, normal_force: S, memory: &mut S) -> Friction<S>;
+    fn friction<S: Real>(
+        self,
+        motion: TangentialMotion<S>,
+        normal_force: S,
+        memory: &mut S,
+    ) -> Friction<S>;
     /// Stored energy in J, for a displacement in m and a normal force in N.
     fn stored_energy<S: Real>(self, displacement: S, normal_force: S, memory: S) -> S;
 }
@@ -45,7 +50,7 @@ impl TangentialLaw for Frictionless {
     const ABSENT: bool = true;
     const REMEMBERS: bool = false;
     #[inline(always)]
-    fn friction<S: Real>(self, _: Slide<S>, _: S, _: &mut S) -> Friction<S> {
+    fn friction<S: Real>(self, _: TangentialMotion<S>, _: S, _: &mut S) -> Friction<S> {
         Friction {
             force: S::zero(),
             heat_rate: S::zero(),
@@ -80,9 +85,9 @@ impl TangentialLaw for Frictionless {
 ///
 /// # Example
 /// ```
-/// use gouge_dem::laws::{HaffWerner, Slide, TangentialLaw};
+/// use gouge_dem::laws::{HaffWerner, TangentialMotion, TangentialLaw};
 /// let law = HaffWerner { friction: 0.5, damping: 10.0 };
-/// let force = |velocity: f64| law.friction(Slide { displacement: 0.0, velocity }, -4.0, &mut 0.0).force;
+/// let force = |velocity: f64| law.friction(TangentialMotion { displacement: 0.0, velocity }, -4.0, &mut 0.0).force;
 /// assert_eq!([force(0.1), force(-3.0)], [-1.0, 2.0]);
 /// ```
 #[rendered]
@@ -97,11 +102,16 @@ pub struct HaffWerner {
 impl TangentialLaw for HaffWerner {
     const REMEMBERS: bool = false;
     #[inline(always)]
-    fn friction<S: Real>(self, slide: Slide<S>, normal_force: S, _: &mut S) -> Friction<S> {
-        let speed = slide.velocity.abs();
+    fn friction<S: Real>(
+        self,
+        motion: TangentialMotion<S>,
+        normal_force: S,
+        _: &mut S,
+    ) -> Friction<S> {
+        let speed = motion.velocity.abs();
         let magnitude = (normal_force.abs() * self.friction).min(speed * self.damping);
         Friction {
-            force: -(slide.velocity.signum_or_zero() * magnitude),
+            force: -(motion.velocity.signum_or_zero() * magnitude),
             heat_rate: magnitude * speed,
             heat: S::zero(),
         }
@@ -120,15 +130,15 @@ impl TangentialLaw for HaffWerner {
 /// $$ F = -\begin{cases} \mathrm{sgn}(\partial_t \zeta)\, \mu \lvert F^n \rvert, & \mu \lvert F^n \rvert \le k^t \lvert \zeta \rvert \\ k^t \zeta, & \mu \lvert F^n \rvert > k^t \lvert \zeta \rvert \end{cases} $$
 ///
 /// # Symbols
-/// $\zeta$ is the tangential displacement in m, $\partial_t \zeta$ its rate in m/s, $F^n$ the normal force in N, $\mu$
-/// `friction` and $k^t$ `stiffness` in kg/s^2.
+/// $\zeta$ is the tangential displacement in m, $\partial_t \zeta$ its rate in m/s, $F^n$ the normal force in N,
+/// $\mu$ `friction` and $k^t$ `stiffness` in kg/s^2.
 ///
 /// # Sign
 /// The force opposes the displacement while the contact sticks, and the velocity while it slides.
 ///
 /// # Energy
-/// Stored energy $\tfrac12 k^t \zeta^2$ while the contact sticks, none while it slides (erratum E16 of the thesis). The
-/// ledger records jumps of the stored energy as heat of either sign.
+/// Stored energy $\tfrac12 k^t \zeta^2$ while the contact sticks, none while it slides (erratum E16 of the
+/// thesis). The ledger records jumps of the stored energy as heat of either sign.
 ///
 /// # Errata
 /// The spring continues to stretch while the contact slides. A closed cycle can therefore create energy; the force
@@ -154,21 +164,26 @@ impl CundallStrack {
 impl TangentialLaw for CundallStrack {
     const REMEMBERS: bool = true;
     #[inline(always)]
-    fn friction<S: Real>(self, slide: Slide<S>, normal_force: S, memory: &mut S) -> Friction<S> {
+    fn friction<S: Real>(
+        self,
+        motion: TangentialMotion<S>,
+        normal_force: S,
+        memory: &mut S,
+    ) -> Friction<S> {
         let limit = normal_force.abs() * self.friction;
-        let spring = slide.displacement * self.stiffness;
-        let stored = spring * slide.displacement * 0.5;
+        let spring = motion.displacement * self.stiffness;
+        let stored = spring * motion.displacement * 0.5;
         let slid = *memory > S::zero();
         if limit <= spring.abs() {
             *memory = S::from_f64(Self::SLIDING);
             let sign = if self.grips_at_rest {
-                slide.velocity.signum_or_one()
+                motion.velocity.signum_or_one()
             } else {
-                slide.velocity.signum_or_zero()
+                motion.velocity.signum_or_zero()
             };
             Friction {
                 force: -(sign * limit),
-                heat_rate: limit * slide.velocity.abs(),
+                heat_rate: limit * motion.velocity.abs(),
                 heat: if slid { S::zero() } else { stored },
             }
         } else {
@@ -195,8 +210,8 @@ impl TangentialLaw for CundallStrack {
 /// # Equation
 /// $$ F = -k^t (\zeta - s), \qquad \lvert \zeta - s \rvert \le \mu \lvert F^n \rvert / k^t $$
 ///
-/// The slip $s$ is the memory of the contact. It follows the displacement such that the spring force never exceeds the
-/// Coulomb limit. LAMMPS, YADE and most other codes call this law Cundall-Strack.
+/// The slip $s$ is the memory of the contact. It follows the displacement such that the spring force never exceeds
+/// the Coulomb limit. LAMMPS, YADE and most other codes call this law Cundall-Strack.
 ///
 /// # Symbols
 /// $\zeta$ is the tangential displacement in m, $s$ the slip in m, $F^n$ the normal force in N, $\mu$ `friction` and
@@ -206,15 +221,16 @@ impl TangentialLaw for CundallStrack {
 /// The force opposes the elastic displacement $\zeta - s$.
 ///
 /// # Energy
-/// Stored energy $\tfrac12 k^t (\zeta - s)^2$. Slip under the limiting force becomes heat, so the law creates no energy.
+/// Stored energy $\tfrac12 k^t (\zeta - s)^2$. Slip under the limiting force becomes heat, so the law creates no
+/// energy.
 ///
 /// # Example
 /// ```
-/// use gouge_dem::laws::{CundallStrackTruncated, Slide, TangentialLaw};
+/// use gouge_dem::laws::{CundallStrackTruncated, TangentialMotion, TangentialLaw};
 /// let law = CundallStrackTruncated { friction: 0.5, stiffness: 10.0 };
 /// let mut slip = 0.0;
 /// let mut force = |displacement: f64| {
-///     law.friction(Slide { displacement, velocity: 0.0 }, -4.0, &mut slip).force
+///     law.friction(TangentialMotion { displacement, velocity: 0.0 }, -4.0, &mut slip).force
 /// };
 /// assert_eq!([force(0.1), force(1.0), force(0.8), force(0.5)], [-1.0, -2.0, 0.0, 2.0]);
 /// ```
@@ -230,9 +246,14 @@ pub struct CundallStrackTruncated {
 impl TangentialLaw for CundallStrackTruncated {
     const REMEMBERS: bool = true;
     #[inline(always)]
-    fn friction<S: Real>(self, slide: Slide<S>, normal_force: S, slip: &mut S) -> Friction<S> {
+    fn friction<S: Real>(
+        self,
+        motion: TangentialMotion<S>,
+        normal_force: S,
+        slip: &mut S,
+    ) -> Friction<S> {
         let limit = normal_force.abs() * self.friction;
-        let spring = (slide.displacement - *slip) * self.stiffness;
+        let spring = (motion.displacement - *slip) * self.stiffness;
         let sticks = spring.abs() <= limit;
         let capped = spring.signum_or_zero() * limit;
         let compliance = 1.0 / self.stiffness;
@@ -245,7 +266,7 @@ impl TangentialLaw for CundallStrackTruncated {
         *slip = if sticks {
             *slip
         } else {
-            slide.displacement - capped * compliance
+            motion.displacement - capped * compliance
         };
         Friction {
             force: -force,
@@ -307,7 +328,8 @@ impl BeamLaw for NoBending {
 /// The force opposes the displacement. Torques are positive counter-clockwise.
 ///
 /// # Energy
-/// Stored energy $\tfrac12 \bar k^t \zeta_{ij}^2$ per end, thesis eq. (77). Momentum and angular momentum are conserved.
+/// Stored energy $\tfrac12 \bar k^t \zeta_{ij}^2$ per end, thesis eq. (77). Momentum and angular momentum are
+/// conserved.
 ///
 /// # Errata
 /// The lever arm is the radius instead of the contact distance of (32): only then do torque and force derive from the

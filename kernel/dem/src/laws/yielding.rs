@@ -45,8 +45,8 @@ pub fn weakest_section<S: Real>(radii: [S; 2], strength_factor: S) -> S {
 /// `tangential_strength` in Pa, $s$ the strength factor, and $r_i$, $r_j$ the radii in m.
 ///
 /// # Domain
-/// The forces include their viscous parts: (46) is written for stresses, and the stress of a Kelvin-Voigt solid (2) has
-/// an elastic and a viscous part. Tension and compression are treated alike.
+/// The forces include their viscous parts: (46) is written for stresses, and the stress of a Kelvin-Voigt solid
+/// (2) has an elastic and a viscous part. Tension and compression are treated alike.
 ///
 /// # Example
 /// A bond between granite particles of 1 mm carries 280 MPa on pi mm^2.

@@ -9,7 +9,8 @@ use gouge_common::pair::Pair;
 /// square root of 3/2.
 pub const REACH: f64 = 1.224_744_871_391_589;
 
-/// All pairs whose distance is at most `reach` times the sum of their radii, sorted by first particle, then by second.
+/// All pairs whose distance is at most `reach` times the sum of their radii, sorted by first particle, then by
+/// second.
 pub fn bonds_within(particles: &Particles, domain: &Domain, reach: f64) -> Vec<Pair> {
     let radii: Vec<f64> = particles.radius.iter().map(|r| r * reach).collect();
     let spheres = SearchSpheres {

@@ -8,7 +8,8 @@ use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_dem::laws::{
     AdjustedKelvinVoigt, BeamLaw, Bshp, CundallStrack, CundallStrackTruncated, EulerBernoulli,
-    ExternalLaw, Gravity, HaffWerner, HarmonicWell, KelvinVoigt, NormalLaw, Slide, TangentialLaw,
+    ExternalLaw, Gravity, HaffWerner, HarmonicWell, KelvinVoigt, NormalLaw, TangentialLaw,
+    TangentialMotion,
 };
 use gouge_dem::particles::Particles;
 use gouge_dem::{Start, World};
@@ -126,7 +127,7 @@ fn normal(k: f64, xi: f64, radii: [f64; 2], nu: f64) -> [Measurement; 3] {
 
 fn tangential(k: f64, zeta: f64) -> [Measurement; 3] {
     let (x, load) = (Dual::variable(zeta), 2.0 * k * zeta.abs());
-    let slide = Slide {
+    let slide = TangentialMotion {
         displacement: zeta,
         velocity: 1.0,
     };
@@ -291,7 +292,7 @@ fn passivity() -> Outcome {
             }
             .heat_rate(rate),
         ];
-        let slide = Slide {
+        let slide = TangentialMotion {
             displacement: xi,
             velocity: rate,
         };
@@ -329,7 +330,7 @@ fn cycle(law: impl TangentialLaw, slid: f64, loads: [f64; 2]) -> [f64; 2] {
     for (direction, load) in legs {
         let at = |step: usize| {
             let part = slid * step as f64 / steps as f64;
-            Slide {
+            TangentialMotion {
                 displacement: if direction > 0.0 { part } else { slid - part },
                 velocity: direction,
             }

@@ -7,8 +7,8 @@ use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_dem::laws::{
     AdjustedKelvinVoigt, AmbientLaw, BeamLaw, Bshp, CorrelationDrag, CreepingDrag,
-    CundallStrackTruncated, EulerBernoulli, HaffWerner, KelvinVoigt, NormalLaw, Slide,
-    TangentialLaw,
+    CundallStrackTruncated, EulerBernoulli, HaffWerner, KelvinVoigt, NormalLaw, TangentialLaw,
+    TangentialMotion,
 };
 
 pub(super) fn checks() -> Vec<Check> {
@@ -105,11 +105,11 @@ fn friction(k: f64, c: f64, zeta: f64, rate: f64, load: f64) -> [Measurement; 2]
         stiffness: k,
     };
     let (slide, exact) = (
-        Slide {
+        TangentialMotion {
             displacement: zeta,
             velocity: rate,
         },
-        Slide {
+        TangentialMotion {
             displacement: wide(zeta),
             velocity: wide(rate),
         },

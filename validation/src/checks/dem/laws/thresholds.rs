@@ -9,7 +9,7 @@ use gouge_dem::contacts::ContactStart;
 use gouge_dem::geometry::ContactDistance;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{
-    Controller, CundallStrack, Driven, Driving, KelvinVoigt, Slide, TangentialLaw,
+    Controller, CundallStrack, Driven, Driving, KelvinVoigt, TangentialLaw, TangentialMotion,
 };
 use gouge_dem::model::{BondLaws, ContactLaws, ContactNormal, ContactTangential, Model};
 use gouge_dem::particles::Particles;
@@ -159,12 +159,12 @@ fn change(multiple: f64) -> [f64; 2] {
     };
     let driven = Driven {
         number: 2.0,
-        velocity: 6.0 * multiple,
-        known_velocity: 0.0,
+        velocity_sum: 6.0 * multiple,
+        velocity_at_step_start: 0.0,
         velocity_gain: 1.0,
         reaction: Vec2::new(0.0, 10.0 * multiple),
-        inverse_mass: 1.0,
-        acceleration: 0.0,
+        inverse_mass_sum: 1.0,
+        acceleration_sum: 0.0,
     };
     let force = law.next_force(Vec2::zero(), &driven, 0.5);
     [force.x, force.y]
@@ -291,7 +291,7 @@ fn letting_go() -> Outcome {
     };
     let mut memory = 0.0;
     let mut heat = |displacement: f64| {
-        let slide = Slide {
+        let slide = TangentialMotion {
             displacement,
             velocity: 1.0,
         };
