@@ -117,7 +117,7 @@ proptest! {
 
 #[test]
 fn the_thesis_reading_loses_angular_momentum_as_stated() {
-    // dL/dt = (d_ij + d_ji - D) F_t: the defect of the printed torque (E10).
+    // dL/dt = (d_ij + d_ji - D) F_t: the defect of the printed torque (thesis E10).
     let mut world = world(&rubbing("thesis", "radius", LAWS[0], 2.5e-3, 0.0, 500.0));
     let mut expected = 0.0;
     let before = momenta(&world).2;

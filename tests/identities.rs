@@ -131,7 +131,7 @@ fn rates_are_the_derivatives_of_displacements() {
                 before.tangential_displacement[end],
                 last.tangential_displacement[end],
             );
-            // E11: a lever arm that changes with the distance adds d' times the turn, which (34) drops.
+            // thesis E11: a lever arm that changes with the distance adds d' times the turn, which (34) drops.
             let arm = |d: f64| match distance {
                 "radius" => r[end],
                 "focal" => FocalArm.distances(r, d)[end],

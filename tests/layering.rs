@@ -1,6 +1,6 @@
 //! Who may use whom, and how long files may be.
 
-use crate::equations::{KERNELS, kernel_files, read, root, rust_files};
+use crate::sources::{KERNELS, kernel_files, read, root, rust_files};
 use std::path::Path;
 
 /// Uses of what is listed further down: a model names its integrator, as plain data.

@@ -24,3 +24,4 @@ mod equations;
 mod errata;
 mod identities;
 mod layering;
+mod sources;

@@ -4,7 +4,7 @@ use super::plane::{fixed, linear};
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::bounce::Stack;
 use crate::oracles::impact::damping_ratio;
@@ -15,7 +15,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "benchmarks.mfix.03",
         claim: "DEM03: two spheres pressed between walls oscillate, and come to rest with damping, as the linear system of their contacts does.",
-        equations: "(8)-(10), (26), (35)-(36)",
+        equations: thesis("(8)-(10), (26), (35)-(36)"),
         scene: "Spheres of 1 mm, 20000 and 10000 kg/m^3, between walls 1.8 mm apart, k = 1000 N/m, damping for e = 1, 0.8 and 0.5 of the pair, 1 ms; walls are fixed spheres on the same line, which is the same geometry; 4000 to 16000 steps, extrapolated",
         oracle: "Exponential of the matrix of the linear system",
         norm: "Largest error of a height in units of the first displacement from rest, at eight times",

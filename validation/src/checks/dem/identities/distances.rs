@@ -2,7 +2,7 @@
 
 use super::{Spheres, identity, worst};
 use crate::checks::random::Random;
-use crate::checks::{Check, Outcome};
+use crate::checks::{Check, Outcome, thesis};
 use crate::oracles::lens;
 use gouge_dem::geometry::{
     contact_half_length, cylinder_displaced_volume, displaced_volume, focal_distance,
@@ -20,7 +20,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.overlap-factor",
                 "The overlap factors of both sides add up to one.",
-                "(4)",
+                thesis("(4)"),
                 overlap_factors,
             )
         },
@@ -29,7 +29,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.equal-power",
                 "The focal point has the same power with respect to both circles.",
-                "(3), (4), (112)",
+                thesis("(3), (4), (112)"),
                 powers,
             )
         },
@@ -38,7 +38,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.half-length",
                 "Focal distance and half-length of the contact are the legs of a triangle on the radius.",
-                "(112), (113)",
+                thesis("(112), (113)"),
                 half_lengths,
             )
         },
@@ -48,7 +48,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.mean-distance",
                 "The mean distance to the contact is the average of sqrt(s^2 + y^2) over its length.",
-                "(114)",
+                thesis("(114)"),
                 mean_distances,
             )
         },
@@ -59,7 +59,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.sphere-volume",
                 "The displaced volume of two spheres is that of their lens.",
-                "(117)",
+                thesis("(117)"),
                 volumes,
             )
         },
@@ -70,7 +70,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.cylinder-volume",
                 "The displaced volume of two cylinders is that of the lens of their circles.",
-                "(118)-(120)",
+                thesis("(118)-(120)"),
                 areas,
             )
         },

@@ -2,7 +2,7 @@
 
 use super::{identity, vector, worst};
 use crate::checks::random::Random;
-use crate::checks::{Check, Measurement, Outcome, largest};
+use crate::checks::{Check, Measurement, Outcome, largest, thesis};
 use gouge_common::geometry::{Metric, PeriodicX, Vec2};
 use gouge_common::scalar::Real;
 use gouge_dem::geometry::{PairFrame, PairMotion, angle_of, focal_point, reversed, turn, wrapped};
@@ -18,7 +18,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.frames",
                 "Pair frames are of unit length, right-handed, and opposite from the other side, bit for bit.",
-                "(5), (110), (111)",
+                thesis("(5), (110), (111)"),
                 frames,
             )
         },
@@ -27,7 +27,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.focal-point",
                 "Both sides see one focal point.",
-                "(3), (4)",
+                thesis("(3), (4)"),
                 focal_points,
             )
         },
@@ -36,7 +36,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.angles",
                 "The angle of the opposite vector is the reversed angle, and a turn is the angle between two directions.",
-                "(106)-(109)",
+                thesis("(106)-(109)"),
                 angles,
             )
         },
@@ -48,7 +48,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.half-turn",
                 "Half a turn is +pi, whatever the sign of zero.",
-                "(107)",
+                thesis("(107)"),
                 half_turns,
             )
         },
@@ -59,7 +59,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.wrapped",
                 "The representative of an angle is in [-pi, pi) and whole turns away, also next to the seam.",
-                "(106)",
+                thesis("(106)"),
                 representatives,
             )
         },
@@ -71,7 +71,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.arcsine",
                 "The polynomial for the turn of a frame is the series of the arcsine to the seventeenth power.",
-                "(106)",
+                thesis("(106)"),
                 arcsine,
             )
         },
@@ -81,7 +81,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.minimum-image",
                 "The displacement in a periodic box is that of the nearest image, and opposite from the other side.",
-                "(63), (64)",
+                thesis("(63), (64)"),
                 images,
             )
         },
@@ -91,7 +91,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.pair-motion",
                 "Normal velocity, shear velocity and turning of the frame are those of the relative velocity.",
-                "(34), (110)",
+                thesis("(34), (110)"),
                 motion,
             )
         },
