@@ -14,6 +14,7 @@ mod readings;
 mod recorded;
 mod register;
 mod worlds;
+mod code_size;
 mod commands;
 mod estimators;
 mod distributions;

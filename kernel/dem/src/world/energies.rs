@@ -13,7 +13,7 @@ use crate::laws::{BeamLaw, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::geometry::Metric;
 
 impl<S: Number> World<S> {
-    /// Every term of the energy balance (72) in J; those of the ledger are zero without one.
+    /// Every term of the energy balance, thesis (72), in J; those of the ledger are zero without one.
     pub fn energy(&self) -> Energy<S> {
         let energy = S::state_energy(self);
         match &self.state.ledger {

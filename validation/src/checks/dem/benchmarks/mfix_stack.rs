@@ -74,16 +74,8 @@ fn stack() -> Outcome {
             ]);
         }
         for (at, name) in ["lower", "upper"].iter().enumerate() {
-            let line = (0..=100).map(|n| 1e-5 * f64::from(n));
-            curves.push(Curve::line(
-                &format!("oracle: {name}, e = {e}"),
-                line.map(|t| [1e3 * t, 1e3 * stack.state(HEIGHTS, t)[at]]),
-            ));
-            let marks = best.iter().enumerate();
-            curves.push(Curve::marks(
-                &format!("kernel: {name}, e = {e}"),
-                marks.map(|(n, y)| [(n + 1) as f64 / MOMENTS as f64, 1e3 * y[at]]),
-            ));
+            let label = format!("{name}, e = {e}");
+            curves.extend(heights(&label, &stack, &best, at));
         }
     }
     let plot = Plot {
@@ -93,6 +85,22 @@ fn stack() -> Outcome {
         curves,
     };
     Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+}
+
+/// Heights of one of the spheres in mm over time in ms, from the oracle and from the kernel.
+fn heights(label: &str, stack: &Stack, measured: &[[f64; 2]], at: usize) -> [Curve; 2] {
+    let line = (0..=100).map(|n| 1e-5 * f64::from(n));
+    let marks = measured.iter().enumerate();
+    [
+        Curve::line(
+            &format!("oracle: {label}"),
+            line.map(|t| [1e3 * t, 1e3 * stack.state(HEIGHTS, t)[at]]),
+        ),
+        Curve::marks(
+            &format!("kernel: {label}"),
+            marks.map(|(n, y)| [(n + 1) as f64 / MOMENTS as f64, 1e3 * y[at]]),
+        ),
+    ]
 }
 
 /// First distance of the lower sphere from rest in m, about.

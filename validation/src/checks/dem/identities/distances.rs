@@ -14,6 +14,13 @@ use xprec::Df64;
 const EPSILON: f64 = f64::EPSILON;
 
 pub(super) fn checks() -> Vec<Check> {
+    let mut checks = length_checks();
+    checks.extend(volume_checks());
+    checks
+}
+
+/// Checks of distances and lengths.
+fn length_checks() -> Vec<Check> {
     vec![
         Check {
             reason: "Both factors come from the same rounded asymmetry with opposite signs; each is rounded once, and so is their sum: one unit of the larger",
@@ -52,6 +59,12 @@ pub(super) fn checks() -> Vec<Check> {
                 mean_distances,
             )
         },
+    ]
+}
+
+/// Checks of displaced volumes.
+fn volume_checks() -> Vec<Check> {
+    vec![
         Check {
             reason: "A dozen roundings of the two caps, and a rounding of the focal distances, which moves the wall between the caps, of area pi z^2 or, where that is less, what one rounding of the distance encloses",
             oracle: "Volume of the lens of two spheres from radii and distance alone, pi (R + r - D)^2 (D^2 + 2 D (R + r) - 3 (R - r)^2) / (12 D), in double-double",

@@ -12,6 +12,14 @@ use xprec::Df64;
 const EPSILON: f64 = f64::EPSILON;
 
 pub(super) fn checks() -> Vec<Check> {
+    let mut checks = frame_checks();
+    checks.extend(angle_checks());
+    checks.extend(motion_checks());
+    checks
+}
+
+/// Checks of the geometry of a pair.
+fn frame_checks() -> Vec<Check> {
     vec![
         Check {
             reason: "A root, an inverse and a product, each rounded once, squared: four units of one",
@@ -31,6 +39,12 @@ pub(super) fn checks() -> Vec<Check> {
                 focal_points,
             )
         },
+    ]
+}
+
+/// Checks of angles.
+fn angle_checks() -> Vec<Check> {
+    vec![
         Check {
             reason: "Rounding of an arctangent and of pi",
             ..identity(
@@ -75,6 +89,12 @@ pub(super) fn checks() -> Vec<Check> {
                 arcsine,
             )
         },
+    ]
+}
+
+/// Checks of images and of motion.
+fn motion_checks() -> Vec<Check> {
+    vec![
         Check {
             oracle: "All images, in double-double",
             reason: "A rounding, 2^-53, of each difference and two of the norm: half a unit of the width and three halves of the distance; a representative carries eight of up to eight widths",

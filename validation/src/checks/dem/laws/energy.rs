@@ -253,6 +253,13 @@ fn slope(cluster: &Cluster, i: usize, axis: usize) -> Result<f64, Failure> {
         .slope())
 }
 
+/// Heat rates of both laws of a bond.
+fn beam_heat_rates(stiffness: f64, damping: f64, rate: f64) -> [f64; 2] {
+    let bending = EulerBernoulli { stiffness, damping };
+    let stretching = AdjustedKelvinVoigt { stiffness, damping };
+    [bending.heat_rate(rate), stretching.heat_rate(rate)]
+}
+
 fn passivity() -> Outcome {
     let mut random = Random::new(33);
     let mut negative = 0;
@@ -279,18 +286,7 @@ fn passivity() -> Outcome {
         negative += normal.into_iter().filter(|&pair| lost(pair)).count();
         negative +=
             usize::from(kv.force(radii, xi, rate) > 0.0 || bshp.force(radii, xi, rate) > 0.0);
-        let beams = [
-            EulerBernoulli {
-                stiffness: k,
-                damping: c,
-            }
-            .heat_rate(rate),
-            AdjustedKelvinVoigt {
-                stiffness: k,
-                damping: c,
-            }
-            .heat_rate(rate),
-        ];
+        let beams = beam_heat_rates(k, c, rate);
         let slide = Slide {
             displacement: xi,
             velocity: rate,
