@@ -4,6 +4,7 @@ mod fields;
 mod time;
 
 use crate::worlds::{advance, head, particle, world};
+use approx::{abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::{Metric, PeriodicX, Vec2};
 use gouge_dem::World;
 use gouge_dem::geometry::{contact_half_length, overlap_factor};
@@ -11,10 +12,6 @@ use gouge_dem::laws::{ZhangEckert, dissipative_constant, dissipative_constant_pr
 use gouge_dem::material::{Elastic, GRANITE};
 use gouge_dem::particles::{sphere_mass, sphere_moment_of_inertia};
 use std::f64::consts::PI;
-
-fn close(found: f64, expected: f64, relative: f64) -> bool {
-    (found - expected).abs() <= relative * expected.abs()
-}
 
 // --- Material and normal forces -------------------------------------------------------------
 
@@ -47,10 +44,13 @@ fn restitution_of_viscoelastic_spheres_follows_the_coefficient_of_the_force() {
     let c1 = 1.153_448_858_1;
     let b = 1e-3;
     let loss = (1.0 - viscoelastic_restitution(b)) / (c1 * b);
-    assert!((loss - 1.0).abs() < 2e-3, "{loss}");
+    assert!(abs_diff_eq!(loss, 1.0, epsilon = 2e-3), "{loss}");
     // An independent integration of the same equation of motion gives 0.83 at b = 0.166710.
     let restitution = viscoelastic_restitution(0.166_710_28);
-    assert!((restitution - 0.83).abs() < 1e-4, "{restitution}");
+    assert!(
+        abs_diff_eq!(restitution, 0.83, epsilon = 1e-4),
+        "{restitution}"
+    );
 }
 
 #[test]
@@ -65,15 +65,21 @@ fn proportional_viscosities_give_their_time_as_the_constant() {
         };
         let (eta_g, eta_k) = (tau * solid.shear_modulus(), tau * solid.bulk_modulus());
         let constant = dissipative_constant(solid, eta_g, eta_k);
-        assert!(close(constant, 1.5 * tau, 1e-12), "{nu}: {constant}");
+        assert!(
+            relative_eq!(constant, 1.5 * tau, epsilon = 0.0, max_relative = 1e-12),
+            "{nu}: {constant}"
+        );
         // As printed it misses by (1 - nu) (1 + 4 nu)^2 / (12 nu^2 (2 - nu)); with twice the shear
         // viscosity, the convention of its source, it passes.
         if nu > 0.0 {
             let printed = dissipative_constant_printed(solid, eta_g, eta_k) / tau;
             let miss = (1.0 - nu) * (1.0 + 4.0 * nu).powi(2) / (12.0 * nu * nu * (2.0 - nu));
-            assert!(close(printed, miss, 1e-12) && (printed - 1.0).abs() > 0.1);
+            assert!(
+                relative_eq!(printed, miss, epsilon = 0.0, max_relative = 1e-12)
+                    && (printed - 1.0).abs() > 0.1
+            );
             let source = dissipative_constant_printed(solid, 2.0 * eta_g, eta_k) / tau;
-            assert!(close(source, 1.0, 1e-12));
+            assert_relative_eq!(source, 1.0, epsilon = 0.0, max_relative = 1e-12);
         }
     }
     // It vanishes at 3 eta_K = eta_G as printed; the constant used is positive for positive viscosities.
@@ -118,7 +124,10 @@ fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_what_they_store(
     let mut world = at(half);
     world.evaluate_if_pending().expect("finite");
     let force = world.forces().force[1].x;
-    assert!(close(force, -slope, 1e-6) && force > 0.0, "{force} {slope}");
+    assert!(
+        relative_eq!(force, -slope, epsilon = 0.0, max_relative = 1e-6) && force > 0.0,
+        "{force} {slope}"
+    );
 }
 
 #[test]
@@ -134,10 +143,20 @@ fn masses_are_those_of_stacked_discs() {
         inertia += 0.5 * density * area * dz * (r * r - z * z);
     }
     let found = sphere_mass(density, r);
-    assert!(close(found, mass, 1e-9));
-    assert!(close(sphere_moment_of_inertia(found, r), inertia, 1e-9));
+    assert_relative_eq!(found, mass, epsilon = 0.0, max_relative = 1e-9);
+    assert_relative_eq!(
+        sphere_moment_of_inertia(found, r),
+        inertia,
+        epsilon = 0.0,
+        max_relative = 1e-9
+    );
     assert!(
-        close(sphere_mass(2.0 * density, r), 2.0 * found, 1e-15),
+        relative_eq!(
+            sphere_mass(2.0 * density, r),
+            2.0 * found,
+            epsilon = 0.0,
+            max_relative = 1e-15
+        ),
         "grows with density"
     );
 }
@@ -190,7 +209,7 @@ fn forces_and_torques_of_links_are_the_gradient_of_what_they_store() {
         let found = [force[1].x, force[1].y, torque[0], torque[1]];
         for (found, slope) in found.iter().zip(slopes) {
             assert!(
-                close(*found, -slope, 1e-5),
+                relative_eq!(*found, -slope, epsilon = 0.0, max_relative = 1e-5),
                 "{kind}: {found} against {slope}"
             );
         }

@@ -1,7 +1,7 @@
 //! Fields, driving and friction.
 
-use super::close;
 use crate::worlds::{INTEGRATORS, advance, head, particle, world};
+use approx::{abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::estimators::{friction_feedback, friction_load};
@@ -13,17 +13,40 @@ fn the_drag_of_other_shapes_has_the_base_ten() {
     // At large Reynolds numbers only the last term is left: 0.42 for a sphere; general sphericities of
     // 10^-1 and 10^-32, of whose logarithms 1 and 2 are the fifth roots, add a factor of 10^0.4 or 10^0.8.
     let limit = |sphericity: f64| drag_coefficient(1e300, [1.0, sphericity, 1.0]);
-    assert!(close(limit(1.0), 0.42, 1e-12));
-    assert!(close(limit(0.1), 0.42 * 100.0_f64.powf(0.2), 1e-12));
-    assert!(close(limit(1e-32), 0.42 * 10_000.0_f64.powf(0.2), 1e-12));
+    assert_relative_eq!(limit(1.0), 0.42, epsilon = 0.0, max_relative = 1e-12);
+    assert_relative_eq!(
+        limit(0.1),
+        0.42 * 100.0_f64.powf(0.2),
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
+    assert_relative_eq!(
+        limit(1e-32),
+        0.42 * 10_000.0_f64.powf(0.2),
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
     // The first term goes with the root of the lengthwise sphericity, the last with the crosswise one.
     let at = |lengthwise, crosswise| drag_coefficient(1.0, [lengthwise, 1.0, crosswise]);
-    assert!(close(at(0.25, 1.0) - at(1.0, 1.0), 8.0, 1e-12));
-    assert!(close(at(1.0, 0.5) - at(1.0, 1.0), 0.42, 1e-12));
+    assert_relative_eq!(
+        at(0.25, 1.0) - at(1.0, 1.0),
+        8.0,
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
+    assert_relative_eq!(
+        at(1.0, 0.5) - at(1.0, 1.0),
+        0.42,
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
     // The third term at Re = 1: what is left over of a sphericity of 1/16 has 3 times 16 to 3/4.
     let whole = drag_coefficient(1.0, [1.0, 0.0625, 1.0]);
     let rest = whole - 8.0 - 16.0 * 4.0 - limit(0.0625);
-    assert!(close(rest, 24.0, 1e-12), "{rest}");
+    assert!(
+        relative_eq!(rest, 24.0, epsilon = 0.0, max_relative = 1e-12),
+        "{rest}"
+    );
 }
 
 /// Two driven particles of different size in a drag, with an exact controller.
@@ -44,12 +67,27 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
     for _ in 0..50 {
         advance(&mut world, 1);
         let v = &world.particles().velocity;
-        assert!(close(0.5 * (v[0].x + v[1].x), 2.0, 1e-12));
+        assert_relative_eq!(
+            0.5 * (v[0].x + v[1].x),
+            2.0,
+            epsilon = 0.0,
+            max_relative = 1e-12
+        );
         // The load is a sum over the driven, points down, and acts on the width times twice the mean
         // radius: 1 MPa on 20 mm times 3 mm.
-        assert!(close(world.drive().force.y, -60.0, 1e-12));
+        assert_relative_eq!(
+            world.drive().force.y,
+            -60.0,
+            epsilon = 0.0,
+            max_relative = 1e-12
+        );
     }
-    assert!(close(characteristic_length(&[1e-3, 2e-3]), 3e-3, 1e-15));
+    assert_relative_eq!(
+        characteristic_length(&[1e-3, 2e-3]),
+        3e-3,
+        epsilon = 0.0,
+        max_relative = 1e-15
+    );
     // Each carries the same share, along the axes of the laboratory.
     let mut world = driven(
         "controller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 2.0\npressure = 0.0\n\
@@ -77,12 +115,22 @@ fn exact_driving_settles_with_every_integrator() {
         for _ in 0..20 {
             advance(&mut world, 1);
             assert!(
-                close(world.particles().velocity[0].x, 2.0, 1e-12),
+                relative_eq!(
+                    world.particles().velocity[0].x,
+                    2.0,
+                    epsilon = 0.0,
+                    max_relative = 1e-12
+                ),
                 "{integrator}"
             );
             let force = world.drive().force.x;
             assert!(
-                close(force, 6.0 * PI * 1e-3 * 2.0, 1e-10),
+                relative_eq!(
+                    force,
+                    6.0 * PI * 1e-3 * 2.0,
+                    epsilon = 0.0,
+                    max_relative = 1e-10
+                ),
                 "{integrator}: {force}"
             );
         }
@@ -102,7 +150,7 @@ fn the_rate_limited_controller_brings_the_reaction_to_the_load() {
     let mut world = world(&text);
     advance(&mut world, 50_000);
     assert!(
-        close(world.drive().force.y, -0.5, 0.01),
+        abs_diff_eq!(world.drive().force.y, -0.5, epsilon = 0.005),
         "the rate limits the force"
     );
     advance(&mut world, 150_000);
@@ -110,7 +158,8 @@ fn the_rate_limited_controller_brings_the_reaction_to_the_load() {
         advance(&mut world, 100);
         let drive = world.drive();
         assert!(
-            close(drive.reaction.y, 1.0, 0.01) && close(drive.force.y, -1.0, 0.01),
+            abs_diff_eq!(drive.reaction.y, 1.0, epsilon = 0.01)
+                && abs_diff_eq!(drive.force.y, -1.0, epsilon = 0.01),
             "{drive:?}"
         );
     }
@@ -138,11 +187,16 @@ fn friction_is_the_signed_ratio_of_sums() {
         assert_eq!(friction_feedback(drive), reaction_ratio);
         // Equal accelerations of both: each share balances its own drag only on the average speed.
         assert!(
-            close(drive.reaction.y, 1.0, 1e-6),
+            relative_eq!(drive.reaction.y, 1.0, epsilon = 0.0, max_relative = 1e-6),
             "the well carries the load: {drive:?}"
         );
         assert!(
-            close(friction_load(drive), friction_feedback(drive), 1e-6),
+            relative_eq!(
+                friction_load(drive),
+                friction_feedback(drive),
+                epsilon = 0.0,
+                max_relative = 1e-6
+            ),
             "steady motion"
         );
         assert!(friction_load(drive) * speed > 0.0);
@@ -167,7 +221,12 @@ fn work_of_driving_is_signed() {
     advance(&mut world, 2000);
     let after = world.energy();
     assert!(after.driving < 0.0);
-    assert!(close(after.driving, after.kinetic - before.kinetic, 1e-9));
+    assert_relative_eq!(
+        after.driving,
+        after.kinetic - before.kinetic,
+        epsilon = 0.0,
+        max_relative = 1e-9
+    );
 }
 
 #[test]
@@ -190,7 +249,7 @@ fn a_column_in_a_harmonic_well_has_a_parabolic_pressure() {
         let y = link.focal_point.y - 0.01;
         let expected = k / 4e-3 * (9e-3_f64.powi(2) - y * y);
         assert!(
-            close(-link.normal_force, expected, 2e-3),
+            abs_diff_eq!(-link.normal_force, expected, epsilon = 2e-3 * expected),
             "{y}: {}",
             link.normal_force
         );
