@@ -1,6 +1,6 @@
 //! Calibration against the laws of the kernel, integrated without its world, and the numbers of the thesis.
 
-use approx::assert_abs_diff_eq;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::calibration::{
     FrictionDecay, breaking_overlap_hertzian, breaking_overlap_linear, damping_bound,
     damping_ratio_for, dissipative_constant_from_restitution,
@@ -41,12 +41,12 @@ fn truncated_collisions_are_those_of_the_law() {
         let (restitution, duration) = collide(law, 1e-3, mass, 1.0, 2e-5 / frequency);
         let expected = truncated_restitution(ratio);
         assert!(
-            (restitution / expected - 1.0).abs() < 1e-4,
+            abs_diff_eq!(restitution / expected, 1.0, epsilon = 1e-4),
             "{ratio}: {restitution} {expected}"
         );
         let expected = truncated_duration(ratio) / frequency;
         assert!(
-            (duration - expected).abs() < 4e-5 / frequency,
+            abs_diff_eq!(duration, expected, epsilon = 4e-5 / frequency),
             "{ratio}: {duration} {expected}"
         );
     }
@@ -74,12 +74,19 @@ fn the_damping_of_the_thesis_leaves_less_than_a_quarter() {
 fn strong_damping_leaves_the_inverse_square_of_its_ratio() {
     for restitution in [1e-8, 1e-12, 1e-16, 1e-30] {
         let found = damping_ratio_for(restitution) * 2.0 * f64::sqrt(restitution);
-        assert!((found - 1.0).abs() < 1e-6, "{restitution}: {found}");
+        assert!(
+            abs_diff_eq!(found, 1.0, epsilon = 1e-6),
+            "{restitution}: {found}"
+        );
     }
     let step = |ratio: f64| truncated_duration(ratio) - truncated_duration(1.0);
     // Smooth through critical damping: slope -2/3.
     for offset in [-1e-3, -1e-6, -1e-9, 1e-9, 1e-6, 1e-3] {
-        assert!((step(1.0 + offset) / offset + 2.0 / 3.0).abs() < 1e-3 + 1e-15 / f64::abs(offset));
+        assert_abs_diff_eq!(
+            step(1.0 + offset) / offset,
+            -2.0 / 3.0,
+            epsilon = 1e-3 + 1e-15 / f64::abs(offset)
+        );
     }
 }
 
@@ -122,11 +129,15 @@ fn metre_spheres_rebound_nearly_as_the_first_order_promises() {
         };
         collide(law, 0.5, mass, 1.0, 1e-7).0
     };
-    assert!((rebound(0.83) - 0.8475).abs() < 1e-4, "{}", rebound(0.83));
+    assert!(
+        abs_diff_eq!(rebound(0.83), 0.8475, epsilon = 1e-4),
+        "{}",
+        rebound(0.83)
+    );
     // The neglected term is of second order: ten times less damping, a hundred times less error.
     let error = |loss: f64| rebound(1.0 - loss) - (1.0 - loss);
     assert!(
-        (error(0.02) / error(0.002) - 100.0).abs() < 5.0,
+        abs_diff_eq!(error(0.02) / error(0.002), 100.0, epsilon = 5.0),
         "{} {}",
         error(0.02),
         error(0.002)
@@ -174,7 +185,7 @@ fn the_first_coefficient_is_that_of_an_integrated_collision() {
     let slope = (1.0 + v) / 1e-3;
     // The next term of the expansion is 0.8 b.
     assert!(
-        (slope / first_order_coefficient() - 1.0).abs() < 1e-3,
+        abs_diff_eq!(slope / first_order_coefficient(), 1.0, epsilon = 1e-3),
         "{slope}"
     );
 }
@@ -183,7 +194,10 @@ fn the_first_coefficient_is_that_of_an_integrated_collision() {
 fn damping_ratios_invert_restitutions() {
     for wanted in [0.99, 0.83, 0.5, 0.223, 0.1353, 0.01, 1e-3] {
         let found = truncated_restitution(damping_ratio_for(wanted));
-        assert!((found / wanted - 1.0).abs() < 1e-9, "{wanted} {found}");
+        assert!(
+            abs_diff_eq!(found / wanted, 1.0, epsilon = 1e-9),
+            "{wanted} {found}"
+        );
     }
     assert_abs_diff_eq!(damping_ratio_for(0.83) / 0.061_616_358, 1.0, epsilon = 1e-7);
 }
@@ -197,6 +211,6 @@ fn friction_rises_to_its_peak_and_decays_to_its_residual() {
         rate: 5.0,
     };
     assert_eq!([decay.at(1.0), decay.at(2.0)], [0.45, 0.9]);
-    assert!((decay.at(2.0 + 1e-9) - 0.9).abs() < 1e-8);
+    assert_abs_diff_eq!(decay.at(2.0 + 1e-9), 0.9, epsilon = 1e-8);
     assert_abs_diff_eq!(decay.at(100.0), 0.3, epsilon = 1e-12);
 }

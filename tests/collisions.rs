@@ -1,6 +1,7 @@
 //! Two particles meet: closed forms of the outcome.
 
 use crate::worlds::{advance, head, particle, world};
+use approx::abs_diff_eq;
 use gouge_dem::World;
 use proptest::prelude::*;
 
@@ -46,7 +47,7 @@ fn restitution_of_truncated_kelvin_voigt_is_the_closed_form() {
         // The onset is missed by up to a step: relative error below the step in units of 1/w, 1e-5,
         // times the damping ratio; the scheme itself contributes 1e-10.
         assert!(
-            (found / expected - 1.0).abs() < 3e-5,
+            abs_diff_eq!(found / expected, 1.0, epsilon = 3e-5),
             "{ratio}: {found}, {expected}"
         );
     }
@@ -110,14 +111,16 @@ proptest! {
         advance(&mut world, 300);
         let after = momenta(&world);
         // Scales: total |m v| about 2e-4 kg m/s, times 3 mm; 300 steps of a few roundings each.
-        prop_assert!((after.0 - before.0).abs() < 1e-17 && (after.1 - before.1).abs() < 1e-17);
-        prop_assert!((after.2 - before.2).abs() < 1e-19, "{} {}", before.2, after.2);
+        prop_assert!(abs_diff_eq!(after.0, before.0, epsilon = 1e-17));
+        prop_assert!(abs_diff_eq!(after.1, before.1, epsilon = 1e-17));
+        let (old, new) = (before.2, after.2);
+        prop_assert!(abs_diff_eq!(new, old, epsilon = 1e-19), "{old} {new}");
     }
 }
 
 #[test]
 fn the_thesis_reading_loses_angular_momentum_as_stated() {
-    // dL/dt = (d_ij + d_ji - D) F_t: the defect of the printed torque (E10).
+    // dL/dt = (d_ij + d_ji - D) F_t: the defect of the printed torque (thesis E10).
     let mut world = world(&rubbing("thesis", "radius", LAWS[0], 2.5e-3, 0.0, 500.0));
     let mut expected = 0.0;
     let before = momenta(&world).2;
@@ -130,7 +133,10 @@ fn the_thesis_reading_loses_angular_momentum_as_stated() {
     }
     let lost = momenta(&world).2 - before;
     assert!(expected.abs() > 1e-12);
-    assert!((lost / expected - 1.0).abs() < 1e-6, "{lost}, {expected}");
+    assert!(
+        abs_diff_eq!(lost / expected, 1.0, epsilon = 1e-6),
+        "{lost}, {expected}"
+    );
 }
 
 #[test]

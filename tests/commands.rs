@@ -2,7 +2,7 @@
 
 use crate::program::{run, stderr, stdout, write_scene};
 use crate::worlds::{head, particle};
-use approx::assert_abs_diff_eq;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use serde_json::Value;
 
 const CONTACT: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
@@ -41,7 +41,7 @@ fn links_prints_every_pair_with_its_forces() {
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 2);
     let number = |row: &[&str], column: usize| row[column].parse::<f64>().expect("a number");
-    let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-9 * b.abs(), "{a} {b}");
+    let near = |a: f64, b: f64| assert!(abs_diff_eq!(a, b, epsilon = 1e-9 * b.abs()), "{a} {b}");
     assert_eq!(rows[0][..3], ["0", "1", "weak"]);
     near(number(&rows[0], 8), 1e-4);
     near(number(&rows[0], 12), 1.0);
@@ -145,7 +145,7 @@ fn a_run_leaves_what_the_contract_lists() {
         .collect();
     assert_eq!(times.first(), Some(&0.0));
     assert!(times.windows(2).all(|two| two[0] < two[1]));
-    assert!((times[times.len() - 1] - 3e-5).abs() < 1e-18);
+    assert_abs_diff_eq!(times[times.len() - 1], 3e-5, epsilon = 1e-18);
     let particles = read("particles.csv");
     assert!(particles.starts_with("id,x,y,vx,vy,angle,angular_velocity,radius,role\n"));
     assert_eq!(particles.lines().count(), 1 + 183);

@@ -1,6 +1,6 @@
 //! Distributions against quadrature and samples.
 
-use approx::assert_abs_diff_eq;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::distributions::{
     DENSEST_DISCS, Distribution, Power, Uniform, UniformProduct, UniformSum, WeakestProduct,
     Weibull, crystallises, discs_in_square, spheres_in_cube,
@@ -149,7 +149,8 @@ fn the_strength_of_the_thesis_has_its_moments() {
         exponent: 2.0,
     });
     assert!(
-        (mean - 1.013_18).abs() < 1e-5 && (spread - 0.228_76).abs() < 1e-5,
+        abs_diff_eq!(mean, 1.013_18, epsilon = 1e-5)
+            && abs_diff_eq!(spread, 0.228_76, epsilon = 1e-5),
         "{mean} {spread}"
     );
     let (mean, spread) = moments(&Power {
@@ -157,7 +158,8 @@ fn the_strength_of_the_thesis_has_its_moments() {
         exponent: 2.0,
     });
     assert!(
-        (mean - 0.898_42).abs() < 1e-5 && (spread - 0.210_12).abs() < 1e-5,
+        abs_diff_eq!(mean, 0.898_42, epsilon = 1e-5)
+            && abs_diff_eq!(spread, 0.210_12, epsilon = 1e-5),
         "{mean} {spread}"
     );
 }
@@ -176,7 +178,11 @@ fn weibull_moments_are_those_of_its_limits() {
         scale: 2.0_f64.sqrt(),
         shape: 2.0,
     };
-    assert!((rayleigh.variance() - (2.0 - std::f64::consts::FRAC_PI_2)).abs() < 1e-12);
+    assert_abs_diff_eq!(
+        rayleigh.variance(),
+        2.0 - std::f64::consts::FRAC_PI_2,
+        epsilon = 1e-12
+    );
 }
 
 #[test]
@@ -197,7 +203,10 @@ fn size_bounds_are_on_the_verge_of_order() {
     assert_abs_diff_eq!(relative, 0.099_057_6, epsilon = 1e-7);
     assert!(crystallises(relative) && !crystallises(0.1));
     let back = Uniform::with_moments(uniform.mean(), uniform.deviation());
-    assert!((back.low - uniform.low).abs() < 1e-15 && (back.high - uniform.high).abs() < 1e-15);
+    assert!(
+        abs_diff_eq!(back.low, uniform.low, epsilon = 1e-15)
+            && abs_diff_eq!(back.high, uniform.high, epsilon = 1e-15)
+    );
 }
 
 #[test]
@@ -254,7 +263,10 @@ fn densities_are_integrals_over_one_of_their_variables() {
         let expected = quadrature(narrow.low, narrow.high, |s| {
             narrow.density(s) * exceeds(x / s)
         });
-        assert!((1.0 - law.cumulative(x) - expected).abs() < 1e-8, "{x}");
+        assert!(
+            abs_diff_eq!(1.0 - law.cumulative(x), expected, epsilon = 1e-8),
+            "{x}"
+        );
     }
 }
 
@@ -311,7 +323,11 @@ fn an_interval_of_ratio_root_two_is_that_of_the_thesis() {
     };
     let relative = relative_deviation_of_ratio(2.0_f64.sqrt());
     assert_abs_diff_eq!(relative, uniform.relative_deviation(), epsilon = 1e-15);
-    assert!((relative - (3.0_f64.sqrt() - 24.0_f64.sqrt() / 3.0)).abs() < 1e-15);
+    assert_abs_diff_eq!(
+        relative,
+        3.0_f64.sqrt() - 24.0_f64.sqrt() / 3.0,
+        epsilon = 1e-15
+    );
     assert_abs_diff_eq!(spheres_per_disc(0.1, 1e-3), 61.237, epsilon = 1e-3);
 }
 
@@ -337,5 +353,5 @@ fn the_modulus_five_of_the_thesis_matches_only_without_a_location() {
     let first = quadrature(0.0, 4.0, |x| 1.0 - law.cumulative(x));
     let second = quadrature(0.0, 4.0, |x| 2.0 * x * (1.0 - law.cumulative(x)));
     assert_abs_diff_eq!(law.mean(), first, epsilon = 1e-8);
-    assert!((law.variance() - (second - first * first)).abs() < 1e-8);
+    assert_abs_diff_eq!(law.variance(), second - first * first, epsilon = 1e-8);
 }

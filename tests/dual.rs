@@ -1,6 +1,7 @@
 //! Dual numbers: laws on them give their own derivatives, so that forces are minus the slopes of
 //! stored energies to rounding.
 
+use approx::abs_diff_eq;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_dem::geometry::mean_distance;
@@ -13,7 +14,7 @@ use proptest::prelude::*;
 
 /// Whether a force is minus a slope, to a few roundings.
 fn is_minus(force: f64, slope: f64) -> bool {
-    (force + slope).abs() <= 8.0 * f64::EPSILON * slope.abs()
+    abs_diff_eq!(force, -slope, epsilon = 8.0 * f64::EPSILON * slope.abs())
 }
 
 proptest! {
@@ -69,7 +70,8 @@ proptest! {
         // At touch u = y = r, and du/dy = 2/3 from both sides.
         for offset in [-1e-7, -1e-9, 1e-9, 1e-7] {
             let u = mean_distance(Dual::from_f64(r), Dual::variable(r * (1.0 + offset)));
-            prop_assert!((u.slope() - 2.0 / 3.0).abs() < 1e-5, "{offset}: {}", u.slope());
+            let slope = u.slope();
+            prop_assert!(abs_diff_eq!(slope, 2.0 / 3.0, epsilon = 1e-5), "{offset}: {slope}");
         }
     }
 }

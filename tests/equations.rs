@@ -1,49 +1,47 @@
-//! The table of equations and the errata name only what exists, and all of it.
+//! What is cited exists: the tables of equations and the errata of each source name only what there is,
+//! and all of it; checks, comments and documents cite only what stands there.
 
+use crate::sources::{
+    exists, has_example, kernel_files, leading_name, quoted, read, root, rust_files,
+};
+use gouge_validation::checks::{Citation, Evidence, Source, register};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Top of the source tree.
-pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+/// What `docs/` holds of a source: the folder of its name.
+struct Document {
+    source: String,
+    /// The table of equations.
+    equations: String,
+    /// Its errata, if there are any.
+    errata: String,
 }
 
-/// A file of the source tree.
-pub fn read(path: &Path) -> String {
-    match fs::read_to_string(path) {
-        Ok(text) => text,
-        Err(error) => panic!("{}: {error}", path.display()),
-    }
+/// All sources: the folders of `docs/` with a table of equations.
+fn documents() -> Vec<Document> {
+    let folders = fs::read_dir(root().join("docs")).expect("readable");
+    let paths = folders.map(|entry| entry.expect("readable").path());
+    let mut documents: Vec<Document> = paths
+        .filter(|folder| folder.join("equations.md").is_file())
+        .map(|folder| Document {
+            source: name(&folder),
+            equations: read(&folder.join("equations.md")),
+            errata: fs::read_to_string(folder.join("errata.md")).unwrap_or_default(),
+        })
+        .collect();
+    documents.sort_by(|a, b| a.source.cmp(&b.source));
+    documents
 }
 
-/// All Rust files under a folder, in order.
-pub fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    let entries = fs::read_dir(folder).expect("the folder is readable");
-    for entry in entries.map(|entry| entry.expect("readable").path()) {
-        if entry.is_dir() {
-            files.extend(rust_files(&entry));
-        } else if entry.extension().is_some_and(|extension| extension == "rs") {
-            files.push(entry);
-        }
-    }
-    files.sort();
-    files
+fn name(folder: &Path) -> String {
+    let name = folder.file_name().expect("a name");
+    name.to_string_lossy().into_owned()
 }
 
-fn document(name: &str) -> String {
-    read(&root().join("docs/thesis").join(name))
-}
-
-/// What stands between backticks.
-fn quoted(text: &str) -> Vec<&str> {
-    text.split('`').skip(1).step_by(2).collect()
-}
-
-/// A row of the table.
+/// A row of a table of equations.
 struct Row {
-    numbers: Vec<u32>,
+    numbers: Vec<String>,
     items: Vec<String>,
     item_cell: String,
     formula: String,
@@ -51,36 +49,113 @@ struct Row {
     errata: Vec<String>,
 }
 
-fn rows() -> Vec<Row> {
-    let text = document("equations.md");
-    let lines = text.lines().filter(|line| {
-        line.strip_prefix("| ")
-            .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
-    });
-    lines.map(row).collect()
+impl Document {
+    fn rows(&self) -> Vec<Row> {
+        let lines = self.equations.lines().filter(|line| line.starts_with("| "));
+        let below = lines.skip_while(|line| !line.starts_with("| equation |"));
+        below.skip(1).map(|line| self.row(line)).collect()
+    }
+
+    fn row(&self, line: &str) -> Row {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let ["", equations, formula, items, tests, errata, ""] = cells[..] else {
+            panic!("five columns expected: {line}");
+        };
+        let ids = errata.split(", ").filter(|&id| id != "-");
+        Row {
+            numbers: numbers(self.place(equations)),
+            items: quoted(items).into_iter().map(str::to_owned).collect(),
+            item_cell: items.to_owned(),
+            formula: formula.to_owned(),
+            test_cell: tests.to_owned(),
+            errata: ids.map(|id| self.place(id).to_owned()).collect(),
+        }
+    }
+
+    /// What a citation of this source cites.
+    fn place<'a>(&self, citation: &'a str) -> &'a str {
+        match citation.split_once(' ') {
+            Some((source, place)) if source == self.source => place,
+            _ => panic!("{citation} is not of {}", self.source),
+        }
+    }
+
+    /// Numbers of all equations of the source, as the head of its table states them.
+    fn numbered(&self) -> BTreeSet<String> {
+        let mut lines = self.equations.lines();
+        let line = lines.find_map(|line| line.strip_prefix("Numbered equations: "));
+        let ranges = line.expect("numbered equations").trim_end_matches('.');
+        ranges.split(", ").flat_map(numbers).collect()
+    }
+
+    /// Sections of the errata, by their ids.
+    fn sections(&self) -> BTreeMap<String, &str> {
+        let mut sections = BTreeMap::new();
+        for section in self.errata.split("\n## ").skip(1) {
+            let Some(rest) = section.strip_prefix(&format!("{} ", self.source)) else {
+                assert!(
+                    cited(section).next().is_none_or(|(_, at)| at > 0),
+                    "{section}"
+                );
+                continue;
+            };
+            let twice = sections.insert(leading_name(rest).to_owned(), section);
+            assert!(twice.is_none(), "{rest} stands twice");
+        }
+        sections
+    }
 }
 
-fn row(line: &str) -> Row {
-    let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-    let ["", numbers, formula, items, tests, errata, ""] = cells[..] else {
-        panic!("five columns expected: {line}");
+/// Numbers of an equation or of a range of them: `(3.4)`, `(A17)-(A19)`.
+fn numbers(place: &str) -> Vec<String> {
+    let number = |text: &str| {
+        let inside = text
+            .strip_prefix('(')
+            .and_then(|rest| rest.strip_suffix(')'));
+        inside
+            .unwrap_or_else(|| panic!("{text} is no equation"))
+            .to_owned()
     };
-    let (first, last) = numbers.split_once('-').unwrap_or((numbers, numbers));
-    let number = |text: &str| text.parse::<u32>().expect("a number");
-    let ids = errata.split(", ").filter(|&id| id != "-");
-    Row {
-        numbers: (number(first)..=number(last)).collect(),
-        items: quoted(items).into_iter().map(str::to_owned).collect(),
-        item_cell: items.to_owned(),
-        formula: formula.to_owned(),
-        test_cell: tests.to_owned(),
-        errata: ids.map(str::to_owned).collect(),
-    }
+    let Some((first, last)) = place.split_once('-') else {
+        return vec![number(place)];
+    };
+    let (first, last) = (number(first), number(last));
+    let counter = |text: &str| {
+        let prefix = text.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+        let counted: u32 = text[prefix..].parse().expect("a number");
+        (text[..prefix].to_owned(), counted)
+    };
+    let ((prefix, from), (other, to)) = (counter(&first), counter(&last));
+    assert!(prefix == other && from < to, "{place} is no range");
+    (from..=to)
+        .map(|number| format!("{prefix}{number}"))
+        .collect()
+}
+
+/// Erratum ids of a text, each an E that follows no letter or digit, and digits; and where they stand.
+fn cited(text: &str) -> impl Iterator<Item = (&str, usize)> {
+    text.match_indices('E').filter_map(|(at, _)| {
+        let digits = text[at + 1..].find(|c: char| !c.is_ascii_digit());
+        let end = digits.map_or(text.len(), |digits| at + 1 + digits);
+        let follows = text[..at].ends_with(char::is_alphanumeric);
+        (end > at + 1 && !follows).then(|| (&text[at..end], at))
+    })
+}
+
+/// The source of the erratum at a place of a text: the one named last before it.
+fn source_before<'a>(text: &str, at: usize, sources: &[&'a str]) -> Option<&'a str> {
+    let before = text[..at].to_lowercase();
+    let place = |source: &&'a str| Some((before.rfind(source)?, *source));
+    sources
+        .iter()
+        .filter_map(place)
+        .max()
+        .map(|(_, source)| source)
 }
 
 /// Names of all functions that are tests, in the gate and in the kernel, and ids of all checks of the register.
 fn tests() -> BTreeSet<String> {
-    let topics = gouge_validation::checks::register();
+    let topics = register();
     let checks = topics.iter().flat_map(|topic| &topic.checks);
     let mut names: BTreeSet<String> = checks.map(|check| check.id.to_owned()).collect();
     let mut files = rust_files(&root().join("tests"));
@@ -100,260 +175,171 @@ fn tests() -> BTreeSet<String> {
     names
 }
 
-fn leading_name(text: &str) -> &str {
-    let end = text
-        .find(|c: char| !c.is_alphanumeric() && c != '_')
-        .unwrap_or(text.len());
-    &text[..end]
+/// Texts that may cite errata, with their files: comments of the code, and the pages of `docs/`.
+fn prose() -> Vec<(PathBuf, String)> {
+    let mut files = kernel_files();
+    files.extend(rust_files(&root().join("validation/src")));
+    let comments = files.into_iter().map(|file| {
+        let text = read(&file);
+        let lines = text.lines().map(str::trim_start);
+        let lines: Vec<&str> = lines.filter(|line| line.starts_with("//")).collect();
+        (file, lines.join(" "))
+    });
+    let entries = fs::read_dir(root().join("docs")).expect("readable");
+    let pages = entries.map(|entry| entry.expect("readable").path());
+    let pages = pages.filter(|file| file.extension().is_some_and(|extension| extension == "md"));
+    comments
+        .chain(pages.map(|file| (file.clone(), read(&file))))
+        .collect()
 }
 
-/// Sources of the kernel's crates.
-pub const KERNELS: [&str; 2] = ["kernel/dem/src", "kernel/common/src"];
-
-/// All source files of the kernel's crates.
-pub fn kernel_files() -> Vec<PathBuf> {
-    let folders = KERNELS.iter().map(|folder| root().join(folder));
-    folders.flat_map(|folder| rust_files(&folder)).collect()
+#[test]
+fn ranges_of_equations_are_written_out() {
+    assert_eq!(numbers("(42)"), ["42"]);
+    assert_eq!(numbers("(9)-(11)"), ["9", "10", "11"]);
+    assert_eq!(numbers("(A9)-(A10)"), ["A9", "A10"]);
+    assert_eq!(numbers("(3.4)-(3.5)"), ["3.4", "3.5"]);
 }
 
-/// Files of a crate in which a path may be declared, and what is left of the path.
-fn places<'a>(source: &Path, path: &'a str) -> (Vec<PathBuf>, Vec<&'a str>) {
-    let top = read(&source.join("lib.rs"));
-    let mut rest: Vec<&str> = path.split("::").collect();
-    let first = rest[0];
-    if top.lines().any(|line| line == format!("pub mod {first};")) {
-        rest.remove(0);
-        return (module_files(source, first), rest);
-    }
-    // What the crate itself re-exports is declared in one of its private modules.
-    let private = top
-        .lines()
-        .filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'));
-    let files = private
-        .flat_map(|module| module_files(source, module))
+#[test]
+fn the_source_of_an_erratum_is_the_one_named_last_before_it() {
+    let text = "As the thesis prints it (E1), not Azema E2; 1E3 and E are none.";
+    let sources = ["azema", "thesis"];
+    let found: Vec<_> = cited(text)
+        .map(|(id, at)| (id, source_before(text, at, &sources)))
         .collect();
-    (files, rest)
+    assert_eq!(found, [("E1", Some("thesis")), ("E2", Some("azema"))]);
+    assert_eq!(source_before("E1 of the thesis", 0, &sources), None);
 }
 
-fn module_files(source: &Path, module: &str) -> Vec<PathBuf> {
-    let file = source.join(module).with_extension("rs");
-    if file.is_file() {
-        vec![file]
-    } else {
-        rust_files(&source.join(module))
-    }
-}
-
-/// Whether a line declares a public item.
-fn declares(line: &str, name: &str) -> bool {
-    let line = line.trim_start();
-    let Some(rest) = line.strip_prefix("pub ") else {
-        return false;
-    };
-    let rest = rest.strip_prefix("const fn ").map_or(rest, |_| &rest[6..]);
-    ["fn ", "struct ", "enum ", "trait ", "const ", "mod "]
-        .iter()
-        .any(|kind| {
-            rest.strip_prefix(kind)
-                .is_some_and(|r| leading_name(r) == name)
-        })
-}
-
-/// Whether a line declares a public field, a method, or a variant of an enumeration.
-fn declares_member(line: &str, name: &str) -> bool {
-    let line = line.trim_start();
-    let field = line
-        .strip_prefix("pub ")
-        .is_some_and(|rest| leading_name(rest) == name && rest[name.len()..].starts_with(':'));
-    let method = line
-        .strip_prefix("fn ")
-        .is_some_and(|rest| leading_name(rest) == name);
-    let variant = leading_name(line) == name
-        && name.starts_with(|c: char| c.is_uppercase())
-        && [",", " {", "("]
-            .iter()
-            .any(|end| line[name.len()..].starts_with(end));
-    field || method || variant || declares(line, name)
-}
-
-/// Whether a path leads to a public item of a kernel crate, or a public member of one.
-fn exists(path: &str) -> bool {
-    let mut sources = KERNELS.iter().map(|source| root().join(source));
-    sources.any(|source| exists_in(&source, path))
-}
-
-fn exists_in(source: &Path, path: &str) -> bool {
-    let (files, rest) = places(source, path);
-    let texts: Vec<String> = files.iter().map(|file| read(file)).collect();
-    let mut lines = texts.iter().flat_map(|text| text.lines());
-    match rest[..] {
-        [item] => lines.any(|line| declares(line, item)),
-        [item, member] => {
-            lines.any(|line| declares(line, item))
-                && texts
-                    .iter()
-                    .flat_map(|text| text.lines())
-                    .any(|line| declares_member(line, member))
-        }
-        _ => false,
-    }
-}
-
-/// Whether the documentation of an item holds an example.
-fn has_example(path: &str) -> bool {
-    let mut sources = KERNELS.iter().map(|source| root().join(source));
-    sources.any(|source| has_example_in(&source, path))
-}
-
-fn has_example_in(source: &Path, path: &str) -> bool {
-    let (files, rest) = places(source, path);
-    let Some(item) = rest.last() else {
-        return false;
-    };
-    files.iter().any(|file| {
-        let text = read(file);
-        let lines: Vec<&str> = text.lines().map(str::trim).collect();
-        let at = lines.iter().position(|line| declares(line, item));
-        at.is_some_and(|at| {
-            let above = lines[..at].iter().rev();
-            above
-                .take_while(|line| line.starts_with("///") || line.starts_with("#["))
-                .any(|line| line.starts_with("/// ```"))
-        })
-    })
-}
-
-fn headings() -> BTreeSet<String> {
-    let text = document("errata.md");
-    let ids = text.lines().filter_map(|line| line.strip_prefix("## E"));
-    let ids: Vec<String> = ids.map(|rest| format!("E{}", leading_name(rest))).collect();
-    let unique: BTreeSet<String> = ids.iter().cloned().collect();
-    assert_eq!(ids.len(), unique.len(), "a section appears twice");
-    unique
-}
-
-/// Erratum ids in a text: an E that follows no letter or digit, and digits.
-fn cited(text: &str) -> BTreeSet<String> {
-    let mut ids = BTreeSet::new();
-    let mut before = ' ';
-    for (at, c) in text.char_indices() {
-        let digits: String = text[at + c.len_utf8()..]
-            .chars()
-            .take_while(char::is_ascii_digit)
-            .collect();
-        if c == 'E' && !before.is_alphanumeric() && !digits.is_empty() {
-            ids.insert(format!("E{digits}"));
-        }
-        before = c;
-    }
-    ids
+#[test]
+fn every_source_has_its_documents() {
+    let documents = documents();
+    let found: BTreeSet<&str> = documents.iter().map(|one| one.source.as_str()).collect();
+    assert_eq!(found, BTreeSet::from(Source::ALL.map(Source::name)));
 }
 
 #[test]
 fn every_numbered_equation_has_exactly_one_row() {
-    let mut seen = BTreeMap::new();
-    for number in rows().iter().flat_map(|row| row.numbers.clone()) {
-        *seen.entry(number).or_insert(0) += 1;
+    for document in documents() {
+        let mut seen = BTreeSet::new();
+        for number in document.rows().into_iter().flat_map(|row| row.numbers) {
+            assert!(seen.insert(number.clone()), "two rows for ({number})");
+        }
+        assert_eq!(seen, document.numbered(), "{}", document.source);
     }
-    for number in 1..=137 {
-        assert_eq!(seen.remove(&number), Some(1), "rows for equation {number}");
-    }
-    assert!(
-        seen.is_empty(),
-        "rows for equations that there are not: {seen:?}"
-    );
 }
 
 #[test]
 fn the_items_and_tests_of_the_table_exist() {
     let tests = tests();
-    for row in rows() {
+    for row in documents().iter().flat_map(Document::rows) {
         let numbers = &row.numbers;
         if row.items.is_empty() {
             assert_eq!(row.item_cell, "-", "{numbers:?}");
-            assert!(
-                row.formula.starts_with("not implemented: "),
-                "{numbers:?}: why not?"
-            );
+            let is_explained = row.formula.starts_with("not implemented: ");
+            assert!(is_explained, "{numbers:?}: why not?");
             continue;
         }
         for item in &row.items {
             assert!(exists(item), "{numbers:?}: the kernel has no public {item}");
         }
+        let has_doctest = || row.items.iter().any(|item| has_example(item));
         if row.test_cell == "doctest" {
-            assert!(
-                row.items.iter().any(|item| has_example(item)),
-                "{numbers:?}: no example"
-            );
+            assert!(has_doctest(), "{numbers:?}: no example");
             continue;
         }
         let named = quoted(&row.test_cell);
         assert!(!named.is_empty(), "{numbers:?}: no test");
         for name in named {
-            let is_doctest = name == "doctest" && row.items.iter().any(|item| has_example(item));
-            assert!(
-                is_doctest || tests.contains(name),
-                "{numbers:?}: there is no test {name}"
-            );
+            let is_test = tests.contains(name) || name == "doctest" && has_doctest();
+            assert!(is_test, "{numbers:?}: there is no test {name}");
         }
     }
 }
 
 #[test]
 fn every_cited_erratum_has_its_section() {
-    let headings = headings();
-    for row in rows() {
-        for id in &row.errata {
-            assert!(headings.contains(id), "{:?} cites {id}", row.numbers);
-        }
-    }
-    for file in kernel_files() {
-        let text = read(&file);
-        let comments = text
-            .lines()
-            .filter(|line| line.trim_start().starts_with("//"));
-        for id in comments.flat_map(cited) {
-            assert!(headings.contains(&id), "{} cites {id}", file.display());
-        }
-    }
-    let documents = fs::read_dir(root().join("docs")).expect("readable");
-    for file in documents.map(|entry| entry.expect("readable").path()) {
-        if file.extension().is_some_and(|extension| extension == "md") {
-            for id in cited(&read(&file)) {
-                assert!(headings.contains(&id), "{} cites {id}", file.display());
+    let documents = documents();
+    let mut errata = BTreeSet::new();
+    for document in &documents {
+        let (sections, source) = (document.sections(), document.source.as_str());
+        for row in document.rows() {
+            for id in &row.errata {
+                assert!(sections.contains_key(id), "{:?} cites {id}", row.numbers);
             }
+        }
+        errata.extend(sections.into_keys().map(|id| (source, id)));
+    }
+    let sources: Vec<&str> = documents.iter().map(|one| one.source.as_str()).collect();
+    for (file, text) in prose() {
+        for (id, at) in cited(&text) {
+            let source = source_before(&text, at, &sources);
+            let source = source.unwrap_or_else(|| panic!("{}: {id} of what?", file.display()));
+            let is_there = errata.contains(&(source, id.to_owned()));
+            assert!(is_there, "{} cites {source} {id}", file.display());
         }
     }
 }
 
 #[test]
 fn every_erratum_names_its_item_and_its_test() {
-    let (text, tests) = (document("errata.md"), tests());
-    for section in text.split("\n## E").skip(1) {
-        let id = leading_name(section);
+    let tests = tests();
+    for (id, section) in documents().iter().flat_map(Document::sections) {
         let line = |start: &str| {
             let mut lines = section.lines().filter_map(|line| line.strip_prefix(start));
             match (lines.next(), lines.next()) {
                 (Some(line), None) => line,
-                _ => panic!("E{id} needs exactly one line with {start}"),
+                _ => panic!("{id} needs exactly one line with {start}"),
             }
         };
         let items = line("Item: ");
         for item in quoted(items) {
-            assert!(exists(item), "E{id}: the kernel has no public {item}");
+            assert!(exists(item), "{id}: the kernel has no public {item}");
         }
-        assert!(items == "-" || !quoted(items).is_empty(), "E{id}");
+        assert!(items == "-" || !quoted(items).is_empty(), "{id}");
         let test = line("Test: ");
         for name in quoted(test) {
-            assert!(tests.contains(name), "E{id}: there is no test {name}");
+            assert!(tests.contains(name), "{id}: there is no test {name}");
         }
-        let is_stated = test == "doctest"
-            || test
-                .strip_prefix("no test: ")
-                .is_some_and(|reason| !reason.is_empty());
-        assert!(
-            is_stated || !quoted(test).is_empty(),
-            "E{id}: no test and no reason"
-        );
+        let reason = test.strip_prefix("no test: ");
+        let is_stated = test == "doctest" || reason.is_some_and(|reason| !reason.is_empty());
+        let is_covered = is_stated || !quoted(test).is_empty();
+        assert!(is_covered, "{id}: no test and no reason");
+    }
+}
+
+#[test]
+fn checks_cite_only_what_the_tables_hold() {
+    let documents = documents();
+    let is_known = |citation: &Citation| {
+        let of = |document: &&Document| document.source == citation.source.name();
+        let document = documents.iter().find(of).expect("a document");
+        let (place, numbered) = (citation.place, document.numbered());
+        match place.split_once(' ') {
+            Some(("section" | "figure", number)) => {
+                number.starts_with(|c: char| c.is_ascii_digit())
+            }
+            Some(_) => false,
+            None if place.starts_with('E') => document.sections().contains_key(place),
+            None => numbers(place)
+                .iter()
+                .all(|number| numbered.contains(number)),
+        }
+    };
+    let topics = register();
+    for check in topics.iter().flat_map(|topic| &topic.checks) {
+        for citation in check.equations.citations() {
+            assert!(is_known(citation), "{} cites {citation}", check.id);
+        }
+    }
+}
+
+#[test]
+fn stored_cases_cite_as_checks_do() {
+    for path in gouge_runner::references::paths() {
+        let case = gouge_runner::references::case(path).expect("a case");
+        let read = Evidence::parse(&case.equations).map(|evidence| evidence.to_string());
+        assert_eq!(read.as_deref(), Some(case.equations.as_str()), "{path}");
     }
 }

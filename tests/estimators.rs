@@ -1,7 +1,7 @@
 //! Estimators against states whose answer is known.
 
 use crate::worlds::{advance, head, particle, world};
-use approx::assert_abs_diff_eq;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_common::estimators::{
     Region, connected, packing_fraction, radial_distribution, visible_fraction,
 };
@@ -41,7 +41,7 @@ fn the_visible_part_of_a_circle_is_what_sampling_sees() {
             let found = visible_fraction(&region, point, distance);
             // Each of at most eight ends of arcs is off by one sample at the most.
             assert!(
-                (found - counted).abs() <= 8.0 / f64::from(samples),
+                abs_diff_eq!(found, counted, epsilon = 8.0 / f64::from(samples)),
                 "{found} {counted}"
             );
         }
@@ -63,7 +63,7 @@ fn an_ideal_gas_has_no_excess_entropy() {
     // Away from zero, where the kernel reaches across, g is one within the noise of about 1 %.
     for (d, g) in gas.distance.iter().zip(&gas.g) {
         assert!(
-            *d < 0.8 || *d > 9.6 || (g - 1.0).abs() < 0.05,
+            *d < 0.8 || *d > 9.6 || abs_diff_eq!(*g, 1.0, epsilon = 0.05),
             "g({d}) = {g}"
         );
     }
@@ -121,7 +121,10 @@ fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
     // Nine links of 2.002 mm in a volume of nine such lengths and one square millimetre.
     let stress = world.contact_network().mean_stress(9.0 * 2.002e-3 * 1e-6);
     let expected = 1e7 * 2e-6 / 1e-6;
-    assert!((stress[0][0] / expected - 1.0).abs() < 1e-10, "{stress:?}");
+    assert!(
+        abs_diff_eq!(stress[0][0] / expected, 1.0, epsilon = 1e-10),
+        "{stress:?}"
+    );
     assert_eq!([stress[0][1], stress[1][0], stress[1][1]], [0.0; 3]);
     assert_abs_diff_eq!(
         world.contact_network().coordination_number(),
@@ -193,7 +196,7 @@ fn the_mean_stress_is_the_virial_of_the_forces() {
         .fold(0.0, |m: f64, x| m.max(x.abs()));
     for (found, expected) in stress.iter().flatten().zip(virial.iter().flatten()) {
         assert!(
-            (found - expected).abs() < 1e-10 * scale,
+            abs_diff_eq!(found, expected, epsilon = 1e-10 * scale),
             "{stress:?} {virial:?}"
         );
     }
@@ -221,8 +224,9 @@ fn entropy_of_simple_radial_distributions_is_closed_form() {
             number_density,
         }
     };
-    let close =
-        |found: f64, expected: f64| (found - expected).abs() < 1e-6 * expected.abs().max(1.0);
+    let close = |found: f64, expected: f64| {
+        abs_diff_eq!(found, expected, epsilon = 1e-6 * expected.abs().max(1.0))
+    };
     let area = std::f64::consts::PI * limit * limit;
     let ideal = with(&|_| 1.0);
     assert!(close(ideal.excess_entropy(), 0.0) && close(ideal.excess_entropy_printed(), 0.0));

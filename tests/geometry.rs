@@ -1,6 +1,6 @@
 //! Geometry against identities and quadrature.
 
-use approx::assert_abs_diff_eq;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_common::geometry::{Metric, Open, PeriodicX, Vec2};
 use gouge_common::scalar::Real;
 use gouge_dem::geometry::{
@@ -33,7 +33,7 @@ proptest! {
         prop_assume!(d.norm() > 1e-3);
         let (b, c) = (overlap_factor([r, s], d.norm()), overlap_factor([s, r], d.norm()));
         let scale = b.abs().max(c.abs()).max(1.0);
-        prop_assert!((b + c - 1.0).abs() <= 4.0 * f64::EPSILON * scale);
+        prop_assert!(abs_diff_eq!(b + c, 1.0, epsilon = 4.0 * f64::EPSILON * scale));
         let (here, there) = (Vec2::new(0.3, -0.2), Vec2::new(0.3, -0.2) + d);
         let seen = focal_point(here, d, b) - focal_point(there, -d, c);
         prop_assert!(seen.norm() <= 16.0 * f64::EPSILON * scale);
@@ -41,7 +41,8 @@ proptest! {
         let o = focal_point(Vec2::zero(), d, b);
         let power = |centre: Vec2, r: f64| (o - centre).norm_squared() - r * r;
         let size = o.norm_squared() + (o - d).norm_squared() + r * r + s * s;
-        prop_assert!((power(Vec2::zero(), r) - power(d, s)).abs() <= 32.0 * f64::EPSILON * size);
+        let tolerance = 32.0 * f64::EPSILON * size;
+        prop_assert!(abs_diff_eq!(power(Vec2::zero(), r), power(d, s), epsilon = tolerance));
     }
 
     #[test]
@@ -50,19 +51,21 @@ proptest! {
     ) {
         let distance = (r + s) - overlap * 2.0 * r.min(s);
         let [y, w] = FocalArm.distances([r, s], distance);
-        prop_assert!((y + w - distance).abs() <= 4.0 * f64::EPSILON * (y.abs() + w.abs()));
+        let tolerance = 4.0 * f64::EPSILON * (y.abs() + w.abs());
+        prop_assert!(abs_diff_eq!(y + w, distance, epsilon = tolerance));
         let (z, other) = (contact_half_length(r, y), contact_half_length(s, w));
-        prop_assert!((z * z - other * other).abs() <= 64.0 * f64::EPSILON * (r * r + s * s));
+        let tolerance = 64.0 * f64::EPSILON * (r * r + s * s);
+        prop_assert!(abs_diff_eq!(z * z, other * other, epsilon = tolerance));
     }
 
     #[test]
     fn turns_add_up_and_reverse(a in -PI..PI, b in -0.2..0.2_f64) {
         let unit = |angle: f64| Vec2::new(angle.cos(), angle.sin());
         let (turned, _) = turn(unit(a), unit(a + b));
-        prop_assert!((turned - b).abs() <= 8.0 * f64::EPSILON);
+        prop_assert!(abs_diff_eq!(turned, b, epsilon = 8.0 * f64::EPSILON));
         let (back, _) = turn(unit(a + b), unit(a));
-        prop_assert!((turned + back).abs() <= 1e-17 + 2.0 * f64::EPSILON * b.abs());
-        prop_assert!((angle_of(unit(a)) - a).abs() <= 4.0 * f64::EPSILON * PI);
+        prop_assert!(abs_diff_eq!(turned, -back, epsilon = 1e-17 + 2.0 * f64::EPSILON * b.abs()));
+        prop_assert!(abs_diff_eq!(angle_of(unit(a)), a, epsilon = 4.0 * f64::EPSILON * PI));
         let opposite = reversed(angle_of(unit(a)));
         prop_assert!((unit(opposite) + unit(a)).norm() <= 8.0 * f64::EPSILON);
         prop_assert!((-PI..PI).contains(&wrapped(a * 37.0)));
@@ -79,7 +82,7 @@ proptest! {
         let found = metric.displacement(a, b).norm();
         let images = [-1.0, 0.0, 1.0].map(|k| Open.displacement(a, b + Vec2::new(k * l, 0.0)).norm());
         let nearest = images.into_iter().fold(f64::INFINITY, f64::min);
-        prop_assert!((found - nearest).abs() <= 8.0 * f64::EPSILON * l);
+        prop_assert!(abs_diff_eq!(found, nearest, epsilon = 8.0 * f64::EPSILON * l));
     }
 }
 
@@ -88,7 +91,10 @@ fn coincident_and_nearly_coincident_centres_stay_finite() {
     for d in [0.0, 1e-320, 1e-200, 1e-160, 1e-150, 1e-100] {
         let frame = PairFrame::new(Vec2::new(d, -d));
         assert!(frame.inverse_distance.is_finite() && frame.distance.is_finite());
-        assert!((frame.normal.norm() - 1.0_f64).abs() < 1e-12, "{d:e}");
+        assert!(
+            abs_diff_eq!(frame.normal.norm(), 1.0_f64, epsilon = 1e-12),
+            "{d:e}"
+        );
     }
     assert_eq!(overlap_factor([1.0, 2.0], 0.0), 0.5);
     for arms in [
@@ -111,7 +117,10 @@ fn the_mean_distance_is_the_average_over_the_contact() {
     ] {
         let z = (r * r - y * y).sqrt();
         let average = integral(-z, z, |s| (s * s + y * y).sqrt()) / (2.0 * z);
-        assert!((mean_distance(r, y) - average).abs() < 1e-9, "{r} {y}");
+        assert!(
+            abs_diff_eq!(mean_distance(r, y), average, epsilon = 1e-9),
+            "{r} {y}"
+        );
     }
     // The mean of the extremities overestimates u - y by a half near touch.
     let (r, y) = (1.0, 0.999);
@@ -164,6 +173,10 @@ fn small_inverse_sine_agrees_with_the_general_one() {
     for step in -1000..=1000 {
         let s = f64::from(step) * 5.5e-5;
         let (fast, reference) = (s.asin_small(), libm::asin(s));
-        assert!((fast - reference).abs() <= 2.0 * f64::EPSILON * reference.abs());
+        assert_abs_diff_eq!(
+            fast,
+            reference,
+            epsilon = 2.0 * f64::EPSILON * reference.abs()
+        );
     }
 }

@@ -1,23 +1,20 @@
 //! Equations that no erratum touches, pinned by identities, derivatives and limits.
 
+mod fields;
+
 use crate::worlds::{advance, head, particle, world};
+use approx::{abs_diff_eq, assert_abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::Vec2;
 use gouge_dem::geometry::{
     Arm, FocalArm, MeanArm, PairFrame, PairMotion, angle_of, contact_area, contact_half_length,
     cylinder_contact_area, cylinder_displaced_volume, displaced_volume, focal_distance,
     overlap_factor, reversed,
 };
-use gouge_dem::laws::{
-    AmbientLaw, CorrelationDrag, CreepingDrag, ZhangEckert, drag_coefficient, reynolds_number,
-};
+use gouge_dem::laws::ZhangEckert;
 use gouge_dem::material::GRANITE;
 use gouge_dem::setup::{Fault, is_above};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
-
-fn close(found: f64, expected: f64, relative: f64) -> bool {
-    (found - expected).abs() <= relative * expected.abs()
-}
 
 proptest! {
     #[test]
@@ -28,7 +25,7 @@ proptest! {
         prop_assert_eq!(there.normal, -back.normal);
         prop_assert_eq!(there.tangent(), -back.tangent());
         prop_assert_eq!(there.normal.dot(there.tangent()), 0.0);
-        prop_assert!((there.normal.cross(there.tangent()) - 1.0).abs() < 1e-15);
+        prop_assert!(abs_diff_eq!(there.normal.cross(there.tangent()), 1.0, epsilon = 1e-15));
     }
 
     #[test]
@@ -41,7 +38,8 @@ proptest! {
         let slope = (angle_of(at + along * h) - angle_of(at - along * h)) / (2.0 * h);
         let motion = PairMotion::new(&PairFrame::new(at), along);
         // Third derivatives are below 2 / 0.1^3: h^2 times that over six.
-        prop_assert!((motion.frame_rate - slope).abs() < 1e-8, "{} {slope}", motion.frame_rate);
+        let found = motion.frame_rate;
+        prop_assert!(abs_diff_eq!(found, slope, epsilon = 1e-8), "{found} {slope}");
     }
 }
 
@@ -73,10 +71,10 @@ fn the_displaced_volume_loses_the_contact_area_per_distance() {
             let cylinder = slope(&|d| cylinder_displaced_volume(depth, radii, d));
             // Rounding: volumes of a few times 2e-16 over 2e-6.
             assert!(
-                (sphere + contact_area(z)).abs() < 5e-8,
+                abs_diff_eq!(sphere, -contact_area(z), epsilon = 5e-8),
                 "{radii:?} {distance}"
             );
-            assert!((cylinder + cylinder_contact_area(depth, z)).abs() < 5e-7);
+            assert_abs_diff_eq!(cylinder, -cylinder_contact_area(depth, z), epsilon = 5e-7);
         }
         // The caps join what is defined beyond them: nothing outside, the smaller body inside.
         let gap = 1e-9;
@@ -92,7 +90,7 @@ fn the_displaced_volume_loses_the_contact_area_per_distance() {
             ),
         ] {
             assert!(
-                (outside - inside).abs() < 1e-6,
+                abs_diff_eq!(outside, inside, epsilon = 1e-6),
                 "{radii:?} {outside} {inside}"
             );
         }
@@ -123,7 +121,11 @@ fn rates_are_the_derivatives_of_displacements() {
         let slope = |from: f64, to: f64| (to - from) / (4.0 * step);
         let normal = slope(before.normal_displacement, last.normal_displacement);
         // Rounding: 1e-16 of 3 mm over 4 ns.
-        assert!((normal - after.normal_velocity).abs() < 1e-9 * 3.0 / 4.0 + 1e-6);
+        assert_abs_diff_eq!(
+            normal,
+            after.normal_velocity,
+            epsilon = 1e-9 * 3.0 / 4.0 + 1e-6
+        );
         let r = [1e-3, 1.5e-3];
         let d = (r[0] + r[1]) - after.normal_displacement;
         for end in 0..2 {
@@ -131,7 +133,7 @@ fn rates_are_the_derivatives_of_displacements() {
                 before.tangential_displacement[end],
                 last.tangential_displacement[end],
             );
-            // E11: a lever arm that changes with the distance adds d' times the turn, which (34) drops.
+            // thesis E11: a lever arm that changes with the distance adds d' times the turn, which (34) drops.
             let arm = |d: f64| match distance {
                 "radius" => r[end],
                 "focal" => FocalArm.distances(r, d)[end],
@@ -143,105 +145,18 @@ fn rates_are_the_derivatives_of_displacements() {
             let dropped = arm_slope * -after.normal_velocity * turn;
             let expected = after.tangential_velocity[end] + dropped;
             assert!(
-                (found - expected).abs() < 2e-6,
+                abs_diff_eq!(found, expected, epsilon = 2e-6),
                 "{distance} {end}: {found} {expected}"
             );
             if distance == "focal" {
                 let other = overlap_factor([r[1 - end], r[end]], d);
-                assert!(close(arm_slope, other, 1e-6), "dy/dD = b of the other end");
+                assert!(
+                    relative_eq!(arm_slope, other, epsilon = 0.0, max_relative = 1e-6),
+                    "dy/dD = b of the other end"
+                );
             }
             assert_eq!(distance == "radius", dropped.abs() < 1e-6);
         }
-    }
-}
-
-#[test]
-fn drag_has_its_limits() {
-    let (viscosity, density, radius) = (18e-6, 1.2, 1e-3_f64);
-    let correlation = CorrelationDrag {
-        viscosity,
-        density,
-        constant: CorrelationDrag::CONSTANT,
-    };
-    let creeping = CreepingDrag { viscosity };
-    let drag = |speed: f64| -correlation.drag(radius, Vec2::new(speed, 0.0), 0.0).force.x;
-    // Slow: Stokes, with a relative excess of sqrt(Re) / 8.
-    let slow = 1e-9;
-    let re = reynolds_number(viscosity, density, radius, slow);
-    let stokes = -creeping.drag(radius, Vec2::new(slow, 0.0), 0.0).force.x;
-    assert!(close(stokes, 6.0 * PI * 18e-6 * 1e-3 * 1e-9, 1e-14));
-    assert!((drag(slow) / stokes - 1.0 - re.sqrt() / 8.0).abs() < 1e-6);
-    assert_eq!(drag(0.0), 0.0);
-    // Fast: the dynamic pressure on the cross-section times the constant.
-    let fast = 1e9;
-    assert!(close(drag(fast), 0.42 * 0.5 * 1.2 * 1e18 * PI * 1e-6, 1e-4));
-    // Between: the general correlation for the sphericities of a sphere.
-    for speed in [1e-3, 0.1, 2.0, 50.0] {
-        let re = reynolds_number(viscosity, density, radius, speed);
-        assert!(close(re, 2e-3 * speed * 1.2 / 18e-6, 1e-14));
-        let coefficient = drag_coefficient(re, [1.0; 3]);
-        assert!(close(
-            drag(speed),
-            coefficient * 0.5 * 1.2 * speed * speed * PI * 1e-6,
-            1e-13
-        ));
-    }
-    // The torque is that of creeping flow at any speed.
-    let velocity = Vec2::new(30.0, 0.0);
-    let torques = [
-        correlation.drag(radius, velocity, 5.0).torque,
-        creeping.drag(radius, Vec2::zero(), 5.0).torque,
-    ];
-    assert_eq!(torques[0], torques[1]);
-    assert!(close(torques[1], -8.0 * PI * 18e-6 * 1e-9 * 5.0, 1e-14));
-}
-
-#[test]
-fn creeping_flow_stops_each_particle_at_its_own_rate() {
-    // v = v0 exp(-6 pi eta r t / m) and likewise the spin with 8 pi eta r^3 / J, per particle.
-    let (viscosity, step, steps) = (10.0, 1e-9, 20_000);
-    let radii = [1e-3, 1.7e-3_f64];
-    let text = head("velocity-verlet", step)
-        + &format!("[ambient]\nlaw = \"creeping\"\nviscosity = {viscosity}\n")
-        + &particle([0.0, 0.0], [1.0, 2.0], 300.0, radii[0])
-        + &particle([9.0, 0.0], [1.0, 2.0], 300.0, radii[1]);
-    let mut world = world(&text);
-    advance(&mut world, steps);
-    let (p, time) = (world.particles(), step * steps as f64);
-    for (i, r) in radii.iter().enumerate() {
-        let mass = 2700.0 * 4.0 / 3.0 * PI * r.powi(3);
-        let linear = (-6.0 * PI * viscosity * r * time / mass).exp();
-        let angular = (-8.0 * PI * viscosity * r.powi(3) * time / (0.4 * mass * r * r)).exp();
-        assert!(linear < 0.9 && angular < 0.9);
-        // Second order: (rate step)^2 / 6 times rate time, below 1e-8.
-        assert!(close(p.velocity[i].x, linear, 1e-8) && close(p.velocity[i].y, 2.0 * linear, 1e-8));
-        assert!(close(p.angular_velocity[i], 300.0 * angular, 1e-8));
-    }
-}
-
-#[test]
-fn external_forces_derive_from_their_potentials_and_turn_nothing() {
-    let fields = [
-        "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n",
-        "[box]\nheight = 0.4\n[external]\nlaw = \"harmonic-well\"\nstiffness = 50.0\n",
-    ];
-    for field in fields {
-        let at = |x: f64, y: f64| {
-            world(&(head("euler", 1e-6) + field + &particle([x, y], [1.0, 0.0], 3.0, 0.01)))
-        };
-        let potential = |x: f64, y: f64| at(x, y).energy().external;
-        let (x, y, h) = (0.3, 0.7, 1e-4);
-        let mut world = at(x, y);
-        world.evaluate_if_pending().expect("finite");
-        let force = world.forces().force[0];
-        let slope_x = (potential(x + h, y) - potential(x - h, y)) / (2.0 * h);
-        let slope_y = (potential(x, y + h) - potential(x, y - h)) / (2.0 * h);
-        assert_eq!((force.x, slope_x), (0.0, 0.0));
-        assert!(
-            close(force.y, -slope_y, 1e-9) && force.y < 0.0,
-            "pulls down from above"
-        );
-        assert_eq!(world.forces().torque[0], 0.0);
     }
 }
 
@@ -313,7 +228,7 @@ fn the_force_on_a_particle_is_the_sum_of_its_parts() {
             (force - total.0).norm() < 1e-10 * total.0.norm(),
             "{force:?} {total:?}"
         );
-        assert!((torque - total.1).abs() < 1e-10 * total.1.abs());
+        assert_abs_diff_eq!(torque, total.1, epsilon = 1e-10 * total.1.abs());
         // And it accelerates: x'' = F / m, phi'' = tau / J, by one explicit step.
         let mut moved = all.clone();
         moved.step().expect("finite");
@@ -321,8 +236,10 @@ fn the_force_on_a_particle_is_the_sum_of_its_parts() {
         let gained = p.velocity[i] - all.particles().velocity[i];
         let spun = p.angular_velocity[i] - all.particles().angular_velocity[i];
         assert!((gained * p.mass[i] - total.0 * 1e-9).norm() < 1e-6 * total.0.norm() * 1e-9);
-        assert!(
-            (spun * p.moment_of_inertia[i] - total.1 * 1e-9).abs() < 1e-6 * total.1.abs() * 1e-9
+        assert_abs_diff_eq!(
+            spun * p.moment_of_inertia[i],
+            total.1 * 1e-9,
+            epsilon = 1e-6 * total.1.abs() * 1e-9
         );
     }
 }
@@ -353,27 +270,45 @@ fn moduli_and_wave_speeds_are_those_of_one_solid() {
             solid.bulk_modulus(),
             solid.p_wave_modulus(),
         );
-        assert!(close(k + 4.0 / 3.0 * g, m, 1e-13));
-        assert!(close(9.0 * k * g / (3.0 * k + g), 50e9, 1e-13));
-        assert!(close(
+        assert_relative_eq!(k + 4.0 / 3.0 * g, m, epsilon = 0.0, max_relative = 1e-13);
+        assert_relative_eq!(
+            9.0 * k * g / (3.0 * k + g),
+            50e9,
+            epsilon = 0.0,
+            max_relative = 1e-13
+        );
+        assert_relative_eq!(
             (3.0 * k - 2.0 * g) / (6.0 * k + 2.0 * g) + 1.0,
             nu + 1.0,
-            1e-13
-        ));
-        assert!(close(
+            epsilon = 0.0,
+            max_relative = 1e-13
+        );
+        assert_relative_eq!(
             solid.primary_wave_speed(2700.0).powi(2) * 2700.0,
             m,
-            1e-13
-        ));
-        assert!(close(
+            epsilon = 0.0,
+            max_relative = 1e-13
+        );
+        assert_relative_eq!(
             solid.secondary_wave_speed(2700.0).powi(2) * 2700.0,
             g,
-            1e-13
-        ));
+            epsilon = 0.0,
+            max_relative = 1e-13
+        );
     }
     let granite = GRANITE.elastic();
-    assert!(close(granite.primary_wave_speed(2700.0), 4598.08, 1e-6));
-    assert!(close(granite.secondary_wave_speed(2700.0), 2754.915, 1e-6));
+    assert_relative_eq!(
+        granite.primary_wave_speed(2700.0),
+        4598.08,
+        epsilon = 0.0,
+        max_relative = 1e-6
+    );
+    assert_relative_eq!(
+        granite.secondary_wave_speed(2700.0),
+        2754.915,
+        epsilon = 0.0,
+        max_relative = 1e-6
+    );
 }
 
 #[test]
@@ -397,15 +332,25 @@ fn the_axial_ratio_is_that_of_the_forces_that_break() {
         low
     };
     let (normal, tangential) = (limit(&|f| (f, 0.0), 1.0), limit(&|f| (0.0, -f), 1.0));
-    assert!(close(tangential / normal, law.axial_ratio(), 1e-12));
+    assert_relative_eq!(
+        tangential / normal,
+        law.axial_ratio(),
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
     assert!(
-        close(limit(&|f| (f, 0.0), 1.1), 1.21 * normal, 1e-12),
+        relative_eq!(
+            limit(&|f| (f, 0.0), 1.1),
+            1.21 * normal,
+            epsilon = 0.0,
+            max_relative = 1e-12
+        ),
         "square of the factor"
     );
     // On the ellipse in between.
     let diagonal = limit(&|f| (-0.6 * f, 0.8 * f), 1.0);
     let sum = (0.6 * diagonal / normal).powi(2) + (0.8 * diagonal / tangential).powi(2);
-    assert!(close(sum, 1.0, 1e-12));
+    assert_relative_eq!(sum, 1.0, epsilon = 0.0, max_relative = 1e-12);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Order and stability of the integrators, found by running the kernel on a damped oscillator.
 
 use crate::worlds::{advance, head, particle, world};
-use approx::assert_abs_diff_eq;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::World;
 use gouge_dem::integrators::{Integrator, Oscillator, critical_step};
 use std::f64::consts::PI;
@@ -50,7 +50,7 @@ fn orders_are_those_of_theory() {
             let (coarse, fine) = (error(name, 1600, zeta), error(name, 3200, zeta));
             let observed = (coarse / fine).log2();
             assert!(
-                (observed - order).abs() < 0.02,
+                abs_diff_eq!(observed, order, epsilon = 0.02),
                 "{name} at damping ratio {zeta}: observed {observed}, theory {order}"
             );
         }
@@ -121,7 +121,7 @@ fn critical_steps_have_their_closed_forms() {
         for (integrator, form) in forms {
             let found = critical(integrator, zeta);
             assert!(
-                (found / form - 1.0).abs() < 1e-6,
+                abs_diff_eq!(found / form, 1.0, epsilon = 1e-6),
                 "{integrator:?} {zeta}: {found}, {form}"
             );
         }

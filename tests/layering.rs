@@ -1,6 +1,6 @@
-//! Who may use whom, and how long files may be.
+//! Who may use whom.
 
-use crate::equations::{KERNELS, kernel_files, read, root, rust_files};
+use crate::sources::{KERNELS, kernel_files, read, root, rust_files};
 use std::path::Path;
 
 /// Uses of what is listed further down: a model names its integrator, as plain data.
@@ -14,9 +14,6 @@ const CRATES: [(&str, &str); 5] = [
     ("gouge-validation", "validation"),
     ("gouge", "cli"),
 ];
-
-/// Longest file in lines.
-const LONGEST: usize = 500;
 
 /// Lines of code: no comments, nothing after the beginning of unit tests.
 fn code(text: &str) -> impl Iterator<Item = &str> {
@@ -250,16 +247,6 @@ fn oracles_never_call_the_kernel() {
         let text = read(&file);
         for line in code(&text) {
             assert!(!line.contains("gouge_dem"), "{}: {line}", file.display());
-        }
-    }
-}
-
-#[test]
-fn files_are_short() {
-    for folder in ["kernel", "runner/src", "validation/src", "cli/src"] {
-        for file in rust_files(&root().join(folder)) {
-            let lines = read(&file).lines().count();
-            assert!(lines <= LONGEST, "{} has {lines} lines", file.display());
         }
     }
 }

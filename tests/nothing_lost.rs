@@ -1,14 +1,16 @@
 //! Runs that are killed, fail or meet a full disk: what was computed stays and can be continued.
 
+mod disk;
+mod failing;
+
 use crate::program::{gouge, run, stderr, stdout, write_scene};
-use crate::worlds::{INTEGRATORS, head, particle};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 use std::time::Duration;
 
 /// Names and contents of all files below a folder.
@@ -230,23 +232,12 @@ fn meeting(step: f64) -> String {
     text.replace(line, &format!("step = {step:e}"))
 }
 
-/// Every damage to a checkpoint is found before anything is touched.
-#[test]
-fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
-    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
-    complete(&scene, &reference, false);
-    fs::create_dir(&out).expect("a new folder");
-    for name in ["checkpoint", "series.csv"] {
-        fs::copy(reference.join(name), out.join(name)).expect("a copy");
-    }
-    let path = out.join("checkpoint");
-    let whole = fs::read(&path).expect("a checkpoint");
+/// A checkpoint with a wrong bit, cut off, too long, or empty.
+fn damaged(whole: &[u8]) -> Vec<Vec<u8>> {
     let mut random = Pcg64::new(5, 6);
     let mut damaged: Vec<Vec<u8>> = (0..20)
         .map(|_| {
-            let mut bytes = whole.clone();
+            let mut bytes = whole.to_vec();
             let place = random.random_range(0..bytes.len());
             bytes[place] ^= 1 << random.random_range(0..8);
             bytes
@@ -265,8 +256,24 @@ fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
         whole.len() - 1,
     ];
     damaged.extend(lengths.map(|length| whole[..length].to_vec()));
-    damaged.push([&whole[..], b"x"].concat());
+    damaged.push([whole, b"x"].concat());
     damaged.push(vec![0; whole.len()]);
+    damaged
+}
+
+/// Every damage to a checkpoint is found before anything is touched.
+#[test]
+fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
+    complete(&scene, &reference, false);
+    fs::create_dir(&out).expect("a new folder");
+    for name in ["checkpoint", "series.csv"] {
+        fs::copy(reference.join(name), out.join(name)).expect("a copy");
+    }
+    let path = out.join("checkpoint");
+    let whole = fs::read(&path).expect("a checkpoint");
     let refused = |scene: &Path, reason: &str| {
         let before = files(&out);
         let output = start(scene, &out, true)
@@ -284,7 +291,7 @@ fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
         );
         assert_eq!(files(&out), before);
     };
-    for bytes in damaged {
+    for bytes in damaged(&whole) {
         fs::write(&path, bytes).expect("ours");
         refused(&scene, "damaged");
     }
@@ -337,267 +344,4 @@ fn a_folder_that_cannot_be_written_is_named() {
         );
     }
     assert_eq!(fs::read(&file).expect("ours"), b"precious");
-}
-
-/// Run with files limited to so many blocks of 512 bytes, as if the disk were full then.
-fn on_a_small_disk(blocks: usize, scene: &Path, out: &Path, resume: bool) -> Output {
-    let program = start(scene, out, resume);
-    let mut shell = Command::new("sh");
-    shell.arg("-c").arg(format!(
-        "ulimit -f {blocks}; trap '' XFSZ; exec \"$0\" \"$@\""
-    ));
-    shell.arg(program.get_program()).args(program.get_args());
-    shell.output().expect("a shell")
-}
-
-#[test]
-fn a_full_disk_is_named_and_the_run_continues_when_there_is_room() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
-    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
-    complete(&scene, &reference, false);
-    let mut sizes = vec![];
-    // First no checkpoint fits, then ever longer series do.
-    for blocks in [0, 1, 8, 16, 24, 32] {
-        let resume = out.join("checkpoint").exists();
-        let output = on_a_small_disk(blocks, &scene, &out, resume);
-        let said = stderr(&output);
-        assert_eq!(output.status.code(), Some(1), "{blocks}: {said}");
-        assert!(
-            said.starts_with(&format!("gouge: cannot write {}/", out.display())),
-            "{said}"
-        );
-        let series = fs::read_to_string(out.join("series.csv")).expect("a series");
-        assert!(
-            series.is_empty() || series.ends_with('\n'),
-            "half a row: {series}"
-        );
-        assert!(!out.join("summary.json").exists());
-        assert!(
-            !files(&out)
-                .keys()
-                .any(|path| path.extension().is_some_and(|e| e == "partial"))
-        );
-        sizes.push(series.len());
-    }
-    assert!(
-        sizes[2..].windows(2).all(|two| two[0] < two[1]),
-        "{sizes:?}"
-    );
-    complete(&scene, &out, true);
-    assert_same(&out, &reference);
-}
-
-#[test]
-fn a_checkpoint_that_does_not_fit_leaves_the_earlier_one() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &fault("euler", "cundall-strack", "none"));
-    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
-    complete(&scene, &reference, false);
-    let mut random = Pcg64::new(31, 32);
-    while !out.join("checkpoint").exists() || out.join("summary.json").exists() {
-        let _ = fs::remove_dir_all(&out);
-        kill(&scene, &out, false, &mut random, 2000);
-    }
-    let path = out.join("checkpoint");
-    let before = fs::read(&path).expect("a checkpoint");
-    let output = on_a_small_disk(before.len() / 1024, &scene, &out, true);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(stderr(&output).contains(text(&path)), "{}", stderr(&output));
-    assert_eq!(fs::read(&path).expect("a checkpoint"), before);
-    complete(&scene, &out, true);
-    assert_same(&out, &reference);
-}
-
-#[test]
-fn an_unfinished_run_is_not_begun_anew() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
-    let out = folder.path().join("out");
-    complete(&scene, &out, false);
-    let done = files(&out);
-    fs::remove_file(out.join("summary.json")).expect("ours");
-    let before = files(&out);
-    for name in [text(&scene), "oblique"] {
-        let output = run(&["run", name, "--out", text(&out)]);
-        let said = stderr(&output);
-        assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(
-            said.contains("--resume") && said.contains(text(&out)),
-            "{said}"
-        );
-        assert_eq!(files(&out), before);
-    }
-    complete(&scene, &out, true);
-    assert_eq!(files(&out).len(), done.len());
-    // A finished run may be replaced, but only by a scene that is usable.
-    let before = files(&out);
-    let output = run(&["run", "no-such-scene", "--out", text(&out)]);
-    assert_eq!(output.status.code(), Some(2));
-    assert_eq!(files(&out), before);
-    complete(Path::new("oblique"), &out, false);
-    assert_ne!(
-        files(&out)[&out.join("series.csv")],
-        before[&out.join("series.csv")]
-    );
-}
-
-#[test]
-fn foreign_files_survive() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let out = folder.path().join("out");
-    fs::create_dir_all(out.join("trajectory")).expect("a new folder");
-    let foreign = ["notes.txt", "trajectory/analysis.py", "checkpoint.old"];
-    for name in foreign {
-        fs::write(out.join(name), "precious").expect("ours");
-    }
-    let scene = write_scene(folder.path(), &fault("euler", "cundall-strack", "extxyz"));
-    complete(&scene, &out, false);
-    assert!(out.join("trajectory/frame_000010.xyz").exists());
-    complete(Path::new("head-on"), &out, false);
-    assert!(!out.join("trajectory/frame_000010.xyz").exists());
-    for name in foreign {
-        assert_eq!(fs::read(out.join(name)).expect(name), b"precious");
-    }
-}
-
-#[test]
-fn a_run_does_not_replace_what_its_scene_reads() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let list = folder.path().join("particles.csv");
-    fs::write(&list, "x,y,radius,vx\n0,0,1e-3,1\n1,0,1e-3,0\n").expect("ours");
-    let scene = format!(
-        "particles_file = \"particles.csv\"\n{}",
-        head("euler", 1e-3)
-    );
-    let scene = write_scene(folder.path(), &scene);
-    let before = files(folder.path());
-    let output = run(&["run", text(&scene), "--out", text(folder.path())]);
-    let said = stderr(&output);
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains(text(&list)), "{said}");
-    assert_eq!(files(folder.path()), before);
-    complete(&scene, &folder.path().join("out"), false);
-}
-
-/// Laws of a chain of bonded grains that touch others.
-const LAWS: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
-    [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e8\n\
-    [bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
-    [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n";
-
-/// Six grains, of which the first three are bonded and the first one moves.
-fn chain(integrator: &str, step: f64, end: f64) -> String {
-    let grain = |i: usize| {
-        let speed = if i == 0 { 1.0 } else { 0.0 };
-        particle(
-            [1.98e-3 * i as f64, 1e-4 * (i % 2) as f64],
-            [speed, 0.0],
-            0.0,
-            1e-3,
-        )
-    };
-    let text = head(integrator, step) + LAWS + &(0..6).map(grain).collect::<String>();
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("end = "))
-        .expect("an end");
-    let text = text.replace(line, &format!("end = {end:e}"));
-    text + "[[bonds]]\nbetween = [0, 1]\n[[bonds]]\nbetween = [1, 2]\n[output]\ninterval = 1e-9\n"
-}
-
-#[test]
-fn a_time_step_far_too_large_ends_with_its_cause_and_the_last_good_state() {
-    for integrator in INTEGRATORS {
-        for step in [1e-5, 1e-4] {
-            let folder = tempfile::tempdir().expect("a folder");
-            let scene = write_scene(folder.path(), &chain(integrator, step, 1e5 * step));
-            let out = folder.path().join("out");
-            let output = run(&["run", text(&scene), "--out", text(&out)]);
-            let said = stderr(&output);
-            assert_eq!(output.status.code(), Some(1), "{integrator} {step}: {said}");
-            for part in [
-                "in phase 'run'",
-                "particle ",
-                " s",
-                "likely cause",
-                "time step",
-                "stability",
-            ] {
-                assert!(said.contains(part), "{integrator} {step}: {part}: {said}");
-            }
-            assert!(said.contains("bond is "), "{integrator} {step}: {said}");
-            let report = summary(&out);
-            let status = report["status"].as_str().expect("a status");
-            assert!(
-                status.starts_with("failed: ") && said.contains(&status[8..]),
-                "{status}"
-            );
-            let series = fs::read_to_string(out.join("series.csv")).expect("a series");
-            let particles = fs::read_to_string(out.join("particles.csv")).expect("particles");
-            let mut numbers = 0;
-            for cell in series
-                .lines()
-                .chain(particles.lines())
-                .flat_map(|line| line.split(','))
-            {
-                if let Ok(number) = cell.parse::<f64>() {
-                    assert!(
-                        number.is_finite(),
-                        "{integrator} {step}: {series} {particles}"
-                    );
-                    numbers += 1;
-                }
-            }
-            assert!(numbers >= 60, "{series}");
-            assert!(series.lines().count() > 1 && particles.lines().count() == 7);
-        }
-    }
-}
-
-#[test]
-fn energies_beyond_all_numbers_are_not_written() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = head("euler", 1e-3) + &particle([0.0; 2], [1e200, 0.0], 0.0, 1e-3);
-    let scene = write_scene(folder.path(), &scene);
-    let out = folder.path().join("out");
-    let output = run(&["run", text(&scene), "--out", text(&out)]);
-    let said = stderr(&output);
-    assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(
-        said.contains("the kinetic energy is not finite at 0 s"),
-        "{said}"
-    );
-    let series = fs::read_to_string(out.join("series.csv")).expect("a series");
-    assert_eq!(series.lines().count(), 1);
-    let status = summary(&out)["status"].as_str().map(str::to_owned);
-    assert!(status.is_some_and(|status| status.starts_with("failed: ")));
-}
-
-#[test]
-fn a_set_up_that_fails_says_in_which_phase() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let text = fault("velocity-verlet", "cundall-strack", "none");
-    let cases = [
-        ("step = 100e-9", "step = 100e-6", "phase 'settle 1'"),
-        (
-            "driven_above = 11e-3",
-            "driven_above = 11.0",
-            "no driven particle",
-        ),
-    ];
-    for (old, new, expected) in cases {
-        let scene = write_scene(
-            folder.path(),
-            &text.replace(old, new).replace("= 60e-6", "= 6e-3"),
-        );
-        let out = folder.path().join("out");
-        let output = run(&["run", self::text(&scene), "--out", self::text(&out)]);
-        let said = stderr(&output);
-        assert_eq!(output.status.code(), Some(1), "{said}");
-        assert!(said.contains(expected), "{said}");
-        let status = summary(&out)["status"].as_str().map(str::to_owned);
-        assert!(status.is_some_and(|status| status.starts_with("failed: ")));
-        fs::remove_dir_all(&out).expect("ours");
-    }
 }

@@ -1,6 +1,7 @@
 //! Decisions of the errata, pinned by what they change.
 
 use crate::worlds::{advance, head, particle, world};
+use approx::abs_diff_eq;
 
 /// A bonded pair that rolls like gears; each end turns by many half-turns, at different moments.
 fn gears(reading: &str) -> String {
@@ -28,7 +29,7 @@ fn corrected_angles_go_on_where_those_of_the_thesis_jump() {
         };
         for end in 0..2 {
             assert!(
-                (zeta[end] - expected[end]).abs() < 1e-9,
+                abs_diff_eq!(zeta[end], expected[end], epsilon = 1e-9),
                 "{reading} {zeta:?} {expected:?}"
             );
         }
@@ -49,7 +50,7 @@ fn a_bond_turned_round_many_times_comes_back_unstrained() {
     advance(&mut world, 200_000);
     let p = world.particles();
     assert!(
-        (p.angle[0] - omega * 2e-3).abs() < 1e-2,
+        abs_diff_eq!(p.angle[0], omega * 2e-3, epsilon = 1e-2),
         "three turns and more"
     );
     let zeta = world.interactions()[0].tangential_displacement;
@@ -77,7 +78,7 @@ fn the_drag_constant_follows_the_reading() {
         let expected = -0.5 * 1.2 * area * coefficient * 4.0;
         let found = drag(reading);
         assert!(
-            (found / expected - 1.0).abs() < 2e-6,
+            abs_diff_eq!(found / expected, 1.0, epsilon = 2e-6),
             "{reading}: {found}, {expected}"
         );
     }
@@ -85,8 +86,8 @@ fn the_drag_constant_follows_the_reading() {
 
 #[test]
 fn a_truncated_spring_pays_back_no_more_than_it_was_given() {
-    use gouge_dem::laws::{CundallStrack, CundallStrackTruncated, TangentialLaw, TangentialMotion};
-    // The closed cycle of E15: slide under a low load, return under a high one.
+    use gouge_dem::laws::{CundallStrack, CundallStrackTruncated, TangentialMotion, TangentialLaw};
+    // The closed cycle of thesis E15: slide under a low load, return under a high one.
     fn work<L: TangentialLaw>(law: L) -> f64 {
         let (mut memory, mut work, n) = (0.0, 0.0, 100_000);
         for k in 0..2 * n {
@@ -116,7 +117,7 @@ fn a_truncated_spring_pays_back_no_more_than_it_was_given() {
     // Created: k z^2 / 2 - mu F z (and the rise to the limit), with z = 0.1 mm.
     let created = 0.5 * 1e8 * 1e-8 - 70.0 * 1e-4 + 0.5 * 70.0 * 70.0 / 1e8;
     assert!(
-        (printed / created - 1.0).abs() < 1e-3,
+        abs_diff_eq!(printed / created, 1.0, epsilon = 1e-3),
         "{printed}, {created}"
     );
     assert!(truncated < 0.0, "{truncated}");

@@ -105,6 +105,23 @@ fn finite(number: f64) -> Value {
     }
 }
 
+/// Bound of one oscillation, with stiffness and damping over mass, in 1/s^2 and 1/s.
+fn pair_bound(scene: &Scene, name: &str, meaning: &str, [k, c]: [f64; 2]) -> Value {
+    let oscillator = Oscillator {
+        frequency_squared: k,
+        damping_rate: c,
+    };
+    let step = critical_step(scene.integrator, oscillator);
+    json!({
+        "name": name,
+        "meaning": meaning,
+        "angular_frequency": k.sqrt(),
+        "damping_ratio": finite(c / (2.0 * k.sqrt())),
+        "step": finite(step),
+        "satisfied": scene.step <= step,
+    })
+}
+
 /// Bounds of the oscillations of a pair of the lightest particles.
 fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     let p = world.particles();
@@ -112,23 +129,7 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     let smallest = p.radius.iter().copied().fold(f64::INFINITY, f64::min);
     // Reduced mass of two equal particles; rolling adds the inertia: 7/2 for spheres.
     let (push, roll) = (2.0 / lightest, 7.0 / lightest);
-    let bound = |name: &str, meaning: &str, k: f64, c: f64| {
-        let step = critical_step(
-            scene.integrator,
-            Oscillator {
-                frequency_squared: k,
-                damping_rate: c,
-            },
-        );
-        json!({
-            "name": name,
-            "meaning": meaning,
-            "angular_frequency": k.sqrt(),
-            "damping_ratio": finite(c / (2.0 * k.sqrt())),
-            "step": finite(step),
-            "satisfied": scene.step <= step,
-        })
-    };
+    let bound = |name, meaning, k, c| pair_bound(scene, name, meaning, [k, c]);
     let mut bounds = Vec::new();
     if let Some(contact) = &scene.contact {
         let [k, c] = contact.normal.constants([smallest; 2]);

@@ -91,14 +91,11 @@ fn run_on(
     std::thread::scope(|scope| {
         for _ in 0..threads {
             let (sender, next) = (sender.clone(), &next);
-            scope.spawn(move || {
-                while let Some(&place) = places.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    progress.set_message(checks[place].id);
-                    if sender.send((place, run(checks[place]))).is_err() {
-                        return;
-                    }
-                }
+            let places = std::iter::from_fn(move || {
+                let place = places.get(next.fetch_add(1, Ordering::Relaxed));
+                place.copied()
             });
+            scope.spawn(move || work(checks, places, progress, &sender));
         }
         drop(sender);
         for (place, entry) in receiver {
@@ -106,6 +103,21 @@ fn run_on(
             done(place, entry);
         }
     });
+}
+
+/// Run checks one after the other until nobody takes their results any more.
+fn work(
+    checks: &[&Check],
+    places: impl Iterator<Item = usize>,
+    progress: &ProgressBar,
+    sender: &mpsc::Sender<(usize, Entry)>,
+) {
+    for place in places {
+        progress.set_message(checks[place].id);
+        if sender.send((place, run(checks[place]))).is_err() {
+            return;
+        }
+    }
 }
 
 fn run(check: &Check) -> Entry {

@@ -30,7 +30,7 @@ pub struct Case {
     pub title: String,
     /// Laws of the kernel that are compared.
     pub laws: String,
-    /// Equations of the thesis.
+    /// Equations that the laws implement, such as `thesis (35), thesis (36)`.
     pub equations: String,
     /// Settings of the engine that mean these laws.
     pub settings: String,

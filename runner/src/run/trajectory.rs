@@ -108,29 +108,28 @@ fn extxyz(scene: &Scene, world: &World) -> String {
     text
 }
 
+/// Vectors in space, as VTK has them.
+fn flat(column: &[Vec2]) -> Vec<f64> {
+    column.iter().flat_map(|v| [v.x, v.y, 0.0]).collect()
+}
+
+fn role_number(role: Role) -> i32 {
+    match role {
+        Role::Free => 0,
+        Role::Driven => 1,
+        Role::Fixed => 2,
+    }
+}
+
 /// A legacy VTK file: a vertex a particle, a line a bond.
 fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
     let p = world.particles();
-    let flat = |column: &[Vec2]| {
-        column
-            .iter()
-            .flat_map(|v| [v.x, v.y, 0.0])
-            .collect::<Vec<f64>>()
-    };
     let fragments: Vec<i32> = fragments(world.state())
         .label
         .iter()
         .map(|&label| label as i32)
         .collect();
-    let roles: Vec<i32> = p
-        .role
-        .iter()
-        .map(|role| match role {
-            Role::Free => 0,
-            Role::Driven => 1,
-            Role::Fixed => 2,
-        })
-        .collect();
+    let roles: Vec<i32> = p.role.iter().map(|&role| role_number(role)).collect();
     let vertices = (0..p.len() as u32).flat_map(|i| [1, i]).collect();
     let bonds: Vec<u32> = unbroken_lines(scene, world)
         .flat_map(|(i, j)| [2, i as u32, j as u32])

@@ -15,8 +15,9 @@ use std::time::{Duration, Instant};
 
 /// Tests that are not run: those that read the sources, which differ in the copy; those that start the
 /// program; the thorough half of the register; and long ones whose subject has a quick check.
-const SKIPPED: [&str; 13] = [
+const SKIPPED: [&str; 14] = [
     "perturbation::",
+    "code_size::",
     "layering::",
     "equations::",
     "commands::",

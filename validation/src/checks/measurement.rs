@@ -166,6 +166,7 @@ pub type Outcome = Result<Finding, Failure>;
 #[cfg(test)]
 mod tests {
     use super::{Measurement, largest};
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn an_undefined_error_is_the_worst() {
@@ -187,7 +188,11 @@ mod tests {
     #[test]
     fn digits_are_those_of_the_relative_error() {
         assert_eq!(Measurement::relative(2.0, 2.0, 0.0).digits(), 16.0);
-        assert!((Measurement::relative(1.0, 1.001, 0.0).digits() - 3.0).abs() < 1e-9);
+        assert_abs_diff_eq!(
+            Measurement::relative(1.0, 1.001, 0.0).digits(),
+            3.0,
+            epsilon = 1e-9
+        );
         assert_eq!(Measurement::relative(1.0, f64::INFINITY, 0.0).digits(), 0.0);
     }
 }

@@ -3,11 +3,13 @@
 //! The gate (`cargo test`) and the report (`gouge verify`) run the same register.
 
 pub mod dem;
+mod evidence;
 mod exhibit;
 mod extrapolation;
 mod measurement;
 mod random;
 
+pub use evidence::{Citation, Evidence, Source, thesis};
 pub use exhibit::{Axis, Curve, Exhibit, Plot, Style, Table};
 pub use measurement::{
     Failure, Finding, Measurement, Origin, Outcome, largest, unit_in_last_place,
@@ -30,8 +32,8 @@ pub struct Check {
     pub id: &'static str,
     /// The claim, one sentence.
     pub claim: &'static str,
-    /// Equations of the thesis that it stands for.
-    pub equations: &'static str,
+    /// Equations, errata, sections and figures that it stands for.
+    pub equations: Evidence,
     /// What is run.
     pub scene: &'static str,
     /// What it is compared with.

@@ -217,13 +217,17 @@ pub fn closed_boundary(method: Method, zeta: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::{Method, closed_boundary, moduli, one_step};
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn an_undamped_oscillator_keeps_its_area_where_the_method_is_symplectic() {
         let determinant = one_step(Method::SymplecticEuler, 0.7, 0.0).determinant();
-        assert!((determinant - 1.0).abs() < 1e-15);
+        assert_abs_diff_eq!(determinant, 1.0, epsilon = 1e-15);
         let verlet = moduli(Method::VelocityVerlet, 0.7, 0.0);
-        assert!((verlet[0] - 1.0).abs() < 1e-12 && (verlet[1] - 1.0).abs() < 1e-12);
+        assert!(
+            abs_diff_eq!(verlet[0], 1.0, epsilon = 1e-12)
+                && abs_diff_eq!(verlet[1], 1.0, epsilon = 1e-12)
+        );
         assert_eq!(closed_boundary(Method::VelocityVerlet, 0.0), Some(2.0));
     }
 }

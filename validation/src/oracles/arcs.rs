@@ -48,6 +48,7 @@ impl Rectangle {
 #[cfg(test)]
 mod tests {
     use super::Rectangle;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn a_corner_sees_a_quarter_and_an_edge_a_half() {
@@ -55,8 +56,20 @@ mod tests {
             width: Some(2.0),
             height: 2.0,
         };
-        assert!((square.fraction_inside([0.0, 0.0], 1.0) - 0.25).abs() < 1e-15);
-        assert!((square.fraction_inside([1.0, 0.0], 0.5) - 0.5).abs() < 1e-15);
-        assert!((square.fraction_inside([1.0, 1.0], 0.5) - 1.0).abs() < 1e-15);
+        assert_abs_diff_eq!(
+            square.fraction_inside([0.0, 0.0], 1.0),
+            0.25,
+            epsilon = 1e-15
+        );
+        assert_abs_diff_eq!(
+            square.fraction_inside([1.0, 0.0], 0.5),
+            0.5,
+            epsilon = 1e-15
+        );
+        assert_abs_diff_eq!(
+            square.fraction_inside([1.0, 1.0], 0.5),
+            1.0,
+            epsilon = 1e-15
+        );
     }
 }

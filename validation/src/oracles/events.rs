@@ -61,6 +61,7 @@ pub fn rubbed(time: f64, speed: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::{Return, bounced, rubbed, slipped};
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     /// Position and velocity continue where the formula changes, and one is the other's derivative.
     fn is_smooth(motion: impl Fn(f64) -> [f64; 2], end: f64) {
@@ -68,7 +69,7 @@ mod tests {
             let t = end * f64::from(n) / 400.0;
             let h = 1e-5;
             let slope = (motion(t + h)[0] - motion(t - h)[0]) / (2.0 * h);
-            assert!((slope - motion(t)[1]).abs() < 1e-4, "{t}");
+            assert!(abs_diff_eq!(slope, motion(t)[1], epsilon = 1e-4), "{t}");
         }
     }
 
@@ -79,6 +80,6 @@ mod tests {
         is_smooth(|t| slipped(t, 2.0, Return::Springs), 4.0);
         is_smooth(|t| slipped(t, 2.0, Return::Stays), 4.0);
         is_smooth(|t| rubbed(t, 3.0), 5.0);
-        assert!((bounced(4.0, 0.0)[1] + 1.0).abs() < 1e-15);
+        assert_abs_diff_eq!(bounced(4.0, 0.0)[1], -1.0, epsilon = 1e-15);
     }
 }

@@ -145,6 +145,7 @@ impl<R, F: Float> Flow<R, F> {
 #[cfg(test)]
 mod tests {
     use super::Flow;
+    use approx::abs_diff_eq;
     use xprec::Df64;
 
     #[test]
@@ -155,11 +156,15 @@ mod tests {
         };
         let end = flow.advance([1.0, 0.0], std::f64::consts::TAU);
         assert!(
-            (end[0] - 1.0).abs() < 1e-13 && end[1].abs() < 1e-13,
+            abs_diff_eq!(end[0], 1.0, epsilon = 1e-13)
+                && abs_diff_eq!(end[1], 0.0, epsilon = 1e-13),
             "{end:?}"
         );
         let (time, _) = flow.until([1.0, 0.0], 3.0, |_, y| y[0]);
-        assert!((time - std::f64::consts::FRAC_PI_2).abs() < 4e-14, "{time}");
+        assert!(
+            abs_diff_eq!(time, std::f64::consts::FRAC_PI_2, epsilon = 4e-14),
+            "{time}"
+        );
     }
 
     #[test]

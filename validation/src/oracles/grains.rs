@@ -215,6 +215,7 @@ impl<F: Float> Grains<F> {
 mod tests {
     use super::{Grain, Grains, Repulsion};
     use crate::oracles::oscillator::truncated_restitution;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn a_bounce_loses_what_the_closed_form_says() {
@@ -235,6 +236,6 @@ mod tests {
         let start = [0.0, 0.0, 0.0, 0.0, 3.0, 0.0, -0.1, 0.0];
         let end = grains.advance(start, 20.0, 50, 1e-11);
         let restitution: f64 = end[6] / 0.1;
-        assert!((restitution - truncated_restitution(zeta)).abs() < 1e-9);
+        assert_abs_diff_eq!(restitution, truncated_restitution(zeta), epsilon = 1e-9);
     }
 }

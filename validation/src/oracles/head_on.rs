@@ -131,6 +131,7 @@ pub fn series() -> [f64; 2] {
 mod tests {
     use super::{spring, viscoelastic};
     use crate::oracles::oscillator::{truncated_duration, truncated_restitution};
+    use approx::abs_diff_eq;
     use statrs::function::beta::beta;
     use xprec::Df64;
 
@@ -156,9 +157,18 @@ mod tests {
         let found = viscoelastic(0.0_f64, 1e-14);
         let depth = 1.25_f64.powf(0.4);
         let duration = 0.8 * depth * beta(0.4, 0.5);
-        assert!((found.restitution - 1.0).abs() < 1e-13, "{found:?}");
-        assert!((found.duration / duration - 1.0).abs() < 1e-13, "{found:?}");
-        assert!((found.depth / depth - 1.0).abs() < 1e-13, "{found:?}");
+        assert!(
+            abs_diff_eq!(found.restitution, 1.0, epsilon = 1e-13),
+            "{found:?}"
+        );
+        assert!(
+            abs_diff_eq!(found.duration / duration, 1.0, epsilon = 1e-13),
+            "{found:?}"
+        );
+        assert!(
+            abs_diff_eq!(found.depth / depth, 1.0, epsilon = 1e-13),
+            "{found:?}"
+        );
     }
 
     #[test]
@@ -172,7 +182,7 @@ mod tests {
                 (found.depth, exact.depth),
             ] {
                 assert!(
-                    (rough / f64::from(fine) - 1.0).abs() < 1e-12,
+                    abs_diff_eq!(rough / f64::from(fine), 1.0, epsilon = 1e-12),
                     "{b}: {rough}"
                 );
             }

@@ -409,13 +409,17 @@ pub fn damping_ratio(wanted: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     #[test]
     fn a_linear_collision_has_the_restitution_of_the_closed_form() {
         for zeta in [0.05, 0.5, 0.99] {
             let e = restitution(Normal::Linear([1.0, 2.0 * zeta]), 1.0, 1.0);
             let expected = truncated_restitution(zeta);
-            assert!(e.is_some_and(|e| (e - expected).abs() < 1e-12), "{e:?}");
+            assert!(
+                e.is_some_and(|e| abs_diff_eq!(e, expected, epsilon = 1e-12)),
+                "{e:?}"
+            );
         }
     }
 
@@ -426,7 +430,7 @@ mod tests {
             let found = dissipative_constant(wanted)
                 .and_then(|c| restitution(Normal::Hertzian([1.0, c * duration]), 1.0, 1.0));
             assert!(
-                found.is_some_and(|e| (e - wanted).abs() < 1e-12),
+                found.is_some_and(|e| abs_diff_eq!(e, wanted, epsilon = 1e-12)),
                 "{wanted} {found:?}"
             );
         }
@@ -434,7 +438,7 @@ mod tests {
         let unit = duration;
         let small = dissipative_constant(0.9999).map(|c| c * unit * 1.15345);
         assert!(
-            small.is_some_and(|x| (x / 1e-4 - 1.0).abs() < 1e-4),
+            small.is_some_and(|x| abs_diff_eq!(x / 1e-4, 1.0, epsilon = 1e-4)),
             "{small:?}"
         );
     }
@@ -456,7 +460,7 @@ mod tests {
         };
         let end = impact.rebound(start);
         assert!(
-            end.is_some_and(|end| (end.shear + 5.0 / 7.0).abs() < 1e-9),
+            end.is_some_and(|end| abs_diff_eq!(end.shear, -5.0 / 7.0, epsilon = 1e-9)),
             "{end:?}"
         );
     }

@@ -86,13 +86,15 @@ fn contract<const N: usize>(simplex: &mut [(f64, [f64; N])], function: &impl Fn(
 #[cfg(test)]
 mod tests {
     use super::minimum;
+    use approx::abs_diff_eq;
 
     #[test]
     fn a_bent_valley_is_followed_to_its_end() {
         let valley = |x: &[f64; 2]| (1.0 - x[0]).powi(2) + 100.0 * (x[1] - x[0] * x[0]).powi(2);
         let found = minimum([-1.2, 1.0], 0.1, valley);
         assert!(
-            (found[0] - 1.0).abs() < 1e-6 && (found[1] - 1.0).abs() < 1e-6,
+            abs_diff_eq!(found[0], 1.0, epsilon = 1e-6)
+                && abs_diff_eq!(found[1], 1.0, epsilon = 1e-6),
             "{found:?}"
         );
     }

@@ -84,19 +84,32 @@ pub fn limit<const N: usize>(results: &[[f64; N]], powers: &[f64]) -> [f64; N] {
 #[cfg(test)]
 mod tests {
     use super::{integral, root};
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn integrals_with_roots_and_logarithms_at_their_ends() {
         let circle = integral(0.0, 1.0, |x| (1.0 - x * x).sqrt());
-        assert!((circle - std::f64::consts::FRAC_PI_4).abs() < 1e-14);
+        assert_abs_diff_eq!(circle, std::f64::consts::FRAC_PI_4, epsilon = 1e-14);
         let smooth = integral(1.0, 3.0, |x| x.exp());
-        assert!((smooth / (3.0_f64.exp() - 1.0_f64.exp()) - 1.0).abs() < 1e-14);
-        assert!((integral(0.0, 1.0, f64::ln) + 1.0).abs() < 1e-14);
+        assert_abs_diff_eq!(
+            smooth / (3.0_f64.exp() - 1.0_f64.exp()),
+            1.0,
+            epsilon = 1e-14
+        );
+        assert_abs_diff_eq!(integral(0.0, 1.0, f64::ln), -1.0, epsilon = 1e-14);
     }
 
     #[test]
     fn roots_are_found_in_either_direction() {
-        assert!((root(1.0, 2.0, |x| x * x - 2.0) - 2.0_f64.sqrt()).abs() < 1e-15);
-        assert!((root(1.0, 2.0, |x| 2.0 - x * x) - 2.0_f64.sqrt()).abs() < 1e-15);
+        assert_abs_diff_eq!(
+            root(1.0, 2.0, |x| x * x - 2.0),
+            2.0_f64.sqrt(),
+            epsilon = 1e-15
+        );
+        assert_abs_diff_eq!(
+            root(1.0, 2.0, |x| 2.0 - x * x),
+            2.0_f64.sqrt(),
+            epsilon = 1e-15
+        );
     }
 }

@@ -114,7 +114,8 @@ fn how_to_read() -> Markup {
                 b { "Statistical" } ": a margin, a significance and a power fixed beforehand. "
                 "Digits are the correct decimal digits of the measured value, 16 at most; where nothing should come out they count absolutely. "
                 "In figures, lines are theory or other people's data and marks are what the kernel gave, unless the legend says otherwise. All quantities are in SI units. "
-                "Numbers in brackets are the thesis's equations; E1, E2, … are sections of docs/thesis/errata.md."
+                "“thesis (42)” is equation (42) of the thesis, and “thesis E15” is section E15 of docs/thesis/errata.md; "
+                "a number in brackets without a source is an equation of the thesis."
             }
         }
     }
@@ -137,7 +138,7 @@ fn article(entry: &Entry) -> Markup {
             h3 { span class=(record.status) { (record.status) } " " (record.claim) }
             @if let Some(failure) = &record.failure { p.fail { "No measurement: " (failure) } }
             dl {
-                dt { "check" } dd { code { (record.id) } ", equations " (record.equations) }
+                dt { "check" } dd { code { (record.id) } ", stands for " (record.equations) }
                 dt { "scene" } dd { (record.scene) }
                 dt { "compared with" } dd { (record.oracle) }
                 dt { "error" } dd { (record.norm) }

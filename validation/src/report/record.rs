@@ -1,6 +1,6 @@
 //! A check with what it found, as `report.json` holds it.
 
-use crate::checks::{Check, Measurement, Origin, Outcome};
+use crate::checks::{Check, Evidence, Measurement, Origin, Outcome};
 use serde::Serialize;
 
 /// A check with what it found.
@@ -10,8 +10,8 @@ pub struct Record {
     pub id: &'static str,
     /// The claim.
     pub claim: &'static str,
-    /// Equations of the thesis.
-    pub equations: &'static str,
+    /// What the check stands for, each with its source.
+    pub equations: Evidence,
     /// What was run.
     pub scene: &'static str,
     /// What it was compared with.
@@ -51,7 +51,7 @@ impl Record {
         Self {
             id: check.id,
             claim: check.claim,
-            equations: check.equations,
+            equations: check.equations.clone(),
             scene: check.scene,
             oracle: check.oracle,
             norm: check.norm,

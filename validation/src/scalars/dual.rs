@@ -95,6 +95,7 @@ impl Real for Dual {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     #[test]
     fn an_angle_turns_by_the_cross_product_over_the_square_everywhere() {
@@ -102,7 +103,10 @@ mod tests {
             let moved = Dual::new(y, 0.5).atan2(Dual::new(x, -0.25));
             let slope = (0.5 * x + 0.25 * y) / (x * x + y * y);
             assert_eq!(moved.value(), f64::atan2(y, x));
-            assert!((moved.slope() - slope).abs() < 1e-15, "{y} {x}");
+            assert!(
+                abs_diff_eq!(moved.slope(), slope, epsilon = 1e-15),
+                "{y} {x}"
+            );
         }
     }
 }

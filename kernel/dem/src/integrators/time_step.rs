@@ -1,4 +1,4 @@
-//! Bounds of the time step: stability of each method, waves and cracks (59)-(62).
+//! Bounds of the time step: stability of each method, waves and cracks, thesis (59)-(62).
 
 use super::method::Integrator;
 use crate::material::Elastic;

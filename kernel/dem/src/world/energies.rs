@@ -13,7 +13,7 @@ use crate::laws::{BeamLaw, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::geometry::Metric;
 
 impl<S: Number> World<S> {
-    /// All terms of the energy balance in J, thesis eq. (72). Without a ledger, heat, work and residual are zero.
+    /// All terms of the energy balance in J, thesis (72). Without a ledger, heat, work and residual are zero.
     pub fn energy(&self) -> Energy<S> {
         let energy = S::state_energy(self);
         match &self.state.ledger {

@@ -1,7 +1,9 @@
 //! Pay for use.
 
 use super::scenes::{advance, bits, head, particle, world};
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, Topic};
+use crate::checks::{
+    Check, Effort, Evidence, Exhibit, Failure, Measurement, Origin, Outcome, Table, Topic, thesis,
+};
 use gouge_dem::World;
 use gouge_runner::scene::INTEGRATORS;
 
@@ -19,7 +21,7 @@ fn zero() -> Check {
     Check {
         id: "economy.zero.loose",
         claim: "A term that is absent and one whose coefficient is zero give the same bits, with every integrator.",
-        equations: "(9)-(25), (35)-(42), (64), (67)",
+        equations: thesis("(9)-(25), (35)-(42), (64), (67)"),
         scene: "Five spinning grains that collide and fall apart again, 1000 steps; 19 terms in turn",
         oracle: "The same scene without the term",
         norm: "Number of pairs of term and integrator that differ in any bit of any position, velocity or angle",
@@ -34,7 +36,7 @@ fn bonded() -> Check {
     Check {
         id: "economy.zero.bonded",
         claim: "Bonds without coefficients, beams without coefficients and strength without end change no bit, with every integrator.",
-        equations: "(33), (43)-(50)",
+        equations: thesis("(33), (43)-(50)"),
         scene: "Eight grains, bonded in pairs where they never touch or in a row that swings, 1000 steps",
         oracle: "The same scene without bonds, without beams, without yielding",
         norm: "Number of pairs of term and integrator that differ in any bit of any position, velocity or angle",
@@ -49,7 +51,7 @@ fn stored() -> Check {
     Check {
         id: "economy.stored",
         claim: "A scene without a term stores nothing for it: the record of a state grows only by what the term needs.",
-        equations: "-",
+        equations: Evidence::NONE,
         scene: "Five grains without links, with contacts, with contacts that remember, with bonds, with either predictor",
         oracle: "Words counted by hand: two for a vector, one for a number, seven for a bond, six for a remembered contact",
         norm: "Largest difference in words",
@@ -64,7 +66,7 @@ fn recorded() -> Check {
     Check {
         id: "economy.recorded",
         claim: "The record of a state holds all of it: the world read from it has the same record, after every step, and still after further ones.",
-        equations: "-",
+        equations: Evidence::NONE,
         scene: "Nine grains in a periodic box with bonds that break, contacts that remember, drag, driving and ledger, 600 steps and 300 more, for each integrator and both laws that remember",
         oracle: "The world that was recorded",
         norm: "Number of states that differ in any word of their records",

@@ -94,6 +94,7 @@ mod tests {
     use super::super::Springs;
     use super::super::network::{Beam, stiffness};
     use super::Chain;
+    use approx::abs_diff_eq;
     use nalgebra::DVector;
 
     const CHAIN: Chain = Chain {
@@ -128,7 +129,10 @@ mod tests {
         let expected = [tip.stretch, tip.deflection, tip.turn];
         for (n, exact) in expected.iter().enumerate() {
             let value = solved.as_ref().map_or(f64::NAN, |u| u[free - 3 + n]);
-            assert!((value / exact - 1.0).abs() < 1e-11, "{n}: {value} {exact}");
+            assert!(
+                abs_diff_eq!(value / exact, 1.0, epsilon = 1e-11),
+                "{n}: {value} {exact}"
+            );
         }
     }
 }

@@ -47,6 +47,7 @@ pub fn damped(
 #[cfg(test)]
 mod tests {
     use super::{Sphere, modes};
+    use approx::abs_diff_eq;
 
     #[test]
     fn equal_spheres_in_touch_have_two_five_halves_and_seven_halves() {
@@ -56,7 +57,7 @@ mod tests {
         };
         let scaled = modes([one, one], 0.6).map(|mode| mode * one.mass());
         for (mode, exact) in scaled.iter().zip([2.0, 2.5, 3.5]) {
-            assert!((mode - exact).abs() < 1e-14, "{scaled:?}");
+            assert!(abs_diff_eq!(*mode, exact, epsilon = 1e-14), "{scaled:?}");
         }
     }
 }

@@ -115,6 +115,7 @@ pub fn technical([c11, c12]: [f64; 2]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::{Lattice, Sphere, Springs};
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     fn lattice(distance: f64) -> Lattice {
         Lattice {
@@ -140,7 +141,10 @@ mod tests {
         ];
         for (wave, speed) in waves.iter().zip(lattice.hexagonal_speeds()) {
             let measured = wave * lattice.distance / phase;
-            assert!((measured / speed - 1.0).abs() < 1e-6, "{measured} {speed}");
+            assert!(
+                abs_diff_eq!(measured / speed, 1.0, epsilon = 1e-6),
+                "{measured} {speed}"
+            );
         }
     }
 
@@ -152,6 +156,6 @@ mod tests {
         let bending = 0.5 * lattice.torsion() * lattice.distance;
         let exact =
             bending * (phase / lattice.distance).powi(4) * lattice.distance / lattice.sphere.mass();
-        assert!((slow.frequency.powi(2) / exact - 1.0).abs() < 1e-4);
+        assert_abs_diff_eq!(slow.frequency.powi(2) / exact, 1.0, epsilon = 1e-4);
     }
 }

@@ -3,7 +3,7 @@
 use super::modes::bond;
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::beams::Springs;
 use std::f64::consts::{PI, TAU};
@@ -14,7 +14,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.breaking-load",
             claim: "A bond breaks where its load leaves the ellipse of its strengths over the weakest section, in every direction.",
-            equations: "(33), (43)-(50)",
+            equations: thesis("(33), (43)-(50)"),
             scene: "Bonded pairs in 16 prescribed states of stretch and turn: spheres of 1 mm, of 1 and 0.7 mm, with strength factors 1, 0.9 and 1.1",
             oracle: "Semi-axes pi (s r_min)^2 times 280 and 168 MPa: 879.645943 N and 527.787566 N for 1 mm, independent of the stiffness",
             norm: "Load at which the bond breaks, by bisection, relative to the closed form",
@@ -26,7 +26,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.breaking-time",
             claim: "A bond pulled apart at constant rates breaks in the first step at whose end its load, viscous part included, is outside the ellipse.",
-            equations: "(33)-(34), (43)-(50)",
+            equations: thesis("(33)-(34), (43)-(50)"),
             scene: "Two spheres of 1 mm, so heavy that nothing slows them, drift apart and turn in 16 proportions until their bond breaks, with three steps",
             oracle: "Root of the condition along the prescribed motion, by bisection",
             norm: "Number of runs that break in another step",

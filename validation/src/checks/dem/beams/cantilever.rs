@@ -4,7 +4,7 @@ use super::modes::bond;
 use super::stiffness::{Rest, forces, inner};
 use crate::checks::dem::scenes::{head, particle};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::cantilever::{Chain, Tip};
@@ -20,7 +20,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.cantilever",
             claim: "Clamped chains of 4 to 64 bonded particles under small loads at their end or on every particle come to equilibrium where statics says.",
-            equations: "(10), (43)-(45)",
+            equations: thesis("(10), (43)-(45)"),
             scene: "Chains in a slanted direction for bending, hanging for stretching, radius 1 mm at a distance of 2.1 mm, the first particle fixed, gravity on the last particle or on all; equilibrium by Newton's method on the kernel's forces in double-double, with slopes from dual numbers",
             oracle: "The statically determinate chain of beams, summed by hand",
             norm: "Largest relative error of stretch, deflection and turn of the end, the part odd in the load",
@@ -32,7 +32,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.beam-theory",
             claim: "A clamped chain deflects like a Timoshenko beam of bending stiffness k r^2 D / 2 and shear stiffness 3 k r^2 / D, and tends to the Euler-Bernoulli beam with the second power of its slenderness.",
-            equations: "(44)-(45)",
+            equations: thesis("(44)-(45)"),
             scene: "The same chains, loaded at the end and uniformly",
             oracle: "Beam theory; for an end load the deviation from Euler-Bernoulli is 1 / (2 M^2) exactly, for M beams, for a uniform load, half a weight on the last particle, that from Timoshenko 1 / (3 M^2 + 2)",
             norm: "Largest error of the relative deviations",

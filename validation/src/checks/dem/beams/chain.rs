@@ -5,7 +5,7 @@ use super::oscillation::turn_a_step;
 use super::stiffness::{Rest, coordinates, modes};
 use crate::checks::dem::scenes::{head, particle};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::beams::waves::{Lattice, Wave};
 use crate::oracles::beams::{Sphere, Springs};
@@ -21,7 +21,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.chain-spectrum",
             claim: "All 72 frequencies of a ring of bonded particles lie on the three dispersion curves of a chain.",
-            equations: "(43)-(45), (51)-(53), (64)",
+            equations: thesis("(43)-(45), (51)-(53), (64)"),
             scene: CHAIN,
             oracle: "2 sqrt(k/m) abs(sin(q D / 2)) along the chain, the roots of a 2 x 2 matrix across it",
             norm: "Squared frequencies from the slopes of all forces, in units of the largest",
@@ -33,7 +33,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.chain-waves",
             claim: "Standing waves of a ring run at the frequencies of the dispersion curves, once the known shift by the step is taken out.",
-            equations: "(43)-(45), (51)-(53), (64)",
+            equations: thesis("(43)-(45), (51)-(53), (64)"),
             scene: CHAIN,
             oracle: "The same curves; velocity Verlet turns a mode by theta a step, 2 sin(theta / 2) = w dt",
             norm: "Relative error of the frequency after 800 steps; where a mode turns by less than half a radian a step, times the square of twice that angle",

@@ -2,7 +2,7 @@
 
 use super::modes::bond;
 use crate::checks::dem::scenes::{advance, head, particle, world};
-use crate::checks::{Check, Effort, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::Springs;
 use gouge_dem::World;
 use rand::RngExt;
@@ -13,7 +13,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.conservation",
         claim: "Bonds, damped or not, change neither momentum nor angular momentum.",
-        equations: "(7), (26)-(27), (43)-(45)",
+        equations: thesis("(7), (26)-(27), (43)-(45)"),
         scene: "A cluster of 16 bonded particles of random radii, thrown with random velocities and spins that bend it by large angles, damped and undamped, 20000 steps of velocity Verlet",
         oracle: "Both stay as they are",
         norm: "Change in units of the sums of all absolute contributions",

@@ -3,7 +3,7 @@
 use super::cantilever::{Cantilever, Load};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::cantilever::{Chain, ELASTICA};
@@ -15,7 +15,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.elastica",
         claim: "Where deflections become large, clamped chains leave linear theory as the elastica does: by -4/35 (P L^2 / E I)^2.",
-        equations: "(5), (33)-(34), (43)-(45)",
+        equations: thesis("(5), (33)-(34), (43)-(45)"),
         scene: "Horizontal chains of 8, 16, 32 and 64 beams, radius 1 mm in touch, first particle fixed, weight on the last; equilibrium in double-double under a load and its double",
         oracle: "Expansion of the elastica to third order",
         norm: "Relative error of the coefficient, extrapolated to a thin beam",

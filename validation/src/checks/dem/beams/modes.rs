@@ -4,7 +4,7 @@ use super::oscillation::{decay_and_turn_a_step, turn_a_step};
 use super::stiffness::{Rest, coordinates, modes};
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::extrapolation::to_no_step;
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::{Sphere, Springs, pair};
 use crate::scalars::Dual;
 use gouge_dem::integrators::Integrator;
@@ -17,7 +17,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.pair-matrix",
             claim: "The force slopes of a bond have three rigid modes and those of stretching, counter-rotation and shear, at the frequencies and decay rates of hand calculation.",
-            equations: "(33)-(34), (43)-(45), (51)-(53)",
+            equations: thesis("(33)-(34), (43)-(45), (51)-(53)"),
             scene: PAIRS,
             oracle: "Closed form for any radii and distance; sqrt(2k/m), sqrt(5k/2m), sqrt(7k/2m) for equal spheres in touch",
             norm: "Eigenvalues of stiffness and damping over inertia, in units of the largest",
@@ -29,7 +29,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.pair-run",
             claim: "Small undamped oscillations of a bond run at the frequencies of its modes, once the known shift by the step is taken out.",
-            equations: "(43)-(45), (51)-(53)",
+            equations: thesis("(43)-(45), (51)-(53)"),
             scene: PAIRS,
             oracle: "Closed form of the frequencies; velocity Verlet turns a mode by theta a step, 2 sin(theta / 2) = w dt",
             norm: "Relative error of the frequency over fifty periods of sixty steps",
@@ -41,7 +41,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.pair-swing",
             claim: "Stretching and counter-rotation of a bond are harmonic at any amplitude: swings of a tenth of a diameter and of half a radian run at the frequencies of infinitesimal ones.",
-            equations: "(43)-(45), (51)-(53)",
+            equations: thesis("(43)-(45), (51)-(53)"),
             scene: "Two bonded spheres of 1 mm in touch, k = 1e7 kg/s^2, launched apart or against each other's rotation, in double precision",
             oracle: "sqrt(2k/m) and sqrt(5k/2m); velocity Verlet turns a mode by theta a step, 2 sin(theta / 2) = w dt",
             norm: "Relative error of the frequency over fifty periods of sixty steps",
@@ -53,7 +53,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.pair-damped",
             claim: "Damped small oscillations of a bond decay and turn at the rates of their modes.",
-            equations: "(43)-(45), (51)-(53)",
+            equations: thesis("(43)-(45), (51)-(53)"),
             scene: PAIRS,
             oracle: "Closed form of the damped modes",
             norm: "Error of decay rate and frequency in units of the frequency, extrapolated from steps of 1/400 to 1/6400 of a period",

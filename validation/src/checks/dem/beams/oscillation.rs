@@ -42,16 +42,20 @@ pub fn decay_and_turn_a_step(samples: &[f64]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::{decay_and_turn_a_step, turn_a_step};
+    use approx::abs_diff_eq;
 
     #[test]
     fn both_find_what_was_put_in() {
         let free: Vec<f64> = (0..500).map(|n| (f64::from(n) * 0.1).sin()).collect();
         let turn = turn_a_step(&free).unwrap_or(f64::NAN);
-        assert!((turn / 0.1 - 1.0).abs() < 1e-14, "{turn}");
+        assert!(abs_diff_eq!(turn / 0.1, 1.0, epsilon = 1e-14), "{turn}");
         let damped: Vec<f64> = (0..80)
             .map(|n| (-0.02 * f64::from(n)).exp() * (f64::from(n) * 0.1).sin())
             .collect();
         let [decay, turn] = decay_and_turn_a_step(&damped);
-        assert!((decay / 0.02 - 1.0).abs() < 1e-11 && (turn / 0.1 - 1.0).abs() < 1e-11);
+        assert!(
+            abs_diff_eq!(decay / 0.02, 1.0, epsilon = 1e-11)
+                && abs_diff_eq!(turn / 0.1, 1.0, epsilon = 1e-11)
+        );
     }
 }

@@ -4,7 +4,7 @@ use super::modes::bond;
 use super::stiffness::Rest;
 use super::tension::{Pulled, pull, pulled_lattice, thesis_lattice};
 use crate::checks::dem::scenes::scene;
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::network::{Beam, settle, stiffness};
 use gouge_runner::run::prepared;
@@ -18,7 +18,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.packing-network",
             claim: "A bonded packing under tension takes the shape of an independently assembled network of beams.",
-            equations: "(33), (43)-(45), (64)",
+            equations: thesis("(33), (43)-(45), (64)"),
             scene: PACKING,
             oracle: "Stiffness matrix assembled beam by beam, solved by sparse Cholesky factors",
             norm: "Largest difference of a displacement in units of that of the grip",
@@ -30,7 +30,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "beams.packing-modulus",
             claim: "Packed blocks bonded with the thesis's k = 1e7 kg/s^2 are softer in tension than an affine deformation would make them, and far softer than the granite that they stand for.",
-            equations: "(33), (43)-(45), (64)",
+            equations: thesis("(33), (43)-(45), (64)"),
             scene: PACKING,
             oracle: "Granite of the thesis, 50 -+ 20 GPa; for every packing the force of an affine deformation, which by the principle of least energy none can exceed",
             norm: "Upper limit of confidence, 99.5 % one-sided, of the mean Young's modulus of 12 packings; it has to lie below the lower end for granite, and no packing may be stiffer than affine",

@@ -3,7 +3,7 @@
 use super::modes::bond;
 use super::stiffness::{Rest, forces, inner};
 use crate::checks::dem::scenes::scene;
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::waves::{Lattice, technical};
 use crate::oracles::beams::{Sphere, Springs};
 use crate::scalars::DoubleDouble;
@@ -17,7 +17,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.lattice-moduli",
         claim: "A hexagonal block of spheres of 1 mm with k = 1e7 kg/s^2, taken as a slice of 2 mm, has a Young's modulus of 7.423 GPa and a Poisson's ratio of 1/7 with beams, of 5.774 GPa and 1/3 with bars.",
-        equations: "(33), (43)-(45), (64)",
+        equations: thesis("(33), (43)-(45), (64)"),
         scene: "8 columns and 17 rows in a periodic box, the outer rows held, the upper ones pulled; equilibrium by the slopes of all forces, stresses from the forces of the kernel in double-double",
         oracle: "Lattice elasticity: C11 = sqrt(3)/4 (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s), k_s = 2 k_t r^2 / D^2",
         norm: "Relative error of Young's modulus and Poisson's ratio",

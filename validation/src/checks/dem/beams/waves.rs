@@ -3,7 +3,7 @@
 use super::oscillation::turn_a_step;
 use super::stiffness::{Rest, coordinates};
 use super::tension::{hexagonal, thesis_lattice};
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::waves::Lattice;
 use crate::scalars::Dual;
 use gouge_dem::integrators::Integrator;
@@ -14,7 +14,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.lattice-waves",
         claim: "Primary, secondary and turning plane waves in a bonded hexagonal block run at the frequencies of the lattice, and long ones at 2154 and 1411 m/s, the speeds of its moduli.",
-        equations: "(43)-(45), (51)-(53), (64)",
+        equations: thesis("(43)-(45), (51)-(53), (64)"),
         scene: "Blocks of spheres of 1 mm in touch, k = 1e7 kg/s^2, periodic along the rows with 8 to 32 columns, and so high that their edges do not reach the middle row within the run: a step of the method carries news by one row",
         oracle: "Dispersion of the infinite lattice; sqrt(C11 / rho) and sqrt((C11 - C12) / (2 rho)) of its elastic sheet",
         norm: "Relative error of frequencies, in units of 1e-12; of the speeds extrapolated from five wave lengths, in units of 1e-7",

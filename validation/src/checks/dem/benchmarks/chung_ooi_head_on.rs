@@ -3,7 +3,7 @@
 use super::plane::{Material, fixed, linear, material};
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::impact::{
     Normal, damping_ratio, dissipative_constant, time_of_elastic_overlap,
@@ -16,7 +16,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.1-3-elastic",
             claim: "Elastic spheres of tests 1, 2 and 3 overlap, push and stay together as Hertz computed.",
-            equations: "(28), (37), (40)",
+            equations: thesis("(28), (37), (40)"),
             scene: "Two spheres of glass and of limestone at 10 m/s each; spheres of aluminium and magnesium alloy at 0.2 m/s, of aluminium oxide and cast iron at 3.9 m/s on a rigid plane; BSHP without dissipation, 4000 and 8000 steps a collision",
             oracle: "Closed forms: xi = (5 m v^2 / 4 P)^(2/5), P xi^(3/2), (4/5) B(2/5, 1/2) xi / v",
             norm: "Relative error of largest overlap, largest force and duration, extrapolated to no step",
@@ -28,7 +28,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.1-2-history",
             claim: "During the collisions of tests 1 and 2 force and overlap follow Hertz at every moment.",
-            equations: "(28), (37), (40)",
+            equations: thesis("(28), (37), (40)"),
             scene: "The collisions of tests 1 and 2 with 800 steps",
             oracle: "Conservation of energy, (F / F_max)^(5/3) + (v / v_0)^2 = 1, and the incomplete beta function for the time of an overlap, t v_0 / xi_max = (2/5) B((xi / xi_max)^(5/2); 2/5, 1/2)",
             norm: "Largest error of that sum and of the time over the duration, at every step",
@@ -40,7 +40,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.3",
             claim: "Test 3: spheres rebound with the restitution that was asked for, from 0.2 to 1.",
-            equations: "(35)-(37)",
+            equations: thesis("(35)-(37)"),
             scene: "Spheres of aluminium oxide and cast iron at 3.9 m/s on a rigid plane, BSHP and truncated Kelvin-Voigt, 4000 and 8000 steps a collision",
             oracle: "The restitution itself; dissipative constant and damping by inversion of the integrated collision and of its closed form",
             norm: "Largest error of the restitution, extrapolated to no step where it falls with dt^(3/2)",

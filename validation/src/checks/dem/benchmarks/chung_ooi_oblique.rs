@@ -4,7 +4,7 @@ use super::literature;
 use super::plane::{FLATNESS, Flight};
 use super::sweep::{Laws, Point, Run, Sweep, angles, spinning, tangential_speeds};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 
 /// The checks.
@@ -13,7 +13,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.4-6-slip",
             claim: "Where the contact slides all the time, tests 4, 5 and 6 obey beta_t = 1 - mu (1 + e) V_n / V_t and r dw = -(5/2) mu (1 + e) V_n to rounding.",
-            equations: "(6)-(7), (37), (41), (51)-(53)",
+            equations: thesis("(6)-(7), (37), (41), (51)-(53)"),
             scene: "A sphere on a plane; two solids a test; every impact of the sweeps that slides to the end; BSHP and Haff-Werner, 150 steps a collision",
             oracle: "Balance of momentum with friction = mu times normal force, with the normal restitution that the run shows",
             norm: "Largest error of tangential velocity and surface speed after the collision, in units of the normal speed before it",
@@ -25,7 +25,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.4",
             claim: "Test 4, oblique impact at constant speed: the whole curves of tangential restitution, spin and rebound are those of the laws.",
-            equations: "(35)-(37), (41)-(42), (51)-(53)",
+            equations: thesis("(35)-(37), (41)-(42), (51)-(53)"),
             scene: "Spheres of aluminium oxide and alloy at 3.9 m/s, 5 to 85 degrees, e = 0.98, mu = 0.092; three pairs of laws, 1500 steps a collision",
             oracle: ORACLE,
             norm: NORM,
@@ -37,7 +37,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.5",
             claim: "Test 5, oblique impact at constant normal speed: the whole curves of slip and spin after the collision are those of the laws.",
-            equations: "(35)-(37), (41)-(42), (51)-(53)",
+            equations: thesis("(35)-(37), (41)-(42), (51)-(53)"),
             scene: "Spheres of steel and polyethylene, normal speed 5 m/s, tangential speed 0.15 to 69 m/s, e = 1, mu = 0.3; three pairs of laws, 1500 steps a collision",
             oracle: ORACLE,
             norm: NORM,
@@ -49,7 +49,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.6",
             claim: "Test 6, a spinning sphere falls on a plane: the whole curve of the slip after the collision is that of the laws.",
-            equations: "(35)-(37), (41)-(42), (51)-(53)",
+            equations: thesis("(35)-(37), (41)-(42), (51)-(53)"),
             scene: "Spheres of aluminium alloy and nylon, normal speed 0.2 m/s, spin of the surface 0.0175 to 2.3 m/s, e = 0.5, mu = 0.4; three pairs of laws, 1500 steps a collision",
             oracle: ORACLE,
             norm: NORM,

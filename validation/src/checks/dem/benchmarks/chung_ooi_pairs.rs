@@ -5,7 +5,7 @@ use super::plane::{Material, linear, material, tangential};
 use super::sweep::{Laws, SPINNING_SOLIDS, spins, step_errors};
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::impact::{
     Impact, Moment, Motion, Normal, Tangential, damping_ratio, dissipative_constant,
@@ -19,7 +19,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.7",
             claim: "Test 7: equal spheres that meet with opposite spins roll on each other, so that spin and path do not change at all.",
-            equations: "(6)-(7), (34), (41)-(42)",
+            equations: thesis("(6)-(7), (34), (41)-(42)"),
             scene: "Two spheres of aluminium alloy or copper at 0.2 m/s each, spins of 0.17 to 22.9 rad/s; both normal laws with each of the three tangential ones, 150 steps",
             oracle: "Symmetry: the contact does not slide",
             norm: "How many of 204 collisions change a bit of a spin, move off the line of centres, or part with unequal speeds",
@@ -31,7 +31,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.8-momentum",
             claim: "Test 8: two unequal spheres keep their total momentum and angular momentum, and share the friction as their lever arms demand.",
-            equations: "(6)-(7), (26)-(27), (51)",
+            equations: thesis("(6)-(7), (26)-(27), (51)"),
             scene: "A spinning sphere of 0.1 m meets one of 0.5 m that is 1000 times as dense; aluminium alloy and nylon, 17 spins, three pairs of laws, 200 steps",
             oracle: "Conservation of momentum and angular momentum; J dw / r is the same impulse for both",
             norm: "Largest change over the sum of the absolute values of what changes hands",
@@ -43,7 +43,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.chung-ooi.8",
             claim: "Test 8, a spinning sphere meets a larger one: the whole curve of the slip after the collision is that of the laws.",
-            equations: "(5)-(7), (28)-(42), (51)-(53)",
+            equations: thesis("(5)-(7), (28)-(42), (51)-(53)"),
             scene: "The collisions of test 8 with 1500 steps",
             oracle: "Integration to high order in the turning frame of the pair, between located events",
             norm: "Error of relative speed, angular momentum of the centres over the sum of the radii, and both surface speeds, in units of the normal speed before; the worst for its tolerance",

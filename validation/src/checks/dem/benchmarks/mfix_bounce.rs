@@ -3,7 +3,7 @@
 use super::plane::{fixed, linear};
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::bounce::{Release, Spring, apex};
 use crate::oracles::impact::damping_ratio;
@@ -16,7 +16,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.01-02-contact",
             claim: "DEM01 and DEM02: a dropped sphere is thrown back as high, and as late, as a damped spring with gravity throws it until its force vanishes.",
-            equations: "(8)-(10), (35)-(36)",
+            equations: thesis("(8)-(10), (35)-(36)"),
             scene: SCENE,
             oracle: "Closed form of the damped oscillator with gravity, ended where k xi + gamma xi' = 0",
             norm: "Relative error of the height above contact and of the time from contact to the highest point",
@@ -28,7 +28,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.02-limit",
             claim: "DEM02: the height of the rebound differs from that of hard spheres in proportion to one over the root of the stiffness.",
-            equations: "(8)-(10), (35)-(36)",
+            equations: thesis("(8)-(10), (35)-(36)"),
             scene: "The same, k = 5e6 and 5e8 N/m, e = 0.9, 0.7 and 0.5",
             oracle: "The hard-sphere height e^2 h and the exponent -1/2",
             norm: "Error of the observed exponent",
@@ -40,7 +40,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.02-bounces",
             claim: "DEM02: six bounces in a row reach the heights that contacts and flights in closed form give.",
-            equations: "(8)-(10), (35)-(36)",
+            equations: thesis("(8)-(10), (35)-(36)"),
             scene: "A sphere dropped from 0.5 m, k = 5e4 N/m with e = 0.9 and 5e5 N/m with e = 0.7, 1000 steps in half a period",
             oracle: "Flights and damped oscillators with gravity in turn",
             norm: "Relative error of the height above contact of each bounce, for its tolerance",

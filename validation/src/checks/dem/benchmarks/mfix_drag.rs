@@ -3,7 +3,7 @@
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::settling::Settling;
 use gouge_dem::World;
@@ -14,7 +14,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.06-creeping",
             claim: "DEM06 in creeping flow: speed, way and spin of a settling sphere are exponentials with its relaxation times.",
-            equations: "(17)-(19)",
+            equations: thesis("(17)-(19)"),
             scene: "A sphere of 0.1 mm and 2000 kg/m^3 falls from rest, spinning, for 0.35 s in a medium of 1.8e-5 Pa s; 350 to 2800 steps, extrapolated",
             oracle: "Closed forms",
             norm: "Largest error of speed, way and spin in units of terminal speed, its way and the first spin, every 0.05 s",
@@ -26,7 +26,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.06-terminal",
             claim: "DEM06 with the correlation: the terminal speed balances drag and weight, with the constant 0.42 and with the printed 1.",
-            equations: "(11)-(13), (16)",
+            equations: thesis("(11)-(13), (16)"),
             scene: "The same sphere in a medium of 1.2 kg/m^3, 4 s",
             oracle: "Root of the drag coefficient 24 / Re + 3 / sqrt(Re) + c against weight, by bisection",
             norm: "Relative error of the speed",
@@ -38,7 +38,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.06-approach",
             claim: "DEM06 with the correlation: the sphere approaches its terminal speed as the drag demands.",
-            equations: "(11)-(13), (16)",
+            equations: thesis("(11)-(13), (16)"),
             scene: "The same sphere, 0.35 s, 7000 steps",
             oracle: "Integration to high order in the root of the speed",
             norm: "Largest error of the speed in units of the terminal speed, every 0.05 s",

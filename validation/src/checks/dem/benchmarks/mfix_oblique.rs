@@ -6,7 +6,7 @@ use super::sweep::step_errors;
 use crate::checks::dem::scenes::{advance, world_in};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::impact::{Normal, Tangential};
 use crate::scalars::DoubleDouble;
@@ -19,7 +19,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.05-stick",
             claim: "DEM05: while a linear contact sticks, the contact point comes back with cos(pi sqrt((7/2) k_t / k_n)) of its speed.",
-            equations: "(35)-(36), (42)",
+            equations: thesis("(35)-(36), (42)"),
             scene: "A sphere of aluminium oxide on a plane at 45 degrees, Kelvin-Voigt without damping, truncated Cundall-Strack with mu = 1e15; k_t / k_n = 2/7, 0.8605, 1 and 10; steps with which the contact ends on a step",
             oracle: "Two springs: half a period of one, sqrt((7/2) k_t / k_n) times as much of the other",
             norm: "Error of the ratio, extrapolated to no step from 64 to 1024 steps",
@@ -31,7 +31,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.05",
             claim: "DEM05: the whole curves of oblique impact with linear springs, and 1 - 0.184 cot(theta) where the contact slides.",
-            equations: "(35)-(36), (42)",
+            equations: thesis("(35)-(36), (42)"),
             scene: "A sphere of 5 mm and 4000 kg/m^3 at 3.9 m/s, 5 to 65 degrees, k_n = 1.72e7, k_t = 1.48e7 N/m, mu = 0.092, e = 1; 1500 steps a collision",
             oracle: "Integration to high order between located events; above 35 degrees the closed form",
             norm: "Error of normal and tangential velocity and surface speed, in units of the normal speed; the worst for its tolerance",

@@ -4,7 +4,7 @@ use super::plane::{FLATNESS, fixed, linear};
 use crate::checks::dem::scenes::{advance, head, particle, world_in};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::scalars::DoubleDouble;
 use gouge_common::scalar::Real;
@@ -17,7 +17,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.04",
             claim: "DEM04: a sphere that slides with u_0 rolls after 2 u_0 / (7 mu g), a way of (12/49) u_0^2 / (mu g) later, with 5/7 of its speed; the viscous law only until it has slowed down to mu m g / gamma.",
-            equations: "(6)-(7), (10), (35)-(36), (41)-(42)",
+            equations: thesis("(6)-(7), (10), (35)-(36), (41)-(42)"),
             scene: "A sphere of 1 mm and 10000 kg/m^3 at 0.1 m/s rests on a plane, k = 1e4 N/m; mu = 0.2, 0.5 and 1; Haff-Werner, Cundall-Strack as printed and truncated, steps of 5 us",
             oracle: "Uniform retardation, from the state after one step: the spring, which is there at once, needs 10 ns to reach the limit, and no step resolves that",
             norm: "Relative error of time, way, velocity and surface speed at which the slip, interpolated within its step, ends",
@@ -29,7 +29,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.04-rolling",
             claim: "DEM04: once it rolls the sphere keeps the angular momentum about its contact, and does not slip faster than each law of friction allows.",
-            equations: "(6)-(7), (41)-(42)",
+            equations: thesis("(6)-(7), (41)-(42)"),
             scene: "The same, for another 2 ms",
             oracle: "v - (2/5) r w = u_0; slip below mu m g / gamma (viscous), below the chatter (7/2) mu g dt of the printed law, below the swing mu m g sqrt(7 / (2 m k)) of a spring released at its limit",
             norm: "Error of the invariant over the speed, in units of 1e-11; slip over its bound, less one",
@@ -41,7 +41,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "benchmarks.mfix.04-viscous",
             claim: "DEM04 below the Coulomb limit: viscous friction turns sliding into rolling exponentially, with the rate (7/2) gamma / m.",
-            equations: "(6)-(7), (34), (41)",
+            equations: thesis("(6)-(7), (34), (41)"),
             scene: "The same sphere with mu = 1e4 and Haff-Werner, 0.2 ms; 40 to 320 steps, extrapolated",
             oracle: "Closed form: slip u_0 exp(-7 gamma t / (2 m)), velocity (5 u_0 + 2 slip) / 7",
             norm: "Largest error of velocity and surface speed in units of u_0, every 0.05 ms",

@@ -4,7 +4,7 @@ use super::plane::{fixed, linear};
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::bounce::Stack;
 use crate::oracles::impact::damping_ratio;
@@ -15,7 +15,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "benchmarks.mfix.03",
         claim: "DEM03: two spheres pressed between walls oscillate, and come to rest with damping, as the linear system of their contacts does.",
-        equations: "(8)-(10), (26), (35)-(36)",
+        equations: thesis("(8)-(10), (26), (35)-(36)"),
         scene: "Spheres of 1 mm, 20000 and 10000 kg/m^3, between walls 1.8 mm apart, k = 1000 N/m, damping for e = 1, 0.8 and 0.5 of the pair, 1 ms; walls are fixed spheres on the same line, which is the same geometry; 4000 to 16000 steps, extrapolated",
         oracle: "Exponential of the matrix of the linear system",
         norm: "Largest error of a height in units of the first displacement from rest, at eight times",
@@ -74,16 +74,8 @@ fn stack() -> Outcome {
             ]);
         }
         for (at, name) in ["lower", "upper"].iter().enumerate() {
-            let line = (0..=100).map(|n| 1e-5 * f64::from(n));
-            curves.push(Curve::line(
-                &format!("oracle: {name}, e = {e}"),
-                line.map(|t| [1e3 * t, 1e3 * stack.state(HEIGHTS, t)[at]]),
-            ));
-            let marks = best.iter().enumerate();
-            curves.push(Curve::marks(
-                &format!("kernel: {name}, e = {e}"),
-                marks.map(|(n, y)| [(n + 1) as f64 / MOMENTS as f64, 1e3 * y[at]]),
-            ));
+            let label = format!("{name}, e = {e}");
+            curves.extend(heights(&label, &stack, &best, at));
         }
     }
     let plot = Plot {
@@ -93,6 +85,22 @@ fn stack() -> Outcome {
         curves,
     };
     Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+}
+
+/// Heights of one of the spheres in mm over time in ms, from the oracle and from the kernel.
+fn heights(label: &str, stack: &Stack, measured: &[[f64; 2]], at: usize) -> [Curve; 2] {
+    let line = (0..=100).map(|n| 1e-5 * f64::from(n));
+    let marks = measured.iter().enumerate();
+    [
+        Curve::line(
+            &format!("oracle: {label}"),
+            line.map(|t| [1e3 * t, 1e3 * stack.state(HEIGHTS, t)[at]]),
+        ),
+        Curve::marks(
+            &format!("kernel: {label}"),
+            marks.map(|(n, y)| [(n + 1) as f64 / MOMENTS as f64, 1e3 * y[at]]),
+        ),
+    ]
 }
 
 /// First distance of the lower sphere from rest in m, about.

@@ -102,18 +102,13 @@ fn spheres(x: &Inputs, radius: f64) -> Spheres {
 }
 
 /// All quantities, their central values from fields in the spheres.
-fn rows() -> [Row; 7] {
+fn rows() -> Vec<Row> {
     let x = measured().map(|one| one.value);
     let force = force_on_disc(x[3], GRAIN);
     let depth = spheres(&x, GRAIN).overlap(force);
-    let ball = spheres(&x, BALL);
-    let kappa = 2.0 * ball.prefactor() / ball.mass(x[0]);
-    let loss = 1.0 - x[4];
-    let constant_value = loss / (-series()[0] * kappa.powf(0.4) * SPEED.powf(0.2));
-    let printed = loss / (1.15 * (2.0 * x[0].ln() + SPEED.ln()).exp().powf(0.2));
     let k = force / depth;
     let third = 1.0 / 3.0;
-    [
+    let mut rows = vec![
         Row {
             name: "overlap at break, Kelvin-Voigt, (89), m",
             printed: "",
@@ -135,6 +130,20 @@ fn rows() -> [Row; 7] {
             value: k,
             powers: [0.0, 2.0 * third, -2.0 * third, third, 0.0],
         },
+    ];
+    rows.extend(damping_rows(&x, k));
+    rows
+}
+
+/// Quantities of the damping, for a stiffness.
+fn damping_rows(x: &Inputs, k: f64) -> [Row; 4] {
+    let ball = spheres(x, BALL);
+    let kappa = 2.0 * ball.prefactor() / ball.mass(x[0]);
+    let loss = 1.0 - x[4];
+    let constant_value = loss / (-series()[0] * kappa.powf(0.4) * SPEED.powf(0.2));
+    let printed = loss / (1.15 * (2.0 * x[0].ln() + SPEED.ln()).exp().powf(0.2));
+    let third = 1.0 / 3.0;
+    [
         Row {
             name: "dissipative constant, (93) as printed",
             printed: "(6 +- 3)e-3",

@@ -83,6 +83,15 @@ fn viscous(one: &Sample) -> f64 {
     one.force / one.overlap.max(f64::MIN_POSITIVE).sqrt()
 }
 
+fn granite_spheres(radius: f64) -> Spheres {
+    let solid = GRANITE.elastic();
+    Spheres {
+        modulus: solid.youngs_modulus,
+        ratio: solid.poissons_ratio,
+        radius,
+    }
+}
+
 pub fn constant() -> Outcome {
     let (radius, speed) = (0.5, 1.0);
     let elastic = GRANITE.elastic();
@@ -91,11 +100,7 @@ pub fn constant() -> Outcome {
         GRANITE.density.value,
     );
     let kappa = |radius: f64| {
-        let spheres = Spheres {
-            modulus: solid[0],
-            ratio: solid[1],
-            radius,
-        };
+        let spheres = granite_spheres(radius);
         2.0 * spheres.prefactor() / spheres.mass(density)
     };
     let wanted = GRANITE.restitution.value;

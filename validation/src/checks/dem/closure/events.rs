@@ -4,7 +4,7 @@ use super::heat::{FRICTION, HELD, SPIN, SPRING, SQUEEZE, STIFFNESS, held_at};
 use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::sliding::Rubbing;
 use gouge_runner::scene::INTEGRATORS;
@@ -15,7 +15,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.order-at-breaking",
             claim: "A bond that breaks leaves a residual of first order in every method, with the coefficient of theory.",
-            equations: "(48), (54)-(58), (72)",
+            equations: thesis("(48), (54)-(58), (72)"),
             scene: "Two bonded spheres that fly apart until the undamped bond breaks; five methods, three steps",
             oracle: "F v / 2 a second of step for velocity Verlet, Beeman and symplectic Euler, with F and v force and speed at breaking from the conservation of energy: the store is lost at the end of a step of which the force has acted half; for Euler w^2 E t, its growth on an oscillator, and for Taylor the mean of both",
             norm: "Relative error of the residual over the step",
@@ -27,7 +27,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.order-of-sliding",
             claim: "Sliding of the truncated law under a changing load leaves a residual of first order even with methods of second order, with the coefficient of theory.",
-            equations: "(42), (72), (78)",
+            equations: thesis("(42), (72), (78)"),
             scene: "Two spheres meet head on, spin alike and slide on each other until they part; velocity Verlet and Beeman, four steps",
             oracle: "Half the integral of dL/dt over the slip, L the limit of friction, by extrapolated integration of the motion: heat is booked with the limit at the end of each step",
             norm: "Relative error of the residual over the step",
@@ -39,7 +39,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.order-of-letting-go",
             claim: "Where the printed spring lets go, the balance gains half the limit times the distance of one step.",
-            equations: "(42), (76), (78)",
+            equations: thesis("(42), (76), (78)"),
             scene: "A sphere that spins between two fixed ones, Cundall-Strack as printed; velocity Verlet and Beeman, two steps",
             oracle: "L v dt / 2 a contact, v the speed of the surface at the end of the sticking oscillation in closed form",
             norm: "Relative error of the residual over the step",
@@ -51,7 +51,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.negative-heat",
             claim: "The printed Cundall-Strack law makes energy: where a contact that has slid is caught again, half of k zeta^2 appears from nothing, and is booked as negative heat.",
-            equations: "(42), (76), (78)",
+            equations: thesis("(42), (76), (78)"),
             scene: "Two spheres meet head on, spin alike, slide until friction has stopped the surfaces, and stick when the load has grown enough; velocity Verlet",
             oracle: "Slide up to the stop by extrapolated integration of the motion",
             norm: "Relative error of the largest heat that one step books with a negative sign",

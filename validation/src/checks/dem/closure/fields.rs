@@ -2,7 +2,7 @@
 
 use super::text::{RADIUS, inertia, mass};
 use crate::checks::dem::scenes::{advance, head, particle, world};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::dissipation::slowed;
 use gouge_dem::World;
 use std::f64::consts::PI;
@@ -12,7 +12,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.heat-of-drag",
             claim: "Drag books exactly the kinetic energy, of translation and of spin, that an exact decay loses.",
-            equations: "(11)-(19), (74)",
+            equations: thesis("(11)-(19), (74)"),
             scene: "A free sphere that flies and spins in a medium, creeping and correlation drag, for two time constants in 2e4 steps of velocity Verlet, looked at eight times",
             oracle: "Exponential decay of speed and spin; for the correlation extrapolated integration of v' = -(a v + b v^(3/2) + c v^2)",
             norm: "Error of the heat over the kinetic energy at the beginning",
@@ -24,7 +24,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.work-of-driving",
             claim: "The driving force books force times path: a constant load, a constant pull against drag, a ramp.",
-            equations: "(20)-(22), (79)",
+            equations: thesis("(20)-(22), (79)"),
             scene: "A driven sphere: pressed down freely; dragged at constant speed through a viscous medium; pulled by a force both components of which grow at a constant rate; 1000 steps of velocity Verlet",
             oracle: "F^2 t^2 / (2 m); 6 pi eta r v^2 t; R^2 t^4 / (4 m)",
             norm: "Relative error of the work",

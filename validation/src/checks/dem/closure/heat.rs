@@ -3,7 +3,7 @@
 use super::text::{RADIUS, fixed, friction, head_on, inertia, kelvin_voigt, mass};
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::dissipation::viscoelastic_restitution;
 use crate::oracles::oscillator::truncated_restitution;
@@ -13,7 +13,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.heat-of-collision",
             claim: "A damped collision books 1 - e^2 of the kinetic energy as heat of links.",
-            equations: "(36), (72), (78)",
+            equations: thesis("(36), (72), (78)"),
             scene: "Two equal spheres head on, truncated Kelvin-Voigt, damping ratios from 0.01 to 3; velocity Verlet, 5000 steps a unit of time or more",
             oracle: "Closed form of the truncated oscillator's restitution e",
             norm: "Heat over kinetic energy, less 1 - e^2",
@@ -25,7 +25,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.heat-of-viscoelastic-collision",
             claim: "A collision of viscoelastic spheres books 1 - e^2 of the kinetic energy as heat of links.",
-            equations: "(37), (40), (72), (78)",
+            equations: thesis("(37), (40), (72), (78)"),
             scene: "Two equal granite spheres head on, six dissipative constants; velocity Verlet, 1e4 steps a unit of time",
             oracle: "Restitution e by extrapolated integration of x'' = -sqrt(x) (x + b x')",
             norm: "Heat over kinetic energy, less 1 - e^2",
@@ -37,7 +37,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.heat-of-sliding",
             claim: "A sphere that spins between two fixed ones under constant load books the limit of friction times the distance slid.",
-            equations: "(41), (42), (78)",
+            equations: thesis("(41), (42), (78)"),
             scene: "A sphere between two fixed ones that press it with 15 mN each, spinning and sliding for 2000 steps of velocity Verlet; Haff-Werner, Cundall-Strack as printed and truncated",
             oracle: "mu N times the distance: for Haff-Werner that of a constant deceleration, for the truncated law that of the surface less the stretch mu N / k, for the printed law that of the surface less half the stretch, which the spring had stored when it let go, and half a step more, because power is summed by the trapezoidal rule across the switch",
             norm: "Relative error of the heat",

@@ -1,9 +1,9 @@
 //! Energy lost with bonds that break and gained with contacts that take their place.
 
 use super::text::{RADIUS, kelvin_voigt};
-use crate::checks::Exhibit;
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Exhibit, thesis};
 use gouge_dem::balance::Energy;
 use std::f64::consts::{PI, TAU};
 
@@ -12,7 +12,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.breaking",
             claim: "A bond breaks on the ellipse of strength and books what it stored there; in tension a 1 mm granite bond books 3.868884925e-2 J.",
-            equations: "(43)-(50), (77)",
+            equations: thesis("(43)-(50), (77)"),
             scene: "Two bonded spheres strained to 1 -+ 1e-9 of the ellipse at 16 angles, two strength factors, and evaluated once; no contacts",
             oracle: "N^2 / (2 k) + T^2 / k, with N = 280 MPa pi (s r)^2 cos a and T = 168 MPa pi (s r)^2 sin a: the bond breaks outside and holds inside",
             norm: "Relative error of the energy booked; a bond on the wrong side counts one",
@@ -24,7 +24,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.bonding",
             claim: "A bond that breaks between overlapping grains books the energy of the contact that takes its place, and the balance stays closed to rounding.",
-            equations: "(72), (75), (77)",
+            equations: thesis("(72), (75), (77)"),
             scene: "Two bonded spheres of 1 and 1.5 mm that overlap by 37 um, while the bond began 90 um longer; evaluated once; Kelvin-Voigt and viscoelastic contacts",
             oracle: "k xi^2 / 2 and (2/5) (4/3) E* sqrt(R*) xi^(5/2) for the contact, K Xi^2 / 2 for the bond",
             norm: "Relative error of either booking, and of the residual over the energy booked",

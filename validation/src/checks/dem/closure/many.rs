@@ -4,7 +4,7 @@ use super::printed::fault;
 use crate::checks::dem::scenes::scene;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
-    largest,
+    largest, thesis,
 };
 use gouge_dem::World;
 use gouge_dem::balance::Energy;
@@ -16,7 +16,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.pile",
             claim: "The balance of a pile of grains that collapses closes at least with first order in the step, the lowest order that its contacts leave.",
-            equations: "(72)-(79)",
+            equations: thesis("(72)-(79)"),
             scene: "Built-in scene pile, 216 grains on a floor, the first 40 ms, with steps of 4, 2, 1 and 0.5 us; velocity Verlet",
             oracle: "Order one of sliding contacts, by closure.order-of-sliding, and two of impacts",
             norm: "What the lowest order between successive steps lacks of one",
@@ -28,7 +28,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.fault",
             claim: "The balance of a sheared fault in which bonds break closes with first order in the step, the order that breaking and sliding leave.",
-            equations: "(72)-(79)",
+            equations: thesis("(72)-(79)"),
             scene: "Built-in scene granite-fault-small at 15 mm, set up briefly, with bonds of a hundredth of the strength, for 20 us with steps of 10, 5, 2.5 and 1.25 ns; velocity Verlet",
             oracle: "Order one, by closure.order-at-breaking and closure.order-of-sliding",
             norm: "Distance of the observed order, from the two finest steps, from one",

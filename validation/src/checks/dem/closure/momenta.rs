@@ -2,7 +2,7 @@
 
 use super::text::{RADIUS, friction, kelvin_voigt};
 use crate::checks::dem::scenes::{advance, head, particle, world};
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use gouge_dem::World;
 use gouge_runner::scene::INTEGRATORS;
 use std::f64::consts::PI;
@@ -11,7 +11,7 @@ pub(super) fn checks() -> Vec<Check> {
     let check = |id, scene, effort, measure| Check {
         id,
         claim: "Over a long run velocity Verlet and symplectic Euler keep momentum and angular momentum to rounding; every method keeps momentum.",
-        equations: "(26), (27), (45), (54)-(58)",
+        equations: thesis("(26), (27), (45), (54)-(58)"),
         scene,
         oracle: "The momenta at the beginning: x' cross v' differs from x cross v by a mean of torques in these two methods, exactly",
         norm: "Largest drift of a component over the sum of the absolute momenta, and of the angular momenta, of all grains at the beginning",

@@ -3,7 +3,7 @@
 use super::heat::{FRICTION, HELD, SPIN, SQUEEZE, STIFFNESS, held};
 use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
 use crate::checks::dem::scenes::{head, particle, scene, world};
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::printed::{Link, Printed};
 use gouge_dem::World;
 use gouge_dem::particles::Role;
@@ -14,7 +14,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.printed-heat",
             claim: "With the displacement of one end, (78) counts all, half or none of the heat of one and the same sliding, as the particles are numbered.",
-            equations: "(78)",
+            equations: thesis("(78)"),
             scene: "A sphere that spins between two fixed ones, first, between or last in the list; Haff-Werner at its limit, 2000 steps",
             oracle: "2, 1 and 0 times mu N over the distance of a constant deceleration; with both ends 2 for every numbering",
             norm: "Error over the heat",
@@ -26,7 +26,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.printed-store",
             claim: "With the displacement of one end, (76) stores energy in two spheres that roll on each other like gears, where no force has acted along the tangent.",
-            equations: "(76)",
+            equations: thesis("(76)"),
             scene: "Two equal spheres of opposite spin that press on each other without sliding; truncated Cundall-Strack",
             oracle: "k (r w t)^2 / 2 from the displacement of one end; zero from the sum of both",
             norm: "Error over the printed store",
@@ -38,7 +38,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.printed-driving",
             claim: "By absolute values (79) counts work where none was done: on two driven particles that move against each other.",
-            equations: "(79)",
+            equations: thesis("(79)"),
             scene: "Two driven spheres without links, of opposite vertical velocities, under a constant load",
             oracle: "Works of a constant force on a uniformly accelerated mass, each for itself",
             norm: "Relative error of either sum",
@@ -50,7 +50,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "closure.printed-balance",
             claim: "On an oblique impact, a rolling contact and a sheared, breaking fault the ledger's signed terms close the balance; the printed ones do not.",
-            equations: "(72)-(79)",
+            equations: thesis("(72)-(79)"),
             scene: "Built-in scenes oblique, for 8 us, and rolling, for 20 ms; the small granite fault at 15 mm for 20 us, with bonds of a hundredth of the strength",
             oracle: "Works of all links and of driving from the states of the links along the run, signed and with both ends, by the trapezoidal rule",
             norm: "Residual of (72) with these works, and that of the ledger, over the work turned over; a printed gap below one per cent counts one",

@@ -4,6 +4,7 @@ use super::text::{RADIUS, fixed, friction, kelvin_voigt, mass};
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, largest,
+    thesis,
 };
 use gouge_runner::scene::INTEGRATORS;
 
@@ -11,7 +12,7 @@ pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "closure.order",
         claim: "On smooth motion the residual of the balance falls with the order of the method: two for velocity Verlet and Beeman, one for both Euler methods and Taylor.",
-        equations: "(54)-(58), (72)-(79)",
+        equations: thesis("(54)-(58), (72)-(79)"),
         scene: "A swinging beam of unequal grains in gravity and drag; a sphere that bounces on a fixed one without leaving it: Kelvin-Voigt with Haff-Werner friction, viscoelastic with a sticking truncated spring; a driven pair of bonded grains in a well",
         oracle: "Order of the method",
         norm: "Largest distance of an observed order, from the largest residual of a run with 1600 and 3200 steps, to that of theory",

@@ -1,7 +1,7 @@
 //! Where contacts begin and end.
 
 use crate::checks::dem::scenes::{advance, head, particle, world};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use gouge_dem::World;
 
 pub fn checks() -> Vec<Check> {
@@ -33,7 +33,7 @@ fn begin() -> Check {
     Check {
         id: "estimators.contacts.begin",
         claim: "A contact begins where the distance of the centres falls below the sum of the radii: it is then counted, listed and remembered, and not before.",
-        equations: "(28), (36)",
+        equations: thesis("(28), (36)"),
         scene: "Grains of 1 mm and 0.7 mm in both orders, two parts in ten millions within and beyond touch",
         oracle: "Distances by construction",
         norm: "Number of contacts, links and memories that are wrongly there or missing",
@@ -69,7 +69,7 @@ fn end() -> Check {
     Check {
         id: "estimators.contacts.end",
         claim: "A contact that has come apart stores nothing, though its spring was stretched and no force has been evaluated since; one that no evaluation has seen yet stores what presses it.",
-        equations: "(75)-(76)",
+        equations: thesis("(75)-(76)"),
         scene: "A sheared contact of the grains of estimators.contacts.begin that parts by two parts in ten millions within one step of Euler's method; the grains 10 um deep, one of them turned by 0.3 rad, before the first step",
         oracle: "Stretch of the spring times itself times half its stiffness before, nothing after",
         norm: "Relative error before, energy after",
@@ -116,7 +116,7 @@ fn given() -> Check {
     Check {
         id: "estimators.contacts.given",
         claim: "A scene may state the memory of contacts that overlap, and of no others.",
-        equations: "(30)",
+        equations: thesis("(30)"),
         scene: "The grains of estimators.contacts.begin with a memory",
         oracle: "Distances by construction",
         norm: "Number of scenes wrongly taken or refused",

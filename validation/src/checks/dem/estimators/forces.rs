@@ -1,7 +1,7 @@
 //! Friction, stress, packing and contacts.
 
 use crate::checks::dem::scenes::{head, particle, world};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use gouge_common::estimators::packing_fraction;
 use gouge_dem::World;
 use gouge_dem::estimators::{friction_feedback, friction_load};
@@ -17,7 +17,7 @@ fn block() -> Check {
     Check {
         id: "estimators.friction.sliding-block",
         claim: "A block that slides at the Coulomb limit has its coefficient of friction, by the load and by the reaction.",
-        equations: "(85)-(86)",
+        equations: thesis("(85)-(86)"),
         scene: "A driven grain of 1 mm slides over a fixed sphere of 1 m at 1 m/s, pressed with 5 N, which its overlap of 0.5 um carries; friction 0.7 of Haff and Werner",
         oracle: "mu times the sum of the radii over the distance of the centres, as the torque of both ends asks for",
         norm: "Relative error of both coefficients",
@@ -56,7 +56,7 @@ fn chain() -> Check {
     Check {
         id: "estimators.stress.chain",
         claim: "The mean stress of a stretched chain is its force over its section, along its direction, and positive.",
-        equations: "(43)",
+        equations: thesis("(43)"),
         scene: "Ten bonded grains in a row at 30 degrees, stretched by a thousandth, in a volume of nine links of 2.002 mm and 1 mm^2",
         oracle: "Stiffness times extension over section, times the products of the cosines",
         norm: "Relative error of each component",
@@ -133,7 +133,7 @@ fn virial() -> Check {
     Check {
         id: "estimators.stress.virial",
         claim: "The mean stress is the virial of the forces on the particles, and its antisymmetric part the sum of their torques.",
-        equations: "(26)-(27), (45)",
+        equations: thesis("(26)-(27), (45)"),
         scene: "25 grains that move and turn at random, ten bonds among them, contacts with friction; volume 2 m^3",
         oracle: "Sums over particles instead of links: minus force times position, and torques",
         norm: "Error of each component and of the antisymmetric part, in units of the largest component",
@@ -174,7 +174,7 @@ fn packing() -> Check {
     Check {
         id: "estimators.packing",
         claim: "Touching equal discs fill pi over twice the root of three of a hexagonal cell; the coordination number counts every contact and bond twice.",
-        equations: "(68), (103)",
+        equations: thesis("(68), (103)"),
         scene: "200 radii in the area of 200 hexagonal cells; the 25 grains of estimators.stress.virial",
         oracle: "Geometry of the cell; pairs that overlap or are bonded, counted one by one",
         norm: "Relative error",

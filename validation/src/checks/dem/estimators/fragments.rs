@@ -1,7 +1,7 @@
 //! Fragments.
 
 use crate::checks::dem::scenes::{advance, head, particle, world};
-use crate::checks::{Check, Effort, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Measurement, Origin, Outcome, thesis};
 use crate::oracles::components::first_nodes;
 use gouge_common::estimators::{Fragments, connected};
 use gouge_dem::estimators::fragments;
@@ -33,7 +33,7 @@ fn graphs() -> Check {
     Check {
         id: "estimators.fragments.graphs",
         claim: "Fragments are the connected components of a graph, numbered in the order of their first members.",
-        equations: "(46)",
+        equations: thesis("(46)"),
         scene: "300 random graphs of up to 60 nodes, with edges in random order, repeated edges and loops",
         oracle: "Flooding from each node in turn",
         norm: "Number of nodes with another label and of wrong numbers of fragments",
@@ -63,7 +63,7 @@ fn broken() -> Check {
     Check {
         id: "estimators.fragments.broken",
         claim: "A chain whose overstretched bonds break falls into the pieces between them.",
-        equations: "(46)-(48)",
+        equations: thesis("(46)-(48)"),
         scene: "40 grains bonded in a row, bonds 7, 19, 20 and 33 stretched beyond the strength of 280 MPa, the others not; one step",
         oracle: "Flooding of the chain without those four bonds",
         norm: "Number of grains in another fragment, of wrong numbers of fragments and of wrong numbers of bonds left",

@@ -1,7 +1,7 @@
 //! What is told of a link.
 
 use crate::checks::dem::scenes::{head, particle, world};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use gouge_dem::forces::{Interaction, InteractionKind};
 
 pub fn checks() -> Vec<Check> {
@@ -12,7 +12,7 @@ fn state() -> Check {
     Check {
         id: "estimators.links.state",
         claim: "A bond and a contact tell their geometry, motion, forces and torques as they are: the focal point has the same power with respect to both spheres, and the torques are those that the force on the line of centres balances.",
-        equations: "(3)-(5), (28)-(34), (43)-(45)",
+        equations: thesis("(3)-(5), (28)-(34), (43)-(45)"),
         scene: "Grains of 1 mm and 0.7 mm, 1.6 mm apart at 30 degrees, that move, spin and have turned, as a bond of 1.65 mm and as a sticking contact",
         oracle: "Kinematics of two rigid spheres in the frame of the pair, by hand",
         norm: "Largest error in units of the scale of each number",

@@ -1,7 +1,7 @@
 //! Spheres, the solid, and the decay of friction.
 
 use crate::checks::dem::scenes::{head, particle, world};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::matter::{moduli, sphere};
 use gouge_common::geometry::Vec2;
 use gouge_dem::calibration::FrictionDecay;
@@ -16,7 +16,7 @@ fn spheres() -> Check {
     Check {
         id: "estimators.matter.spheres",
         claim: "A particle has the mass and the moment of inertia of a homogeneous sphere and the state it is given; raising its mass raises both.",
-        equations: "(52)-(53)",
+        equations: thesis("(52)-(53)"),
         scene: "Spheres of 10 um, 1 mm and 7 m of three densities, one of them four times as heavy",
         oracle: "A stack of thin discs, integrated exactly by Boole's rule",
         norm: "Relative error",
@@ -71,7 +71,7 @@ fn energy() -> Check {
     Check {
         id: "estimators.matter.energy",
         claim: "The kinetic energy of a grain is that of its motion and of its spin, and its potential energy that of its height, or of its distance from the middle of a well.",
-        equations: "(10), (67), (74)",
+        equations: thesis("(10), (67), (74)"),
         scene: "Two grains that move and spin, under gravity and in a well",
         oracle: "Masses and moments of inertia as stacks of discs",
         norm: "Relative error",
@@ -116,7 +116,7 @@ fn solid() -> Check {
     Check {
         id: "estimators.matter.moduli",
         claim: "Shear, bulk and P-wave modulus are the responses of Hooke's solid to shear, pressure and uniaxial strain, and waves travel at the roots of modulus over density.",
-        equations: "(39), (59)-(60)",
+        equations: thesis("(39), (59)-(60)"),
         scene: "Young's moduli of 50 GPa and 3 kPa, Poisson's ratios from -0.8 to 0.49, densities of 2700 and 40 kg/m^3",
         oracle: "Inverse of the matrix of compliances",
         norm: "Relative error of three moduli and two speeds",
@@ -160,7 +160,7 @@ fn granite() -> Check {
     Check {
         id: "estimators.matter.granite",
         claim: "The granite has the values and uncertainties that the thesis settles on.",
-        equations: "section 4.1",
+        equations: thesis("section 4.1"),
         scene: "Nine quantities",
         oracle: "The list of the thesis",
         norm: "Largest error in units in the last place",
@@ -198,7 +198,7 @@ fn decay() -> Check {
     Check {
         id: "estimators.friction.decay",
         claim: "The model of friction rises in proportion to time up to its peak, is continuous there, and then loses equal fractions of its excess in equal times.",
-        equations: "(100)-(101)",
+        equations: thesis("(100)-(101)"),
         scene: "A peak of 0.9 at 2 s, a residual of 0.3, a rate of 5/s; times from 0 to 6 s, and half a millionth after the peak",
         oracle: "Proportion, and the ratio of excesses in steps of ln 2 over the rate, one half",
         norm: "Largest error",

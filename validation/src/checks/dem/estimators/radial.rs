@@ -1,6 +1,8 @@
 //! Radial distribution and entropy.
 
-use crate::checks::{Axis, Check, Curve, Effort, Exhibit, Measurement, Origin, Outcome, Plot};
+use crate::checks::{
+    Axis, Check, Curve, Effort, Exhibit, Measurement, Origin, Outcome, Plot, thesis,
+};
 use crate::oracles::arcs::Rectangle;
 use gouge_common::estimators::{RadialDistribution, Region, radial_distribution, visible_fraction};
 use gouge_common::geometry::Vec2;
@@ -16,7 +18,7 @@ fn visible() -> Check {
     Check {
         id: "estimators.radial.visible-part",
         claim: "The visible part of a circle is the sum of its arcs inside the region, whichever edges and corners it crosses.",
-        equations: "(80)",
+        equations: thesis("(80)"),
         scene: "3000 random points in a strip and in a box 4 m wide and 1 m high, circles of up to 1 m; and circles that an edge misses by a few parts in ten millions",
         oracle: "Arcs between the crossings of circle and edges, kept where their middle is inside",
         norm: "Largest error of the fraction",
@@ -79,7 +81,7 @@ fn rows() -> Check {
     Check {
         id: "estimators.radial.shells",
         claim: "The radial distribution of three distant rows has one shell for each, weighted by the number of its pairs over the visible part of their circles, three halves at the edge; of a shell at the limit half is seen.",
-        equations: "(80)-(83)",
+        equations: thesis("(80)-(83)"),
         scene: "Six points in the middle of a periodic strip of 48 m by 60 m, seven near its edge, four above; bandwidth 1 m, 600 samples",
         oracle: "Parabolas of the Epanechnikov kernel around the distances, with areas as 12 to 21 to 8, over the area of all samples",
         norm: "Largest error of the density of pairs, in units of its peak, of the distance and of g",
@@ -138,7 +140,7 @@ fn edges() -> Check {
     Check {
         id: "estimators.radial.edges",
         claim: "Points beyond the edges of the region do not count, points on them do.",
-        equations: "(80)-(81)",
+        equations: thesis("(80)-(81)"),
         scene: "Points on each edge of a box of 40 m by 20 m and five parts in ten millions beyond it",
         oracle: "Counting",
         norm: "Error of the number of points in units in the last place",
@@ -182,7 +184,7 @@ fn entropy() -> Check {
     Check {
         id: "estimators.entropy.closed-forms",
         claim: "The excess entropy of a uniform g = e is minus half the number of points in the disc, in the printed form minus half the density times the radius; that of a void is the same times one.",
-        equations: "(69), (84)",
+        equations: thesis("(69), (84)"),
         scene: "g = e and g = 0 at 1000 distances up to 2.5 m, three points per square metre",
         oracle: "e log e - (e - 1) = 1 and the area of a disc, which midpoints integrate exactly",
         norm: "Relative error",
@@ -222,7 +224,7 @@ fn gas() -> Check {
     Check {
         id: "estimators.radial.ideal-gas",
         claim: "The radial distribution of an ideal gas is one at all distances, in a strip and in a box that cuts most circles.",
-        equations: "(80)-(83)",
+        equations: thesis("(80)-(83)"),
         scene: "1500 random points in 20 m by 6 m, periodic and not, 12 times; bandwidth 0.25 m",
         oracle: "Independent points have no structure: g = 1",
         norm: "Largest departure of the mean g of 12 gases from one between 0.5 m and 4.5 m",

@@ -1,7 +1,7 @@
 //! Sizes, lattices, bonds and faults.
 
 use crate::checks::dem::scenes::{head, scene};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Evidence, Failure, Measurement, Origin, Outcome, thesis};
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_dem::particles::{Particle, Particles, Role};
@@ -18,7 +18,7 @@ fn sizes() -> Check {
     Check {
         id: "estimators.setup.sizes",
         claim: "The interval of radii has the mean it is asked for and ends in the ratio of the root of two; radii divide it as their random numbers divide [0, 1).",
-        equations: "(66)",
+        equations: thesis("(66)"),
         scene: "Intervals around 1 mm and 0.37 m; random numbers 0, 1/4, 1/2 and one",
         oracle: "The two properties that define the interval",
         norm: "Error of mean, ratio and radii in units in the last place",
@@ -50,7 +50,7 @@ fn lattice() -> Check {
     Check {
         id: "estimators.setup.lattice",
         claim: "An inner point of a square lattice has four neighbours at the pitch, one of a hexagonal lattice six, and no neighbour is nearer.",
-        equations: "(103)",
+        equations: thesis("(103)"),
         scene: "Lattices of nine by nine points of pitch 2.3 mm, with the first point off the origin",
         oracle: "What makes the lattices: equal distances",
         norm: "Relative error of the first distances of the middle point and of the first point",
@@ -94,7 +94,7 @@ fn perturbed() -> Check {
     Check {
         id: "estimators.setup.perturbation",
         claim: "Points are displaced uniformly over a disc: a fraction of the random numbers reaches the same fraction of its area and of its directions.",
-        equations: "-",
+        equations: Evidence::NONE,
         scene: "Discs of 50 um, area fractions 1/4 and 4/9, directions in steps of an eighth of a turn",
         oracle: "Radius as the root of the area; directions by symmetry",
         norm: "Largest error of a displacement in units of the radius of the disc",
@@ -147,7 +147,7 @@ fn fault() -> Check {
     Check {
         id: "estimators.setup.fault",
         claim: "A jagged fault parts points that lie a hundred millionth of its height above and below it.",
-        equations: "(70)-(71)",
+        equations: thesis("(70)-(71)"),
         scene: "A fault at 25 mm with seven jags of 4 mm over 50 mm, at phases of whole, quarter and twelfth turns; a straight one",
         oracle: "Sines of 0, 30, 90, 150, 210 and 270 degrees",
         norm: "Number of points on the wrong side",
@@ -195,7 +195,7 @@ fn reach() -> Check {
     Check {
         id: "estimators.setup.reach",
         claim: "Bonds reach as many sums of radii as they are told, by default the root of three halves, also across the seam of a periodic box.",
-        equations: "-",
+        equations: Evidence::NONE,
         scene: "Pairs of unequal grains a ten millionth within and beyond reaches of 1.1, 1.5 and the default, in every order, in the open and across a seam",
         oracle: "Distances by construction",
         norm: "Number of bonds that are wrongly there or missing, and error of the square of the default in units in the last place",
@@ -268,7 +268,7 @@ fn factors() -> Check {
     Check {
         id: "estimators.setup.strength-factors",
         claim: "Strength factors divide their interval around one as their random numbers divide [0, 1).",
-        equations: "(50)",
+        equations: thesis("(50)"),
         scene: "A spread of 0.3; random numbers 0, 1/4, 1/2, 7/8",
         oracle: "Proportion",
         norm: "Error in units in the last place",

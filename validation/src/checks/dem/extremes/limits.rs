@@ -1,7 +1,7 @@
 //! Overlaps up to coincidence, speeds up to a cell a step, and the very same motion in other units.
 
 use super::pairs::{free, kelvin_voigt, mass, model, world};
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_dem::forces::Interaction;
@@ -17,7 +17,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "extremes.coincidence",
             claim: "Down to coincident centres all normal laws, friction laws and lever arms stay finite and go to their limits.",
-            equations: "(4), (5), (28)-(42), (114)",
+            equations: thesis("(4), (5), (28)-(42), (114)"),
             scene: "Two spheres of equal or unequal radii at distances from a tenth of the radius down to 1e-145 m and zero, spinning under load; three lever arms, three friction laws, two normal laws",
             oracle: "Limits: k (r_i + r_j) and (4/3) E* sqrt(R*) (r_i + r_j)^(3/2); along the tangent mu F_n (d_i + d_j) / D with d_i + d_j the sum of radii, the distance itself (where friction is viscous in the end), or for equal radii twice r/2",
             norm: "Relative error of forces, and number of values that are not finite",
@@ -29,7 +29,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "extremes.speed",
             claim: "A particle may move up to a cell a step, and finds the contact in which it lands; beyond, the step ends with a typed error in every method.",
-            equations: "(98), (99)",
+            equations: thesis("(98), (99)"),
             scene: "A sphere of 1 mm flies at (1 -+ 1e-9) cells a step towards one at rest, in a box that the cells tile ten times; five methods",
             oracle: "A cell of 2.5 mm: the tenth part of a box of 25 mm, of cells not below 2.4 radii",
             norm: "Number of wrong outcomes: an error or a missed contact below a cell, none or another error above",
@@ -41,7 +41,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "extremes.units",
             claim: "The same collision has the same bits in units from 2^-400 to 2^400 m or kg and from 2^-190 to 2^190 s.",
-            equations: "(26)-(58)",
+            equations: thesis("(26)-(58)"),
             scene: "Two unequal spheres that meet obliquely with spin, 600 steps; Kelvin-Voigt and viscoelastic, three friction laws, five methods, eight systems of units",
             oracle: "The run in SI units, scaled",
             norm: "Number of runs of which some bit of place, velocity, angle or spin differs",
@@ -53,7 +53,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "extremes.subnormal",
             claim: "Where stiffnesses and forces are subnormal numbers, a collision is right up to the quantum that is left of the force; a moment of inertia whose inverse is beyond all numbers is a typed error.",
-            equations: "(26)-(58)",
+            equations: thesis("(26)-(58)"),
             scene: "A head-on collision in units in which forces shrink by powers of two to 2^-1067 N, and one in which masses shrink; velocity Verlet, 2000 steps",
             oracle: "The run in SI units, scaled",
             norm: "Relative difference of the velocity of separation; a wrong outcome for a mass counts one",

@@ -1,7 +1,7 @@
 //! Random cases: finite, or a typed error, and never a panic.
 
 use super::cases::{Draw, Range};
-use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table, thesis};
 use gouge_dem::forces::InteractionKind;
 use gouge_dem::{StepError, World};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -10,7 +10,7 @@ pub(super) fn checks() -> Vec<Check> {
     let check = |id, scene, effort, measure| Check {
         id,
         claim: "Random pairs, laws and magnitudes, zero, subnormal and huge ones among them, are evaluated and stepped without a panic; what comes out is finite or a typed error, and ordinary magnitudes are never lost.",
-        equations: "(26)-(67)",
+        equations: thesis("(26)-(67)"),
         scene,
         oracle: "Newton's third law, bit for bit, where links alone act; contacts repel; no error but that of a fast particle below 1e12 in every magnitude",
         norm: "Number of violations; a panic fails the check by itself",

@@ -2,7 +2,7 @@
 
 use super::pairs::{free, kelvin_voigt, mass, model, restitution, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
     unit_in_last_place,
 };
 use crate::oracles::oscillator::truncated_restitution;
@@ -16,7 +16,7 @@ pub(super) fn checks() -> Vec<Check> {
     let check = |id, claim, scene, reason, measure| Check {
         id,
         claim,
-        equations: "(36), (54)",
+        equations: thesis("(36), (54)"),
         scene,
         oracle: "Closed form of the truncated oscillator's restitution",
         norm: "Error of the restitution over its bound",

@@ -2,7 +2,7 @@
 
 use super::{Spheres, identity, worst};
 use crate::checks::random::Random;
-use crate::checks::{Check, Outcome};
+use crate::checks::{Check, Outcome, thesis};
 use crate::oracles::lens;
 use gouge_dem::geometry::{
     contact_half_length, cylinder_displaced_volume, displaced_volume, focal_distance,
@@ -14,13 +14,20 @@ use xprec::Df64;
 const EPSILON: f64 = f64::EPSILON;
 
 pub(super) fn checks() -> Vec<Check> {
+    let mut checks = length_checks();
+    checks.extend(volume_checks());
+    checks
+}
+
+/// Checks of distances and lengths.
+fn length_checks() -> Vec<Check> {
     vec![
         Check {
             reason: "Both factors come from the same rounded asymmetry with opposite signs; each is rounded once, and so is their sum: one unit of the larger",
             ..identity(
                 "identities.overlap-factor",
                 "The overlap factors of both sides add up to one.",
-                "(4)",
+                thesis("(4)"),
                 overlap_factors,
             )
         },
@@ -29,7 +36,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.equal-power",
                 "The focal point has the same power with respect to both circles.",
-                "(3), (4), (112)",
+                thesis("(3), (4), (112)"),
                 powers,
             )
         },
@@ -38,7 +45,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.half-length",
                 "Focal distance and half-length of the contact are the legs of a triangle on the radius.",
-                "(112), (113)",
+                thesis("(112), (113)"),
                 half_lengths,
             )
         },
@@ -48,10 +55,16 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.mean-distance",
                 "The mean distance to the contact is the average of sqrt(s^2 + y^2) over its length.",
-                "(114)",
+                thesis("(114)"),
                 mean_distances,
             )
         },
+    ]
+}
+
+/// Checks of displaced volumes.
+fn volume_checks() -> Vec<Check> {
+    vec![
         Check {
             reason: "A dozen roundings of the two caps, and a rounding of the focal distances, which moves the wall between the caps, of area pi z^2 or, where that is less, what one rounding of the distance encloses",
             oracle: "Volume of the lens of two spheres from radii and distance alone, pi (R + r - D)^2 (D^2 + 2 D (R + r) - 3 (R - r)^2) / (12 D), in double-double",
@@ -59,7 +72,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.sphere-volume",
                 "The displaced volume of two spheres is that of their lens.",
-                "(117)",
+                thesis("(117)"),
                 volumes,
             )
         },
@@ -70,7 +83,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.cylinder-volume",
                 "The displaced volume of two cylinders is that of the lens of their circles.",
-                "(118)-(120)",
+                thesis("(118)-(120)"),
                 areas,
             )
         },

@@ -2,7 +2,7 @@
 
 use super::{identity, vector, worst};
 use crate::checks::random::Random;
-use crate::checks::{Check, Measurement, Outcome, largest};
+use crate::checks::{Check, Measurement, Outcome, largest, thesis};
 use gouge_common::geometry::{Metric, PeriodicX, Vec2};
 use gouge_common::scalar::Real;
 use gouge_dem::geometry::{PairFrame, PairMotion, angle_of, focal_point, reversed, turn, wrapped};
@@ -12,13 +12,21 @@ use xprec::Df64;
 const EPSILON: f64 = f64::EPSILON;
 
 pub(super) fn checks() -> Vec<Check> {
+    let mut checks = frame_checks();
+    checks.extend(angle_checks());
+    checks.extend(motion_checks());
+    checks
+}
+
+/// Checks of the geometry of a pair.
+fn frame_checks() -> Vec<Check> {
     vec![
         Check {
             reason: "A root, an inverse and a product, each rounded once, squared: four units of one",
             ..identity(
                 "identities.frames",
                 "Pair frames are of unit length, right-handed, and opposite from the other side, bit for bit.",
-                "(5), (110), (111)",
+                thesis("(5), (110), (111)"),
                 frames,
             )
         },
@@ -27,16 +35,22 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.focal-point",
                 "Both sides see one focal point.",
-                "(3), (4)",
+                thesis("(3), (4)"),
                 focal_points,
             )
         },
+    ]
+}
+
+/// Checks of angles.
+fn angle_checks() -> Vec<Check> {
+    vec![
         Check {
             reason: "Rounding of an arctangent and of pi",
             ..identity(
                 "identities.angles",
                 "The angle of the opposite vector is the reversed angle, and a turn is the angle between two directions.",
-                "(106)-(109)",
+                thesis("(106)-(109)"),
                 angles,
             )
         },
@@ -48,7 +62,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.half-turn",
                 "Half a turn is +pi, whatever the sign of zero.",
-                "(107)",
+                thesis("(107)"),
                 half_turns,
             )
         },
@@ -59,7 +73,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.wrapped",
                 "The representative of an angle is in [-pi, pi) and whole turns away, also next to the seam.",
-                "(106)",
+                thesis("(106)"),
                 representatives,
             )
         },
@@ -71,17 +85,23 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.arcsine",
                 "The polynomial for the turn of a frame is the series of the arcsine to the seventeenth power.",
-                "(106)",
+                thesis("(106)"),
                 arcsine,
             )
         },
+    ]
+}
+
+/// Checks of images and of motion.
+fn motion_checks() -> Vec<Check> {
+    vec![
         Check {
             oracle: "All images, in double-double",
             reason: "A rounding, 2^-53, of each difference and two of the norm: half a unit of the width and three halves of the distance; a representative carries eight of up to eight widths",
             ..identity(
                 "identities.minimum-image",
                 "The displacement in a periodic box is that of the nearest image, and opposite from the other side.",
-                "(63), (64)",
+                thesis("(63), (64)"),
                 images,
             )
         },
@@ -91,7 +111,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.pair-motion",
                 "Normal velocity, shear velocity and turning of the frame are those of the relative velocity.",
-                "(34), (110)",
+                thesis("(34), (110)"),
                 motion,
             )
         },

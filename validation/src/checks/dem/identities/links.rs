@@ -3,7 +3,7 @@
 use super::{PAIRS, identity};
 use crate::checks::dem::scenes::{empty_model, sphere};
 use crate::checks::random::Random;
-use crate::checks::{Check, Effort, Failure, Measurement, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Outcome, thesis};
 use gouge_common::geometry::Vec2;
 use gouge_dem::geometry::{Arm, ContactDistance, FocalArm, Lever, MeanArm, MixedArms, Translation};
 use gouge_dem::integrators::Integrator;
@@ -34,7 +34,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.third-law",
                 "The forces of two particles on each other cancel to the last bit.",
-                "(6)",
+                thesis("(6)"),
                 || third_law(PAIRS),
             )
         },
@@ -47,7 +47,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..identity(
                 "identities.angular-momentum",
                 "A contact changes no angular momentum as corrected, and as printed or with the arms of another program just by the stated defect.",
-                "(6), (7), E10",
+                thesis("(6), (7), E10"),
                 || angular_momentum(PAIRS),
             )
         },

@@ -5,7 +5,7 @@ mod frames;
 mod links;
 
 use crate::checks::random::Random;
-use crate::checks::{Check, Effort, Measurement, Origin, Outcome, Topic};
+use crate::checks::{Check, Effort, Evidence, Measurement, Origin, Outcome, Topic};
 use gouge_common::geometry::Vec2;
 
 /// The topic.
@@ -76,7 +76,7 @@ fn worst(seed: u64, tolerance: f64, error: impl Fn(&mut Random) -> f64) -> Outco
 fn identity(
     id: &'static str,
     claim: &'static str,
-    equations: &'static str,
+    equations: Evidence,
     measure: fn() -> Outcome,
 ) -> Check {
     Check {

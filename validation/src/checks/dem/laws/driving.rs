@@ -1,14 +1,14 @@
 //! The exact controller of the driving force.
 
 use crate::checks::dem::scenes::{advance, head, particle, world};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use gouge_dem::World;
 
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "laws.exact-speed",
         claim: "The exact controller brings driven grains to their speed in one step of the Euler and Taylor methods, and by a factor of (7 + sqrt(17)) / 16 a step of velocity Verlet; under Beeman the error follows its own rule.",
-        equations: "(22), (51)-(58)",
+        equations: thesis("(22), (51)-(58)"),
         scene: "Two driven grains of 1 and 1.7 mm that begin at 0.4 m/s and shall move at 1 m/s; twelve steps",
         oracle: "e' = e - (e + e1)/8 for velocity Verlet, solved by the roots (7 -+ sqrt(17)) / 16, and e' = e - (2 e + 5 e1 - e2)/24 for Beeman, e1 and e2 one and two steps earlier: what each method makes of an acceleration of a quarter of the error over the step",
         norm: "Difference of the mean speed in m/s",

@@ -2,7 +2,7 @@
 
 use super::cluster::{Cluster, Rubbing, SI};
 use crate::checks::random::Random;
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::scalars::Dual;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
@@ -31,7 +31,7 @@ pub(super) fn checks() -> Vec<Check> {
         check(
             "laws.gradient",
             "Every conservative force is minus the slope of what its law stores.",
-            "(8)-(10), (35)-(45), (67), (75)-(77)",
+            thesis("(8)-(10), (35)-(45), (67), (75)-(77)"),
         ),
         Check {
             scene: "Eight grains, six of them bonded, in contact through sticking springs, under gravity, moved from where the bonds began",
@@ -42,7 +42,7 @@ pub(super) fn checks() -> Vec<Check> {
             ..check(
                 "laws.world-gradient",
                 "Forces and torques in a bonded, sticking cluster are minus the gradient of its energy, angular coordinates included.",
-                "(6), (7), (45), (75)-(77), E10, E17",
+                thesis("(6), (7), (45), (75)-(77), E10, E17"),
             )
         },
         Check {
@@ -53,19 +53,19 @@ pub(super) fn checks() -> Vec<Check> {
             ..check(
                 "laws.passivity",
                 "No law but the printed Cundall-Strack one ever gives heat back.",
-                "(35)-(45), (78)",
+                thesis("(35)-(45), (78)"),
             )
         },
         Check {
             scene: "One contact: slide under 300 N, load to 1000 N, return, unload",
-            oracle: "k z^2 / 2 - (k z0^2 / 2 + F (z - z0)) with F the lower limit of friction and z0 = F / k, from E15",
+            oracle: "k z^2 / 2 - (k z0^2 / 2 + F (z - z0)) with F the lower limit of friction and z0 = F / k, from thesis E15",
             norm: "Relative difference",
             reason: "The force is piecewise linear and the path has its kinks at nodes: the trapezoidal rule is exact but for rounding of 4000 sums; the heat has half a step of the limit besides, where the printed force jumps",
             measure: printed_cycle,
             ..check(
                 "laws.printed-cycle",
                 "The printed Cundall-Strack law creates energy in a closed cycle, just as much as its two branches say, and books it as negative heat; the truncated one creates none.",
-                "(42), E15, E56",
+                thesis("(42), E15, E56"),
             )
         },
     ]
@@ -254,6 +254,13 @@ fn slope(cluster: &Cluster, i: usize, axis: usize) -> Result<f64, Failure> {
         .slope())
 }
 
+/// Heat rates of both laws of a bond.
+fn beam_heat_rates(stiffness: f64, damping: f64, rate: f64) -> [f64; 2] {
+    let bending = EulerBernoulli { stiffness, damping };
+    let stretching = AdjustedKelvinVoigt { stiffness, damping };
+    [bending.heat_rate(rate), stretching.heat_rate(rate)]
+}
+
 fn passivity() -> Outcome {
     let mut random = Random::new(33);
     let mut negative = 0;
@@ -280,18 +287,7 @@ fn passivity() -> Outcome {
         negative += normal.into_iter().filter(|&pair| lost(pair)).count();
         negative +=
             usize::from(kv.force(radii, xi, rate) > 0.0 || bshp.force(radii, xi, rate) > 0.0);
-        let beams = [
-            EulerBernoulli {
-                stiffness: k,
-                damping: c,
-            }
-            .heat_rate(rate),
-            AdjustedKelvinVoigt {
-                stiffness: k,
-                damping: c,
-            }
-            .heat_rate(rate),
-        ];
+        let beams = beam_heat_rates(k, c, rate);
         let slide = TangentialMotion {
             displacement: xi,
             velocity: rate,

@@ -1,7 +1,7 @@
 //! Laws in double against the same laws in double-double: their rounding error alone.
 
 use crate::checks::random::Random;
-use crate::checks::{Check, Effort, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Measurement, Origin, Outcome, thesis};
 use crate::scalars::DoubleDouble;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
@@ -15,7 +15,7 @@ pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "laws.rounding",
         claim: "Every law rounds to a few units: in double it agrees with itself in double-double.",
-        equations: "(11)-(19), (35)-(45)",
+        equations: thesis("(11)-(19), (35)-(45)"),
         scene: "Each law by itself, at 100 000 random states over many decades",
         oracle: "The same expression in double-double, which has no rounding error of that size",
         norm: "Largest difference in units of rounding of the terms of the force",

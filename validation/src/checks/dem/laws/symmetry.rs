@@ -2,7 +2,7 @@
 
 use super::cluster::{Cluster, Rubbing, SI, Units};
 use crate::checks::dem::scenes::advance;
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::scalars::DoubleDouble;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
@@ -14,7 +14,7 @@ pub(super) fn checks() -> Vec<Check> {
     let check = |id, claim, norm, reason, measure| Check {
         id,
         claim,
-        equations: "(3)-(58)",
+        equations: thesis("(3)-(58)"),
         scene,
         oracle: "The same scene seen by the other observer",
         norm,

@@ -1,7 +1,7 @@
 //! Where something begins or ends: a state just before and one just after.
 
 use crate::checks::dem::scenes::{empty_model, head, particle, sphere, world};
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
@@ -21,7 +21,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "laws.thresholds",
             claim: "What a comparison decides is decided where it should be: sliding with its stored energy, the moves of the rate-limited controller, and what is refused: narrow boxes, long bonds, inertias without an inverse, flights beyond a diameter and beyond all numbers.",
-            equations: "(22), (42), (64), (76), (98)",
+            equations: thesis("(22), (42), (64), (76), (98)"),
             scene: "For each, a state a ten-millionth before the threshold and one as far beyond it; a contact that is said to have begun before the spheres overlap",
             oracle: "Which side the state is on",
             norm: "Number of states on the wrong side",
@@ -33,7 +33,7 @@ pub(super) fn checks() -> Vec<Check> {
         Check {
             id: "laws.letting-go",
             claim: "A spring of friction that begins to slide turns what it stored at the limit into heat, F^2 / 2k, and takes it back where it sticks again.",
-            equations: "(42), (78), E15",
+            equations: thesis("(42), (78), E15"),
             scene: "A printed Cundall-Strack spring of 2^20 kg/s^2, moved to its limit of 2^9 N and back",
             oracle: "2^18 / 2^21 J",
             norm: "Absolute difference in J",

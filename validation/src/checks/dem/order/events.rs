@@ -3,7 +3,7 @@
 use super::slope;
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::events::{Return, bounced, rubbed, slipped};
 use gouge_runner::scene::INTEGRATORS;
@@ -17,7 +17,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "order.events",
             claim: "Every integrator keeps its order where a force only bends, as when contacts without damping begin and end, damped ones end, springs begin and cease to slip and viscous friction meets its limit; where a force jumps, as when a damped contact begins or a printed Cundall-Strack contact reverses, the orders of two fall to one. Symplectic Euler gains an order where an undamped bounce begins and ends without force.",
-            equations: "(36), (41), (42), (55)-(58)",
+            equations: thesis("(36), (41), (42), (55)-(58)"),
             scene: "Head-on pairs and a grain spinning between two fixed ones, through six kinds of events at 32 phases of the step, 40 to 1280 steps",
             oracle: "Closed forms with the event in them; orders predicted from the smoothness of the force",
             norm: "Largest distance of the order fitted to the root of the mean squared error over all phases from the predicted one",
@@ -29,7 +29,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "order.restart",
             claim: "Begun at the event itself, with the damped force already there, a damped contact gives every integrator its full order again.",
-            equations: "(36), (55)-(58)",
+            equations: thesis("(36), (55)-(58)"),
             scene: "The head-on pair with damping, from an overlap of one rounding",
             oracle: "Closed form of the damped oscillator",
             norm: "Largest distance of the order between 1280 and 2560 steps from that of theory",

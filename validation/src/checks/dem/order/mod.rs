@@ -5,7 +5,7 @@ mod rotating;
 
 use super::scenes::{advance, head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Topic,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Topic, thesis,
 };
 use crate::oracles::oscillator::released;
 use gouge_runner::scene::INTEGRATORS;
@@ -20,7 +20,7 @@ pub fn topic() -> Topic {
         checks: [vec![Check {
             id: "order.smooth",
             claim: "On a damped oscillator the error of each integrator falls with the order of theory: one for both Euler methods and Taylor, two for velocity Verlet and Beeman.",
-            equations: "(54)-(58)",
+            equations: thesis("(54)-(58)"),
             scene: "A sphere of 1 kg in a harmonic well of angular frequency one, with creeping drag of damping ratio 0.3, released at one",
             oracle: "Closed form of the damped oscillator",
             norm: "Largest distance of an observed order, from errors with 3200 and 6400 steps, to that of theory",

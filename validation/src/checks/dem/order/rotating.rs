@@ -2,7 +2,7 @@
 
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::bonded_pair::{Beam, State};
 use crate::oracles::flow::Flow;
@@ -14,7 +14,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "order.rotating",
         claim: "On a bonded pair that turns by a radian and a half while it stretches, shears and bends, with and without damping, the errors of all five integrators have the orders and, extrapolated, the limit of theory.",
-        equations: "(29)-(34), (43)-(45), (54)-(58)",
+        equations: thesis("(29)-(34), (43)-(45), (54)-(58)"),
         scene: "Two grains of 1 mm, granite's bond, stretched by a twentieth, with bending 0.8 times as stiff as stretching; four units of the time scale of stretching",
         oracle: "Lagrange's equations of the pair in polar coordinates, by extrapolated midpoint steps to 1e-13",
         norm: "Largest distance of an order, from errors with 3200 and 6400 steps, to that of theory; error left by two extrapolations, in radii and rad, over 1e-3 of the error with 6400 steps plus 1e-11",

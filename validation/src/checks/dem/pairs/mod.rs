@@ -1,6 +1,6 @@
 //! Two particles.
 
-use crate::checks::{Check, Effort, Origin, Topic};
+use crate::checks::{Check, Effort, Origin, Topic, thesis};
 
 pub(super) mod collision;
 mod kelvin_voigt;
@@ -14,7 +14,7 @@ pub fn topic() -> Topic {
     checks.push(Check {
         id: "pairs.momentum",
         claim: "A collision changes the momentum of the pair by rounding only, and that of mirror images by nothing.",
-        equations: "(51), (54)",
+        equations: thesis("(51), (54)"),
         scene: "Head-on collisions under both laws, mass ratios 1, 4.9 and 1000, 2000 steps each",
         oracle: "Conservation",
         norm: "Change of the sum of momenta in units of the sum of their sizes",
@@ -37,7 +37,7 @@ fn linear() -> Vec<Check> {
         Check {
             id: "pairs.closed-form",
             claim: "The closed form of the truncated Kelvin-Voigt collision is the integral of its equation of motion, from damping ratio 0 to 20.",
-            equations: "(35), (36)",
+            equations: thesis("(35), (36)"),
             scene: "None: two oracles against each other",
             oracle: "Extrapolated midpoint integration in double-double, events by bisection",
             norm: "Largest relative difference of restitution, duration and square of the largest overlap",
@@ -49,7 +49,7 @@ fn linear() -> Vec<Check> {
         Check {
             id: "pairs.kelvin-voigt",
             claim: "Restitution, duration, largest overlap and the force there of a truncated Kelvin-Voigt collision are the closed forms, from damping ratio 0 to 20 and for mass ratios up to 1000.",
-            equations: "(28), (34)-(36), (51)-(54)",
+            equations: thesis("(28), (34)-(36), (51)-(54)"),
             scene: "Spheres that touch at the last digit, velocity Verlet with 50 (1 + zeta) to 800 (1 + zeta) steps a collision",
             oracle: "Closed forms: exp(-zeta t), t from the first zero of the force, and depth sqrt(restitution) v / w",
             norm: "Largest relative error, extrapolated to a step of no length",
@@ -61,7 +61,7 @@ fn linear() -> Vec<Check> {
         Check {
             id: "pairs.truncation",
             claim: "The step in which the force ends costs velocity Verlet theta (1 - theta) (w dt)^2 / 2 of the final speed, theta being the fraction of the step before the end, and so at most (w dt)^2 / 8.",
-            equations: "(36)",
+            equations: thesis("(36)"),
             scene: "Collisions of damping ratio 0 to 3 with 100 to 1600 steps",
             oracle: "Trapezoidal rule across the kink: at the end of the force its rate is w^2 times the final speed",
             norm: "Distance from theta (1 - theta) / 2, times (w dt)^2 over the extra speed, in units of 1/8",
@@ -73,7 +73,7 @@ fn linear() -> Vec<Check> {
         Check {
             id: "pairs.arrival",
             claim: "A damped contact that begins at the fraction phi of a step makes velocity Verlet first order: the restitution is off by 2 zeta w dt (1/2 - phi) of itself.",
-            equations: "(35), (36)",
+            equations: thesis("(35), (36)"),
             scene: "Collisions of damping ratio 0.06 to 2 that begin at 20 fractions of a step, 1000 or 4000 steps",
             oracle: "Trapezoidal rule across the jump of the force at touch, 2 zeta w times the speed over the mass",
             norm: "Distance from 1/2 - phi in units of 1/2",
@@ -91,7 +91,7 @@ fn hertzian() -> Vec<Check> {
         Check {
             id: "pairs.hertz",
             claim: "Without damping, depth, force and duration of a BSHP collision grow with the powers 4/5, 6/5 and -1/5 of the speed over four decades, with the prefactors of Hertz; speed times duration is 2.9432751847 depths.",
-            equations: "(37), (40)",
+            equations: thesis("(37), (40)"),
             scene: "Spheres of 10 and 17 mm at 0.01 to 100 m/s, 100 to 3200 steps a collision",
             oracle: "Closed forms: depth (5 m v^2 / 4 P)^(2/5), force P depth^(3/2), duration (4/5) B(2/5, 1/2) depth / v",
             norm: "Largest relative error of depth, force and duration, extrapolated to a step of no length",
@@ -103,7 +103,7 @@ fn hertzian() -> Vec<Check> {
         Check {
             id: "pairs.elastic",
             claim: "Without damping the restitution is one, for either law and over four decades of speed.",
-            equations: "(35), (37)",
+            equations: thesis("(35), (37)"),
             scene: "Spheres of 10 and 17 mm at 0.01 to 100 m/s, 100 to 3200 steps a collision",
             oracle: "Conservation of energy",
             norm: "Largest distance of the restitution from one, extrapolated to a step of no length",
@@ -115,7 +115,7 @@ fn hertzian() -> Vec<Check> {
         Check {
             id: "pairs.viscoelastic",
             claim: "Restitution, duration, largest overlap and the force there of a BSHP collision follow its equation of motion, for three dissipative constants over four decades of speed.",
-            equations: "(28), (34), (37), (40), (51)-(54)",
+            equations: thesis("(28), (34), (37), (40), (51)-(54)"),
             scene: "Spheres of 10 and 17 mm at 0.01 to 100 m/s, dissipation b = Lambda kappa^(2/5) v^(1/5) from 0.02 to 3, 100 to 3200 steps a collision",
             oracle: "Extrapolated midpoint integration, in the root of the overlap where the force is not smooth in time",
             norm: "Largest relative error, extrapolated to a step of no length",
@@ -127,7 +127,7 @@ fn hertzian() -> Vec<Check> {
         Check {
             id: "pairs.onset",
             claim: "Because a viscoelastic force begins like the root of time, velocity Verlet converges with the power 3/2 of the step, and its first error is -zeta(-1/2) b (dt)^(3/2) of speed at touch.",
-            equations: "(37)",
+            equations: thesis("(37)"),
             scene: "A collision with b = 0.2 and b = 1, 100 to 3200 steps",
             oracle: "Error of the trapezoidal rule for a root, zeta(-1/2) = -0.2078862..., carried to the end by the derivative of the final speed by that of impact, from the independent integration",
             norm: "Relative error of the coefficient of dt^(3/2) in the restitution, extrapolated to a step of no length",

@@ -4,7 +4,7 @@ use super::motion::{difference, recorded_motion};
 use super::stored;
 use crate::checks::dem::scenes::{advance, bits, world};
 use crate::checks::{
-    Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest,
+    Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest, thesis,
 };
 use crate::oracles::oscillator::truncated_restitution;
 use gouge_common::geometry::Vec2;
@@ -19,7 +19,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "references.differences.cundall-strack",
             claim: "The spring of (42) as printed and the spring that LAMMPS and YADE cut back give the same bits until a contact at the Coulomb limit is to unload: then the printed force stays at the limit, against the velocity, and the other follows its spring.",
-            equations: "(42), E15",
+            equations: thesis("(42), E15"),
             scene: "The runs of lammps/cundall-strack with both laws",
             oracle: "In the first step that differs: the printed force is the Coulomb limit, and the cut-back spring is below it or points the other way",
             norm: "Runs that part otherwise",
@@ -31,7 +31,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "references.differences.inertia",
             claim: "Where a contact slides from first to last, discs with the inertia of cylinders move as spheres do and their spins change by four fifths.",
-            equations: "(41), (53)",
+            equations: thesis("(41), (53)"),
             scene: "The runs of lammps/disc-inertia",
             oracle: "LAMMPS with the moment of inertia of a disc; ratio of 2/5 to 1/2",
             norm: "Largest difference of a position, velocity or spin after the impact, in units of the largest displacement, speed and spin",
@@ -43,7 +43,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "references.differences.damping",
             claim: "A coefficient of damping means three things: in LAMMPS gamma itself or gamma over the effective mass, in YADE twice gamma, as two materials act in series; so read, all rebounds have the restitution of (36).",
-            equations: "(35), (36)",
+            equations: thesis("(35), (36)"),
             scene: "The runs of lammps/kelvin-voigt, lammps/mass-damping and yade/kelvin-voigt",
             oracle: "Closed form of the truncated Kelvin-Voigt collision",
             norm: "Difference of the restitution in units of 2 zeta w dt + (w dt)^2",
@@ -55,7 +55,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "references.differences.arms",
             claim: "With the thesis's lever arms, all of them the radius or all the distance to the focal point, motion differs from that of programs that mix them by no more than eight overlaps in units of the smallest radius.",
-            equations: "(7), (34), (45), (112)",
+            equations: thesis("(7), (34), (45), (112)"),
             scene: "Oblique impacts of LAMMPS and YADE, with their steps but the thesis's arms",
             oracle: "The recorded motion",
             norm: "Largest difference of a recorded quantity, in units of the largest of its kind and of the largest overlap over the smallest radius",

@@ -8,7 +8,7 @@ mod observables;
 mod overview;
 mod stretched;
 
-use crate::checks::{Check, Effort, Failure, Origin, Outcome, Topic};
+use crate::checks::{Check, Effort, Evidence, Failure, Origin, Outcome, Topic};
 use gouge_runner::references::{Case, case};
 
 /// The topic.
@@ -93,7 +93,7 @@ fn step_by_step(path: &'static str, id: &'static str, measure: fn() -> Outcome) 
     Check {
         id,
         claim: text(|case| &case.title),
-        equations: text(|case| &case.equations),
+        equations: Evidence::parse(text(|case| &case.equations)).unwrap_or_default(),
         scene: text(|case| &case.laws),
         oracle: text(|case| &case.settings),
         norm: "Largest difference of a position, velocity, spin, force or torque at any recorded step, in units of the largest displacement, speed, spin, force or torque of the run; rotation and translation count alike at the smallest radius",

@@ -2,7 +2,7 @@
 
 use super::motion;
 use crate::checks::{
-    Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest,
+    Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest, thesis,
 };
 use gouge_runner::references::{Case, Compared, case, paths};
 
@@ -11,7 +11,7 @@ pub fn check() -> Check {
     Check {
         id: "references.overview",
         claim: "Every stored case names its engine, version, inputs and runs, and every stored motion is the kernel's within its tolerance.",
-        equations: "(28)-(58)",
+        equations: thesis("(28)-(58)"),
         scene: "All cases of the folder references",
         oracle: "LAMMPS and YADE",
         norm: "Cases without a version or a run, with inputs that are not those that the engine was given, by SHA-256, or whose motion differs by more than their tolerance",

@@ -3,7 +3,7 @@
 use super::motion::recorded_motion;
 use super::stored;
 use crate::checks::dem::scenes::world;
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::stretched::{Pair, Stretched};
 use gouge_dem::World;
 use gouge_runner::references::Table;
@@ -13,7 +13,7 @@ pub fn check() -> Check {
     Check {
         id: "references.differences.beam",
         claim: "What is left between the kernel and the bond of LAMMPS while its line turns is the growth of the shearing moment with the square of the distance: with it, an integration of its own follows LAMMPS.",
-        equations: "(29)-(34), (43)-(45)",
+        equations: thesis("(29)-(34), (43)-(45)"),
         scene: "The runs of lammps/bond-frame",
         oracle: "Recorded motion; the beam with that moment, stepped as LAMMPS steps",
         norm: "Largest difference of a place, velocity or spin at any recorded step, in units of the largest displacement, speed and spin",

@@ -2,7 +2,7 @@
 
 use super::modes::{Linearised, Mode};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::amplification::{
     Method, boundary, characteristic, closed_boundary, course, one_step,
@@ -15,7 +15,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.amplification.polynomial",
             claim: "The polynomials of growth that the kernel states for its five integrators are the characteristic polynomials of the methods' one-step matrices.",
-            equations: "(55)-(58)",
+            equations: thesis("(55)-(58)"),
             scene: "120 pairs of squared frequency and damping, in units of the step, from 1e-4 to 10",
             oracle: "One step of each method as a matrix of rows written from its definition; coefficients by Faddeev and Le Verrier",
             norm: "Largest difference of the n-th coefficient in units of the n-th power of the matrix norm",
@@ -27,7 +27,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.amplification.boundary",
             claim: "The kernel's critical steps are those at which the largest eigenvalue of the one-step matrix exceeds one by the 1e-9 that the kernel admits, for damping ratios from 0 to 20.",
-            equations: "(55)-(58)",
+            equations: thesis("(55)-(58)"),
             scene: "An oscillator of unit frequency, 29 damping ratios, five integrators",
             oracle: "Bisection of the spectral radius, eigenvalues by nalgebra",
             norm: "Largest relative difference of critical steps",
@@ -39,7 +39,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.amplification.closed",
             claim: "The steps at which the one-step matrices become unstable have the closed forms 2 zeta or 2 (zeta - sqrt(zeta^2 - 1)) for Euler, 2 (sqrt(1 + zeta^2) - zeta), min(4 zeta, 1/zeta), 2 (sqrt(1 + 4 zeta^2) - 2 zeta) for velocity Verlet and, from 2 % of critical damping, (sqrt(400 zeta^2 + 84) - 20 zeta)/7 for Beeman.",
-            equations: "(55)-(58)",
+            equations: thesis("(55)-(58)"),
             scene: "The same oscillators",
             oracle: "Closed forms from determinant one or a root at minus one",
             norm: "Largest relative difference of critical steps",
@@ -51,7 +51,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.amplification.course",
             claim: "Sixty steps of the kernel, linearised by dual numbers, are sixty products with the one-step matrix: for bonds along, across and bending, for squeezed, sticking and rubbing contacts and for drag.",
-            equations: "(17)-(19), (36), (41)-(45), (55)-(58)",
+            equations: thesis("(17)-(19), (36), (41)-(45), (55)-(58)"),
             scene: "Seven modes of two or three grains of 1 mm, five integrators, five damping ratios, three steps from stable to unstable",
             oracle: "Powers of the one-step matrix with the stiffness and damping of the mode in closed form",
             norm: "Largest difference of amplitude and speed in units of the largest so far",

@@ -2,7 +2,7 @@
 
 use super::modes::{Linearised, Mode, integrator_name};
 use super::running::grows;
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::amplification::{Method, boundary};
 use rayon::prelude::*;
 
@@ -11,7 +11,7 @@ pub fn checks() -> Vec<Check> {
     let check = |id, effort, measure| Check {
         id,
         claim: "Half a per cent below the critical step of theory no run of the kernel grows, half a per cent above it every run does: bonds along, across and bending, squeezed, sticking and rubbing contacts and drag, with every integrator.",
-        equations: "(17)-(19), (36), (41)-(45), (55)-(58)",
+        equations: thesis("(17)-(19), (36), (41)-(45), (55)-(58)"),
         scene: "Seven modes of two or three grains in linear motion; damping ratios from 0.1 to 4",
         oracle: "Step at which the largest eigenvalue of the one-step matrix reaches one",
         norm: "Runs on the wrong side",

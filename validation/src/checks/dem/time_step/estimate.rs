@@ -2,7 +2,7 @@
 
 use super::network::linearise;
 use crate::checks::dem::scenes::{head, particle, world};
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::amplification::Method;
 use gouge_dem::{World, stable_step_estimate};
 
@@ -10,7 +10,7 @@ pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "time-step.estimate",
         claim: "For a pair of equal masses with one kind of spring the estimate of the stable step is the largest stable step itself; for a beam it is so in the limit of unlike radii, where its stiffest mode tends to 9/2 k/m.",
-        equations: "(36)-(45), (59)-(60)",
+        equations: thesis("(36)-(45), (59)-(60)"),
         scene: "Two spheres of equal mass that touch, or are bonded: Kelvin-Voigt, viscoelastic at an overlap of a tenth of the smaller radius, sticking friction of three laws, a stretching bond, a beam between radii of a ratio of ten million; velocity Verlet and symplectic Euler",
         oracle: "Stiffness and damping of the pair by dual numbers; definiteness of the polynomial of the method at minus one, by bisection",
         norm: "Relative difference of the step",

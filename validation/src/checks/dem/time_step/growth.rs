@@ -2,7 +2,7 @@
 
 use super::modes::{Linearised, Mode, RADIUS, mass};
 use crate::checks::dem::scenes::{head, particle, world};
-use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::amplification::{Method, boundary, spectral_radius};
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.thesis.growth",
             claim: "Under explicit Euler with 10 ns the sticking spring of the thesis (1e8 kg/s^2, undamped) grows by the factor 1.00309 a step, e-fold in 3.2 us, while its damped bonds and contacts die out; the kernel grows and decays at the predicted rates.",
-            equations: "(36), (41)-(45), (55)",
+            equations: thesis("(36), (41)-(45), (55)"),
             scene: "Modes of grains of 1 mm with the constants of thesis section 4.2, 400 steps of 10 ns",
             oracle: "Largest eigenvalue of the one-step matrix",
             norm: "Largest relative difference of the factor a step",
@@ -24,7 +24,7 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.thesis.viscous",
             claim: "Grains that all turn alike are slowed by z viscous contacts at the rate 5 z gamma/m, so that explicit Euler bears 11.3 ns with four contacts and 7.5 ns with six: less than the thesis's step for six, and for the smallest grains 6.4 and 4.3 ns, less for both.",
-            equations: "(22), (41), (53), (55)",
+            equations: thesis("(22), (41), (53), (55)"),
             scene: "A grain of 1 mm within a square and within a hexagon of equal grains, all turning, Haff-Werner friction of 100 kg/s below its limit",
             oracle: "A slip of 2 r w at each contact on a moment of inertia 2/5 m r^2",
             norm: "Relative difference of the rate; differences of the quoted steps to their last digit",

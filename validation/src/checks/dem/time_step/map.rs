@@ -6,6 +6,7 @@ use super::running::grows;
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Style, Table,
+    thesis,
 };
 use crate::oracles::amplification::{Method, crossings, spectral_radius};
 use rayon::prelude::*;
@@ -17,7 +18,7 @@ pub fn checks() -> Vec<Check> {
     let map = |id, scene, effort, measure| Check {
         id,
         claim: "Over steps and damping ratios, every run more than half a per cent from the boundary of theory grows or does not as theory says.",
-        equations: "(8), (17), (55)-(58), (67)",
+        equations: thesis("(8), (17), (55)-(58), (67)"),
         scene,
         oracle,
         norm: "Runs on the wrong side",
@@ -29,7 +30,7 @@ pub fn checks() -> Vec<Check> {
     let slipping = |id, scene, effort, measure| Check {
         id,
         claim: "A sticking contact grows exactly where theory lets its spring grow (Beeman: up to w dt = 1.096 and again above 1.309), whatever the stiffness ratio and the coefficient of friction, and slip bounds what grows.",
-        equations: "(36), (42), (55)-(58)",
+        equations: thesis("(36), (42), (55)-(58)"),
         scene,
         oracle,
         norm: "Runs on the wrong side, and runs beyond the bound",

@@ -51,10 +51,8 @@ pub fn linearise(world: &World, model: Model) -> Result<Linearisation, Failure> 
                 let forces = slopes(world, model, variable, coordinate, &moved)?;
                 for &i in &moved {
                     let column = COORDINATES * i + coordinate;
-                    for &j in neighbours[i].iter().chain([&i]) {
-                        let rows = forces[j].into_iter().enumerate();
-                        entries.extend(rows.map(|(n, f)| (COORDINATES * j + n, column, -f)));
-                    }
+                    let touched = neighbours[i].iter().chain([&i]);
+                    entries.extend(touched.flat_map(|&j| column_entries(j, column, forces[j])));
                 }
             }
         }
@@ -72,6 +70,16 @@ pub fn linearise(world: &World, model: Model) -> Result<Linearisation, Failure> 
         asymmetry,
         evaluations: 2 * COORDINATES * number,
     })
+}
+
+/// What the force on a particle, as a slope, contributes to a column.
+fn column_entries(
+    particle: usize,
+    column: usize,
+    slope: [f64; COORDINATES],
+) -> impl Iterator<Item = Entry> {
+    let rows = slope.into_iter().enumerate();
+    rows.map(move |(n, f)| (COORDINATES * particle + n, column, -f))
 }
 
 /// Particles that share a bond, or might share a contact, with each.

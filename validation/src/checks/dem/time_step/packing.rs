@@ -6,33 +6,45 @@ use super::modes::{Mode, integrator_name};
 use super::network::Linearisation;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
-    largest,
+    largest, thesis,
 };
 use crate::oracles::amplification::{Method, boundary, closed_boundary, spectral_radius};
 use gouge_dem::stable_step_estimate;
 
+const ORACLE: &str = "All eigenvalues of the mass-scaled stiffness where damping is proportional to it, positive definiteness of the pencil at minus one where it is not, by faer";
+
 /// The checks of this file.
 pub fn checks() -> Vec<Check> {
-    let oracle = "All eigenvalues of the mass-scaled stiffness where damping is proportional to it, positive definiteness of the pencil at minus one where it is not, by faer";
-    vec![
-        Check {
-            id: "time-step.packing.symmetric",
-            claim: "Stiffness and damping of a bonded packing are symmetric matrices, and with the thesis's constants damping is 1e-6 s of stiffness.",
-            equations: "(43)-(45)",
-            scene: "The packing of granite-fault-small, bonded, before it is cut: 172 grains",
-            oracle: "Slopes of all forces by dual numbers; their mirror, and K gamma/k",
-            norm: "Largest difference of an entry, in units of the largest",
-            origin: Origin::Exact,
-            reason: "Each entry is a sum of at most ten bonds with some twenty roundings",
-            effort: Effort::Thorough,
-            measure: symmetric,
-        },
+    let mut checks = vec![symmetry()];
+    checks.extend(boundaries());
+    checks.extend(estimates());
+    checks
+}
+
+fn symmetry() -> Check {
+    Check {
+        id: "time-step.packing.symmetric",
+        claim: "Stiffness and damping of a bonded packing are symmetric matrices, and with the thesis's constants damping is 1e-6 s of stiffness.",
+        equations: thesis("(43)-(45)"),
+        scene: "The packing of granite-fault-small, bonded, before it is cut: 172 grains",
+        oracle: "Slopes of all forces by dual numbers; their mirror, and K gamma/k",
+        norm: "Largest difference of an entry, in units of the largest",
+        origin: Origin::Exact,
+        reason: "Each entry is a sum of at most ten bonds with some twenty roundings",
+        effort: Effort::Thorough,
+        measure: symmetric,
+    }
+}
+
+/// Checks of where runs of the small packing run away.
+fn boundaries() -> [Check; 2] {
+    [
         Check {
             id: "time-step.packing.proportional",
             claim: "The packing with the thesis's damping runs away half a per cent above the exact critical step of each integrator, and half a per cent below it no integrator does.",
-            equations: "(43)-(45), (55)-(58)",
+            equations: thesis("(43)-(45), (55)-(58)"),
             scene: "The same packing, set off by random speeds of 1e-9 m/s",
-            oracle,
+            oracle: ORACLE,
             norm: "Runs on the wrong side",
             origin: Origin::Exact,
             reason: "Forces of a growing mode overtake all others within thousands of steps; below the boundary the forces of every mode die",
@@ -42,21 +54,27 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.packing.general",
             claim: "Where bending is damped four times as strongly as stretching, so that damping is not proportional to stiffness, symplectic Euler and velocity Verlet still run away between half a per cent below and above the step at which 4 M - 2 dt C - dt^2 K or 4 M - 4 dt C - dt^2 K stops being positive definite.",
-            equations: "(43)-(45)",
+            equations: thesis("(43)-(45)"),
             scene: "The same packing with other damping",
-            oracle,
+            oracle: ORACLE,
             norm: "Runs on the wrong side",
             origin: Origin::Exact,
             reason: "As with proportional damping",
             effort: Effort::Thorough,
             measure: general,
         },
+    ]
+}
+
+/// Checks of the kernel's estimate, and of everything for the large packing.
+fn estimates() -> [Check; 2] {
+    [
         Check {
             id: "time-step.packing.estimate",
             claim: "The kernel's estimate of the stable step is a lower bound of the exact critical step of symplectic Euler and velocity Verlet, with both dampings.",
-            equations: "(43)-(45)",
+            equations: thesis("(43)-(45)"),
             scene: "The same packings",
-            oracle,
+            oracle: ORACLE,
             norm: "Estimates above the exact step",
             origin: Origin::Exact,
             reason: "Gershgorin's theorem bounds both matrices from above, and both methods lose stability with either",
@@ -66,9 +84,9 @@ pub fn checks() -> Vec<Check> {
         Check {
             id: "time-step.packing.large",
             claim: "The same holds for the packing of granite-fault with its eight thousand coordinates.",
-            equations: "(43)-(45)",
+            equations: thesis("(43)-(45)"),
             scene: "The packing of granite-fault, bonded, before it is cut: 2900 grains",
-            oracle,
+            oracle: ORACLE,
             norm: "Runs on the wrong side, and estimates above the exact step",
             origin: Origin::Exact,
             reason: "As for the small packing",

@@ -1,7 +1,7 @@
 //! Bounds from waves and cracks, and what they mean.
 
 use super::modes::{Mode, mass};
-use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::amplification::{Method, boundary};
 use gouge_dem::integrators::{crack_bound, wave_bound};
 use gouge_dem::material::{Elastic, GRANITE};
@@ -12,7 +12,7 @@ pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "time-step.waves",
         claim: "Waves cross a grain of 1 mm of the thesis's granite in 435 ns and cracks at Mach 15 in 29.0 ns, 24.0 ns for the smallest grain and 16.6 ns for that with the naive upper wave speed of 6.7 km/s; the printed 18 ns is none of them.",
-        equations: "(59)-(62), (66)",
+        equations: thesis("(59)-(62), (66)"),
         scene: "Young's moduli of 30, 50 and 70 GPa, Poisson's ratios from 0.1 to 0.34, densities of 2.6 to 2.8 Mg/m^3, radii of 1 mm and of the smallest grain",
         oracle: "Speeds from Lame's constants: c_P^2 = (lambda + 2 mu)/rho, c_S^2 = mu/rho; the printed value is compared in the table",
         norm: "Largest relative difference of a speed or a bound; the three quoted values to the digits quoted",

@@ -69,7 +69,7 @@ pub struct Thesis {
 }
 
 /// What the choice of the thesis costs.
-pub fn thesis(case: &Case, sweeps: &[Sweep]) -> Option<Thesis> {
+pub fn cost_of_thesis(case: &Case, sweeps: &[Sweep]) -> Option<Thesis> {
     let rung = sweeps.first()?.rungs.get(case.doublings as usize)?;
     let time = rung.time?.median;
     let slower = fastest(sweeps, rung.error);
@@ -139,7 +139,7 @@ pub fn words(case: &Case, sweeps: &[Sweep]) -> String {
             names.join(" or ")
         ),
     });
-    sentences.extend(thesis(case, sweeps).map(|thesis| thesis_words(case, &thesis)));
+    sentences.extend(cost_of_thesis(case, sweeps).map(|thesis| thesis_words(case, &thesis)));
     sentences.join(" ")
 }
 

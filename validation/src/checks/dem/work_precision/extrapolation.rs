@@ -81,6 +81,7 @@ pub fn limit_of(origin: &Origin, endings: &[Vec<Vec2>]) -> Truth {
 mod tests {
     use super::limit_of;
     use crate::checks::dem::work_precision::PAIR;
+    use approx::abs_diff_eq;
     use gouge_common::geometry::Vec2;
 
     #[test]
@@ -96,7 +97,7 @@ mod tests {
         let truth = limit_of(&origin, &endings);
         assert!(truth.uncertainty > 0.0);
         for (place, x) in truth.positions.iter().zip([2.0, -2.0]) {
-            assert!((place[0].hi() - x).abs() < 1e-14 && place[1].hi() == 1.0);
+            assert!(abs_diff_eq!(place[0].hi(), x, epsilon = 1e-14) && place[1].hi() == 1.0);
         }
     }
 }

@@ -125,6 +125,7 @@ mod tests {
     use crate::checks::dem::work_precision::sweep::{Precision, Rung, Spread, Sweep};
     use crate::checks::dem::work_precision::verdict::slope;
     use crate::checks::dem::work_precision::{PACKING, PAIR, VERLET};
+    use approx::abs_diff_eq;
     use gouge_runner::scene::INTEGRATORS;
 
     /// Dashpots act in both scenes.
@@ -150,7 +151,7 @@ mod tests {
             let settled = rungs.iter().filter(|rung| rung.step <= coarsest);
             let order = slope(settled);
             assert!(
-                (order - ORDER).abs() <= case.margin,
+                abs_diff_eq!(order, ORDER, epsilon = case.margin),
                 "{}: order {order}",
                 case.name
             );

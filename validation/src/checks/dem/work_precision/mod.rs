@@ -11,7 +11,7 @@ mod summary;
 mod sweep;
 mod verdict;
 
-use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Topic};
+use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Topic, thesis};
 pub use extrapolation::limit_of;
 use gouge_runner::scene::INTEGRATORS;
 pub use scenes::{PACKING, PAIR};
@@ -44,7 +44,7 @@ fn scalars() -> Check {
     Check {
         id: "work-precision.scalars",
         claim: "Where the error in single precision no longer falls with the step, that in double and double-double still falls at order two, towards the limit of vanishing steps.",
-        equations: "(43)-(45), (51)-(55)",
+        equations: thesis("(43)-(45), (51)-(55)"),
         scene: "Two bonded grains, velocity Verlet, steps from 1.25 to 0.16 ns; double-double from 40 to 5 ns",
         oracle: "Limit of vanishing steps in double-double, by extrapolation, the same for velocity Verlet and Beeman",
         norm: "Largest distance of an order from two, of the order in single from none if it is positive, of an error in single over its bound, and of the uncertainty of the reference from zero in units of the smallest error",
@@ -59,7 +59,7 @@ fn orders() -> Check {
     Check {
         id: "work-precision.orders",
         claim: "In seven scenes from two bonded grains to a sheared fault each integrator reaches its order: that of theory where forces have no more than kinks, 3/2 at most where they begin like a root, one where they jump.",
-        equations: "(35)-(45), (51)-(58)",
+        equations: thesis("(35)-(45), (51)-(58)"),
         scene: "The seven scenes of the diagrams, four to nine steps each",
         oracle: "High-order integration from event to event in double-double (bouncing, rolling, packings), or the limit of vanishing steps in double-double (bonded pair and beam, fault)",
         norm: "Largest distance of an observed order from the predicted one, and of the uncertainty of the reference from zero in units of the smallest error, each over what it may be",
@@ -146,7 +146,7 @@ fn diagrams() -> impl Iterator<Item = Check> {
     DIAGRAMS.into_iter().map(|(id, claim, scene, oracle, measure)| Check {
         id,
         claim,
-        equations: "(35)-(45), (51)-(58)",
+        equations: thesis("(35)-(45), (51)-(58)"),
         scene,
         oracle,
         norm: "Largest error of a position at the end over the largest displacement; of its observed orders the one farthest from prediction",

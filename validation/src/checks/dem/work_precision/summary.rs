@@ -1,17 +1,17 @@
 //! All scenes in one table.
 
-use super::advice::{fastest, ratio, thesis, useless};
+use super::advice::{cost_of_thesis, fastest, ratio, useless};
 use super::scenes::CASES;
 use super::show::Curves;
 use super::{VERLET, curves};
-use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table};
+use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table, thesis};
 
 /// The check that sums up.
 pub fn check() -> Check {
     Check {
         id: "work-precision.summary",
         claim: "With the step of the thesis forward Euler is in no scene as accurate as velocity Verlet, which evaluates forces as often.",
-        equations: "(55)-(58)",
+        equations: thesis("(55)-(58)"),
         scene: "The seven scenes of the diagrams, 10 ns or the same fraction of their time scale",
         oracle: "Those of the diagrams",
         norm: "Number of scenes in which forward Euler has the smaller error",
@@ -62,7 +62,7 @@ fn row(curves: &Curves) -> Vec<String> {
             .map_or("none", |(sweep, _)| sweep.integrator)
             .to_owned()
     };
-    let thesis = thesis(curves.case, &curves.methods);
+    let thesis = cost_of_thesis(curves.case, &curves.methods);
     let error = thesis.as_ref().map_or(f64::INFINITY, |thesis| thesis.error);
     let slower = thesis.as_ref().and_then(|thesis| Some(thesis.slower?.0));
     let fraction = thesis

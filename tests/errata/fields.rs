@@ -1,0 +1,257 @@
+//! Fields, driving and friction.
+
+use crate::worlds::{INTEGRATORS, advance, head, particle, world};
+use approx::{abs_diff_eq, assert_relative_eq, relative_eq};
+use gouge_common::geometry::Vec2;
+use gouge_dem::World;
+use gouge_dem::estimators::{friction_feedback, friction_load};
+use gouge_dem::laws::{characteristic_length, drag_coefficient};
+use std::f64::consts::PI;
+
+#[test]
+fn the_drag_of_other_shapes_has_the_base_ten() {
+    // At large Reynolds numbers only the last term is left: 0.42 for a sphere; general sphericities of
+    // 10^-1 and 10^-32, of whose logarithms 1 and 2 are the fifth roots, add a factor of 10^0.4 or 10^0.8.
+    let limit = |sphericity: f64| drag_coefficient(1e300, [1.0, sphericity, 1.0]);
+    assert_relative_eq!(limit(1.0), 0.42, epsilon = 0.0, max_relative = 1e-12);
+    assert_relative_eq!(
+        limit(0.1),
+        0.42 * 100.0_f64.powf(0.2),
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
+    assert_relative_eq!(
+        limit(1e-32),
+        0.42 * 10_000.0_f64.powf(0.2),
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
+    // The first term goes with the root of the lengthwise sphericity, the last with the crosswise one.
+    let at = |lengthwise, crosswise| drag_coefficient(1.0, [lengthwise, 1.0, crosswise]);
+    assert_relative_eq!(
+        at(0.25, 1.0) - at(1.0, 1.0),
+        8.0,
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
+    assert_relative_eq!(
+        at(1.0, 0.5) - at(1.0, 1.0),
+        0.42,
+        epsilon = 0.0,
+        max_relative = 1e-12
+    );
+    // The third term at Re = 1: what is left over of a sphericity of 1/16 has 3 times 16 to 3/4.
+    let whole = drag_coefficient(1.0, [1.0, 0.0625, 1.0]);
+    let rest = whole - 8.0 - 16.0 * 4.0 - limit(0.0625);
+    assert!(
+        relative_eq!(rest, 24.0, epsilon = 0.0, max_relative = 1e-12),
+        "{rest}"
+    );
+}
+
+/// Two driven particles of different size in a drag, with an exact controller.
+fn driven(more: &str) -> World {
+    let text = head("symplectic-euler", 1e-7)
+        + "[box]\nwidth = 0.02\n[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n[driving]\n"
+        + more
+        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
+        + "role = \"driven\"\n"
+        + &particle([0.01, 0.0], [1.0, 0.0], 0.0, 2e-3)
+        + "role = \"driven\"\n";
+    world(&text)
+}
+
+#[test]
+fn exact_driving_holds_the_mean_speed_and_the_load() {
+    let mut world = driven("controller = \"exact\"\nspeed = 2.0\npressure = 1e6\n");
+    for _ in 0..50 {
+        advance(&mut world, 1);
+        let v = &world.particles().velocity;
+        assert_relative_eq!(
+            0.5 * (v[0].x + v[1].x),
+            2.0,
+            epsilon = 0.0,
+            max_relative = 1e-12
+        );
+        // The load is a sum over the driven, points down, and acts on the width times twice the mean
+        // radius: 1 MPa on 20 mm times 3 mm.
+        assert_relative_eq!(
+            world.drive().force.y,
+            -60.0,
+            epsilon = 0.0,
+            max_relative = 1e-12
+        );
+    }
+    assert_relative_eq!(
+        characteristic_length(&[1e-3, 2e-3]),
+        3e-3,
+        epsilon = 0.0,
+        max_relative = 1e-15
+    );
+    // Each carries the same share, along the axes of the laboratory.
+    let mut world = driven(
+        "controller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 2.0\npressure = 0.0\n\
+         initial_force = [6.0, -4.0]\n",
+    );
+    world.evaluate_if_pending().expect("finite");
+    let drag = 6.0 * PI * 2e-3;
+    let force = &world.forces().force;
+    assert_eq!(force[0], Vec2::new(3.0, -2.0));
+    assert!((force[1] - Vec2::new(3.0 - drag, -2.0)).norm() < 1e-15);
+}
+
+#[test]
+fn exact_driving_settles_with_every_integrator() {
+    // A grain in a viscous medium begins at rest, has to move at 2 m/s, and is then held there against
+    // a drag of 6 pi eta r v, which is all that the force has to balance.
+    for integrator in INTEGRATORS {
+        let text = head(integrator, 1e-6)
+            + "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
+               [driving]\ncontroller = \"exact\"\nspeed = 2.0\npressure = 0.0\narea = 1.0\n"
+            + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
+            + "role = \"driven\"\n";
+        let mut world = world(&text);
+        advance(&mut world, 200);
+        for _ in 0..20 {
+            advance(&mut world, 1);
+            assert!(
+                relative_eq!(
+                    world.particles().velocity[0].x,
+                    2.0,
+                    epsilon = 0.0,
+                    max_relative = 1e-12
+                ),
+                "{integrator}"
+            );
+            let force = world.drive().force.x;
+            assert!(
+                relative_eq!(
+                    force,
+                    6.0 * PI * 1e-3 * 2.0,
+                    epsilon = 0.0,
+                    max_relative = 1e-10
+                ),
+                "{integrator}: {force}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_rate_limited_controller_brings_the_reaction_to_the_load() {
+    let text = head("symplectic-euler", 1e-8)
+        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e6\ndamping = 3.0\n\
+           [driving]\ncontroller = \"rate-limited\"\nforce_rate = 1e3\nspeed = 0.0\npressure = 1e5\n\
+           area = 1e-5\n"
+        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
+        + "role = \"fixed\"\n"
+        + &particle([0.0, 2e-3], [0.0, 0.0], 0.0, 1e-3)
+        + "role = \"driven\"\n";
+    let mut world = world(&text);
+    advance(&mut world, 50_000);
+    assert!(
+        abs_diff_eq!(world.drive().force.y, -0.5, epsilon = 0.005),
+        "the rate limits the force"
+    );
+    advance(&mut world, 150_000);
+    for _ in 0..100 {
+        advance(&mut world, 100);
+        let drive = world.drive();
+        assert!(
+            abs_diff_eq!(drive.reaction.y, 1.0, epsilon = 0.01)
+                && abs_diff_eq!(drive.force.y, -1.0, epsilon = 0.01),
+            "{drive:?}"
+        );
+    }
+}
+
+#[test]
+fn friction_is_the_signed_ratio_of_sums() {
+    // Dragged at constant speed through a medium while a well carries the load: 6 pi eta r v / (p A).
+    for speed in [2.0, -2.0] {
+        let text = head("symplectic-euler", 1e-6)
+            + "[box]\nheight = 0.2\n[ambient]\nlaw = \"creeping\"\nviscosity = 10.0\n\
+               [external]\nlaw = \"harmonic-well\"\nstiffness = 1e3\n"
+            + &format!(
+                "[driving]\ncontroller = \"exact\"\nspeed = {speed:e}\npressure = 1e3\narea = 1e-3\n"
+            )
+            + &particle([0.0, 0.1], [0.0, 0.0], 0.0, 1e-3)
+            + "role = \"driven\"\n"
+            + &particle([0.5, 0.1], [0.0, 0.0], 0.0, 2e-3)
+            + "role = \"driven\"\n";
+        let mut world = world(&text);
+        advance(&mut world, 30_000);
+        world.evaluate_if_pending().expect("finite");
+        let drive = world.drive();
+        let reaction_ratio = -drive.reaction.x / drive.reaction.y;
+        assert_eq!(friction_feedback(drive), reaction_ratio);
+        // Equal accelerations of both: each share balances its own drag only on the average speed.
+        assert!(
+            relative_eq!(drive.reaction.y, 1.0, epsilon = 0.0, max_relative = 1e-6),
+            "the well carries the load: {drive:?}"
+        );
+        assert!(
+            relative_eq!(
+                friction_load(drive),
+                friction_feedback(drive),
+                epsilon = 0.0,
+                max_relative = 1e-6
+            ),
+            "steady motion"
+        );
+        assert!(friction_load(drive) * speed > 0.0);
+    }
+}
+
+#[test]
+fn work_of_driving_is_signed() {
+    // A driven particle is braked by a small constant force: the work is what its energy changes by.
+    let text = head("velocity-verlet", 1e-8)
+        + "[driving]\ncontroller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 0.0\npressure = 0.0\n\
+           area = 1.0\ninitial_force = [-1.0, 0.0]\n"
+        + &particle([0.0, 0.0], [3.0, 0.0], 0.0, 1e-3)
+        + "role = \"driven\"\n";
+    let mut world = world(&text);
+    let before = world.energy();
+    assert!(before.kinetic > 0.0);
+    assert_eq!(
+        before.residual, 0.0,
+        "energies count from the initial state"
+    );
+    advance(&mut world, 2000);
+    let after = world.energy();
+    assert!(after.driving < 0.0);
+    assert_relative_eq!(
+        after.driving,
+        after.kinetic - before.kinetic,
+        epsilon = 0.0,
+        max_relative = 1e-9
+    );
+}
+
+#[test]
+fn a_column_in_a_harmonic_well_has_a_parabolic_pressure() {
+    let (n, k) = (9, 1e2);
+    let mut text = head("velocity-verlet", 1e-7)
+        + "[box]\nheight = 0.02\n[ambient]\nlaw = \"creeping\"\nviscosity = 200.0\n\
+           [external]\nlaw = \"harmonic-well\"\nstiffness = 1e2\n\
+           [contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n";
+    for i in 0..n {
+        let y = 0.01 + 2e-3 * (f64::from(i) - 4.0);
+        text += &particle([0.0, y], [0.0, 0.0], 0.0, 1e-3);
+    }
+    let mut world = world(&text);
+    advance(&mut world, 40_000);
+    let links = world.interactions();
+    assert_eq!(links.len(), n as usize - 1);
+    for link in links {
+        // Sum of k (y - y0) over all grains above the contact: k / (4 r) times (h^2 - y^2).
+        let y = link.focal_point.y - 0.01;
+        let expected = k / 4e-3 * (9e-3_f64.powi(2) - y * y);
+        assert!(
+            abs_diff_eq!(-link.normal_force, expected, epsilon = 2e-3 * expected),
+            "{y}: {}",
+            link.normal_force
+        );
+    }
+}

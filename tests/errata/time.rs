@@ -1,0 +1,115 @@
+//! Time and energy.
+
+use crate::worlds::{advance, head, particle, world};
+use approx::{assert_relative_eq, relative_eq};
+use gouge_dem::integrators::{crack_bound, wave_bound};
+use gouge_dem::material::GRANITE;
+
+#[test]
+fn bounds_of_the_step_are_those_of_waves_and_cracks() {
+    let bound = |r: f64| crack_bound(GRANITE.elastic(), 2700.0, r, 15.0);
+    // Neither the mean nor the smallest radius gives the 18 ns of section 4.2.
+    assert!(
+        relative_eq!(bound(1e-3), 28.998e-9, epsilon = 0.0, max_relative = 1e-4)
+            && relative_eq!(
+                bound(0.82843e-3),
+                24.022e-9,
+                epsilon = 0.0,
+                max_relative = 1e-4
+            )
+    );
+    assert_relative_eq!(
+        wave_bound(GRANITE.elastic(), 2700.0, 1e-3),
+        15.0 * bound(1e-3),
+        epsilon = 0.0,
+        max_relative = 1e-14
+    );
+}
+
+#[test]
+fn a_displacement_below_half_the_spacing_of_numbers_moves_nothing() {
+    let text = head("euler", 1e-8) + &particle([1.0, 0.0], [1e-9, 1e-9], 0.0, 1e-3);
+    let mut world = world(&text);
+    advance(&mut world, 1000);
+    let x = world.particles().position[0];
+    assert_eq!(x.x, 1.0, "lost next to one metre");
+    assert!(
+        relative_eq!(x.y, 1e-14, epsilon = 0.0, max_relative = 1e-9),
+        "kept next to nothing"
+    );
+}
+
+/// Largest residual over the largest energy of a run, and the terms at its end.
+fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
+    let mut world = world(text);
+    let (mut residual, mut scale) = (0.0_f64, world.energy().mechanical());
+    for _ in 0..steps {
+        advance(&mut world, 1);
+        let energy = world.energy();
+        residual = residual.max(energy.residual.abs());
+        scale = scale.max(energy.mechanical());
+    }
+    (residual / scale, world.energy())
+}
+
+/// Two spheres meet obliquely with spin.
+fn oblique(step: f64, law: &str) -> String {
+    head("velocity-verlet", step)
+        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n"
+        + &format!("[contact.tangential]\n{law}")
+        + "[external]\nlaw = \"gravity\"\nacceleration = 1e4\n\
+           [ambient]\nlaw = \"creeping\"\nviscosity = 0.3\n"
+        + &particle([0.0, 0.0], [3.0, 1.0], 900.0, 1e-3)
+        + &particle([2.3e-3, 0.8e-3], [-2.0, 0.0], -200.0, 1.4e-3)
+}
+
+#[test]
+fn the_balance_of_a_collision_closes() {
+    let laws = [
+        (
+            "law = \"haff-werner\"\nfriction = 0.5\ndamping = 3.0\n",
+            1e-3,
+        ),
+        (
+            "law = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 3e6\n",
+            1e-3,
+        ),
+        // Its sign may flip in the middle of a step; the force then jumps by twice the limit.
+        (
+            "law = \"cundall-strack\"\nfriction = 0.5\nstiffness = 3e6\n",
+            1e-2,
+        ),
+    ];
+    for (law, tolerance) in laws {
+        let (coarse, _) = balance(&oblique(4e-9, law), 20_000);
+        let (fine, end) = balance(&oblique(0.5e-9, law), 160_000);
+        assert!(
+            fine < tolerance && fine < coarse.max(1e-7),
+            "{law} {coarse} {fine}"
+        );
+        assert!(end.friction > 0.0 && end.ambient > 0.0, "{end:?}");
+        assert_eq!([end.breaking, end.bonding, end.driving], [0.0; 3]);
+        assert_eq!(end.contact, 0.0, "they have parted");
+    }
+}
+
+#[test]
+fn the_balance_of_a_breaking_bond_closes() {
+    // Pulled apart, or pressed until it breaks, when the contact that begins is booked as bonding.
+    for (speed, bonds) in [(8.0, false), (-8.0, true)] {
+        let text = head("velocity-verlet", 1e-9)
+            + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n\
+               [bond.normal]\nstiffness = 1e7\ndamping = 1.0\n\
+               [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 1.0\n\
+               [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 28e6\ntangential_strength = 16.8e6\n"
+            + &particle([0.0, 0.0], [-speed, 0.0], 1000.0, 1e-3)
+            + &particle([2.0e-3, 0.0], [speed, 0.0], 0.0, 1e-3)
+            + "[[bonds]]\nbetween = [0, 1]\n";
+        let (residual, end) = balance(&text, 5000);
+        assert!(residual < 1e-3, "{residual}");
+        assert!(end.breaking > 0.0 && end.friction > 0.0);
+        assert_eq!(end.bonding > 0.0, bonds, "{end:?}");
+        // Two elements of 28 MPa on pi mm^2 hold at least F^2 / (2 k) when pulled straight.
+        assert!(end.breaking < 88.0_f64.powi(2) / 2e7 * 1.5);
+    }
+}

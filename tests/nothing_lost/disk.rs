@@ -1,0 +1,150 @@
+//! Full disks, foreign files and unfinished runs: nothing is overwritten that was not asked for.
+
+use super::{assert_same, complete, fault, files, kill, meeting, start, text};
+use crate::program::{run, stderr, write_scene};
+use crate::worlds::head;
+use rand_pcg::Pcg64;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Run with files limited to so many blocks of 512 bytes, as if the disk were full then.
+fn on_a_small_disk(blocks: usize, scene: &Path, out: &Path, resume: bool) -> Output {
+    let program = start(scene, out, resume);
+    let mut shell = Command::new("sh");
+    shell.arg("-c").arg(format!(
+        "ulimit -f {blocks}; trap '' XFSZ; exec \"$0\" \"$@\""
+    ));
+    shell.arg(program.get_program()).args(program.get_args());
+    shell.output().expect("a shell")
+}
+
+#[test]
+fn a_full_disk_is_named_and_the_run_continues_when_there_is_room() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
+    complete(&scene, &reference, false);
+    let mut sizes = vec![];
+    // First no checkpoint fits, then ever longer series do.
+    for blocks in [0, 1, 8, 16, 24, 32] {
+        let resume = out.join("checkpoint").exists();
+        let output = on_a_small_disk(blocks, &scene, &out, resume);
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(1), "{blocks}: {said}");
+        assert!(
+            said.starts_with(&format!("gouge: cannot write {}/", out.display())),
+            "{said}"
+        );
+        let series = fs::read_to_string(out.join("series.csv")).expect("a series");
+        assert!(
+            series.is_empty() || series.ends_with('\n'),
+            "half a row: {series}"
+        );
+        assert!(!out.join("summary.json").exists());
+        assert!(
+            !files(&out)
+                .keys()
+                .any(|path| path.extension().is_some_and(|e| e == "partial"))
+        );
+        sizes.push(series.len());
+    }
+    assert!(
+        sizes[2..].windows(2).all(|two| two[0] < two[1]),
+        "{sizes:?}"
+    );
+    complete(&scene, &out, true);
+    assert_same(&out, &reference);
+}
+
+#[test]
+fn a_checkpoint_that_does_not_fit_leaves_the_earlier_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_scene(folder.path(), &fault("euler", "cundall-strack", "none"));
+    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
+    complete(&scene, &reference, false);
+    let mut random = Pcg64::new(31, 32);
+    while !out.join("checkpoint").exists() || out.join("summary.json").exists() {
+        let _ = fs::remove_dir_all(&out);
+        kill(&scene, &out, false, &mut random, 2000);
+    }
+    let path = out.join("checkpoint");
+    let before = fs::read(&path).expect("a checkpoint");
+    let output = on_a_small_disk(before.len() / 1024, &scene, &out, true);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains(text(&path)), "{}", stderr(&output));
+    assert_eq!(fs::read(&path).expect("a checkpoint"), before);
+    complete(&scene, &out, true);
+    assert_same(&out, &reference);
+}
+
+#[test]
+fn an_unfinished_run_is_not_begun_anew() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let out = folder.path().join("out");
+    complete(&scene, &out, false);
+    let done = files(&out);
+    fs::remove_file(out.join("summary.json")).expect("ours");
+    let before = files(&out);
+    for name in [text(&scene), "oblique"] {
+        let output = run(&["run", name, "--out", text(&out)]);
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(
+            said.contains("--resume") && said.contains(text(&out)),
+            "{said}"
+        );
+        assert_eq!(files(&out), before);
+    }
+    complete(&scene, &out, true);
+    assert_eq!(files(&out).len(), done.len());
+    // A finished run may be replaced, but only by a scene that is usable.
+    let before = files(&out);
+    let output = run(&["run", "no-such-scene", "--out", text(&out)]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(files(&out), before);
+    complete(Path::new("oblique"), &out, false);
+    assert_ne!(
+        files(&out)[&out.join("series.csv")],
+        before[&out.join("series.csv")]
+    );
+}
+
+#[test]
+fn foreign_files_survive() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    fs::create_dir_all(out.join("trajectory")).expect("a new folder");
+    let foreign = ["notes.txt", "trajectory/analysis.py", "checkpoint.old"];
+    for name in foreign {
+        fs::write(out.join(name), "precious").expect("ours");
+    }
+    let scene = write_scene(folder.path(), &fault("euler", "cundall-strack", "extxyz"));
+    complete(&scene, &out, false);
+    assert!(out.join("trajectory/frame_000010.xyz").exists());
+    complete(Path::new("head-on"), &out, false);
+    assert!(!out.join("trajectory/frame_000010.xyz").exists());
+    for name in foreign {
+        assert_eq!(fs::read(out.join(name)).expect(name), b"precious");
+    }
+}
+
+#[test]
+fn a_run_does_not_replace_what_its_scene_reads() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let list = folder.path().join("particles.csv");
+    fs::write(&list, "x,y,radius,vx\n0,0,1e-3,1\n1,0,1e-3,0\n").expect("ours");
+    let scene = format!(
+        "particles_file = \"particles.csv\"\n{}",
+        head("euler", 1e-3)
+    );
+    let scene = write_scene(folder.path(), &scene);
+    let before = files(folder.path());
+    let output = run(&["run", text(&scene), "--out", text(folder.path())]);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains(text(&list)), "{said}");
+    assert_eq!(files(folder.path()), before);
+    complete(&scene, &folder.path().join("out"), false);
+}

@@ -1,0 +1,90 @@
+//! What a check stands for: equations, errata, sections and figures, each with the source it is from.
+
+use serde::{Serialize, Serializer};
+use std::fmt;
+
+/// A document whose equations are implemented. Its tables are in `docs/`, in a folder of the same name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Source {
+    /// S. Kiiskinen's thesis (Jyväskylä, 2018).
+    Thesis,
+}
+
+impl Source {
+    /// All sources.
+    pub const ALL: [Self; 1] = [Self::Thesis];
+
+    /// Its name in citations, and the name of its folder in `docs/`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Thesis => "thesis",
+        }
+    }
+}
+
+/// A place in a source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Citation {
+    /// The source.
+    pub source: Source,
+    /// An equation `(42)`, a range of them `(72)-(79)`, an erratum `E15`, `section 4.1` or `figure 8`.
+    pub place: &'static str,
+}
+
+impl Citation {
+    /// Reads what `Display` writes; none if the source is unknown or no place follows.
+    pub fn parse(text: &'static str) -> Option<Self> {
+        let (name, place) = text.split_once(' ')?;
+        let source = Source::ALL.into_iter().find(|one| one.name() == name)?;
+        Some(Self { source, place })
+    }
+}
+
+impl fmt::Display for Citation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.source.name(), self.place)
+    }
+}
+
+/// What a check stands for, printed as `thesis (42), thesis E15`, or as `-` if it stands for no equation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Evidence(Vec<Citation>);
+
+impl Evidence {
+    /// For a check of the program rather than of an equation.
+    pub const NONE: Self = Self(Vec::new());
+
+    /// Reads what `Display` writes; none if any citation cannot be read.
+    pub fn parse(text: &'static str) -> Option<Self> {
+        let citations: Option<Vec<Citation>> = text.split(", ").map(Citation::parse).collect();
+        citations.map(Self)
+    }
+
+    /// The citations, in the order of their declaration.
+    pub fn citations(&self) -> &[Citation] {
+        &self.0
+    }
+}
+
+/// Places in the thesis, separated by commas: `thesis("(42), (72)-(79), E15")`.
+pub fn thesis(places: &'static str) -> Evidence {
+    let source = Source::Thesis;
+    let citation = |place| Citation { source, place };
+    Evidence(places.split(", ").map(citation).collect())
+}
+
+impl fmt::Display for Evidence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.is_empty() {
+            return f.write_str("-");
+        }
+        let words: Vec<String> = self.0.iter().map(ToString::to_string).collect();
+        f.write_str(&words.join(", "))
+    }
+}
+
+impl Serialize for Evidence {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
