@@ -1,28 +1,61 @@
 //! Frames of a trajectory, for ParaView (VTK) and OVITO (extended XYZ).
 
-use super::checkpoint::write_whole;
-use super::output::unbroken_lines;
+mod extxyz;
+mod vtk;
+
+use super::dem;
+use super::folder::write_whole;
+use super::table::Table;
 use crate::error::Error;
-use crate::scene::{Scene, Trajectory, role_name};
-use gouge_common::geometry::Vec2;
+use crate::scene::{Scene, Trajectory};
+use gouge_common::geometry::{Domain, Vec2};
 use gouge_dem::World;
-use gouge_dem::estimators::fragments;
-use gouge_dem::particles::Role;
-use std::fmt::Write;
 use std::path::Path;
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, DataSet, Piece, PolyDataPiece, Version, VertexNumbers, Vtk,
-};
+
+/// What a frame shows, of any model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Time in s.
+    pub time: f64,
+    /// The box.
+    pub domain: Domain,
+    /// Where the particles are, in m.
+    pub positions: Vec<Vec2>,
+    /// Their shapes.
+    pub shapes: Shapes,
+    /// Columns of vectors.
+    pub vectors: Vec<(&'static str, Vec<Vec2>)>,
+    /// Columns of numbers, labels and kinds.
+    pub scalars: Table,
+    /// Pairs of particles between which a line is drawn.
+    pub lines: Vec<(usize, usize)>,
+}
+
+/// Shapes of all particles.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shapes {
+    /// Discs of the given radii in m.
+    Discs(Vec<f64>),
+}
+
+impl Frame {
+    /// The radii of discs.
+    fn radii(&self) -> &[f64] {
+        let Shapes::Discs(radii) = &self.shapes;
+        radii
+    }
+}
 
 /// Write the frame of a sample, if the scene asks for frames.
 ///
 /// # Errors
 /// Failures of the file system.
 pub fn write_frame(scene: &Scene, folder: &Path, sample: u64, world: &World) -> Result<(), Error> {
+    let frame = || dem::frame(scene, world);
     let (ending, text) = match scene.output.trajectory {
         Trajectory::None => return Ok(()),
-        Trajectory::Vtk => ("vtk", vtk(scene, world)?),
-        Trajectory::Extxyz => ("xyz", extxyz(scene, world)),
+        Trajectory::Vtk => ("vtk", vtk::text(&frame())?),
+        Trajectory::Extxyz => ("xyz", extxyz::text(&frame())),
     };
     let frames = folder.join("trajectory");
     std::fs::create_dir_all(&frames).map_err(|error| Error::file("create", &frames, error))?;
@@ -31,7 +64,7 @@ pub fn write_frame(scene: &Scene, folder: &Path, sample: u64, world: &World) -> 
         text.as_bytes(),
     )?;
     if scene.output.trajectory == Trajectory::Vtk {
-        write_series(scene, &frames, sample)?;
+        write_list(scene, &frames, sample)?;
     }
     Ok(())
 }
@@ -58,7 +91,7 @@ pub fn remove_frames(folder: &Path) -> Result<(), Error> {
 }
 
 /// The list of frames and their times that ParaView opens as one animation.
-fn write_series(scene: &Scene, frames: &Path, last: u64) -> Result<(), Error> {
+fn write_list(scene: &Scene, frames: &Path, last: u64) -> Result<(), Error> {
     let entry = |sample: u64| {
         let time = (sample as f64 * scene.output.interval).min(scene.end);
         format!("    {{ \"name\": \"frame_{sample:06}.vtk\", \"time\": {time:?} }}")
@@ -69,113 +102,4 @@ fn write_series(scene: &Scene, frames: &Path, last: u64) -> Result<(), Error> {
         files.join(",\n")
     );
     write_whole(&frames.join("run.vtk.series"), text.as_bytes())
-}
-
-fn extxyz(scene: &Scene, world: &World) -> String {
-    let p = world.particles();
-    let fragments = fragments(world.state());
-    let mut text = format!("{}\n", p.len());
-    if let (Some(width), Some(height)) = (scene.domain.width, scene.domain.height) {
-        let depth = 2.0 * p.largest_radius();
-        let _ = write!(
-            text,
-            "Lattice=\"{width:?} 0 0 0 {height:?} 0 0 0 {depth:?}\" "
-        );
-    }
-    let periodic = if scene.domain.periodic { "T" } else { "F" };
-    let _ = writeln!(
-        text,
-        "Properties=id:I:1:species:S:1:pos:R:3:velo:R:3:radius:R:1:angle:R:1:angular_velocity:R:1:fragment:I:1 \
-         pbc=\"{periodic} F F\" Time={:?}",
-        world.time()
-    );
-    for i in 0..p.len() {
-        let (x, v) = (p.position[i], p.velocity[i]);
-        let _ = writeln!(
-            text,
-            "{i} {} {:?} {:?} 0 {:?} {:?} 0 {:?} {:?} {:?} {}",
-            role_name(p.role[i]),
-            x.x,
-            x.y,
-            v.x,
-            v.y,
-            p.radius[i],
-            p.angle[i],
-            p.angular_velocity[i],
-            fragments.label[i]
-        );
-    }
-    text
-}
-
-/// A legacy VTK file: a vertex a particle, a line a bond.
-fn vtk(scene: &Scene, world: &World) -> Result<String, Error> {
-    let p = world.particles();
-    let flat = |column: &[Vec2]| {
-        column
-            .iter()
-            .flat_map(|v| [v.x, v.y, 0.0])
-            .collect::<Vec<f64>>()
-    };
-    let fragments: Vec<i32> = fragments(world.state())
-        .label
-        .iter()
-        .map(|&label| label as i32)
-        .collect();
-    let roles: Vec<i32> = p
-        .role
-        .iter()
-        .map(|role| match role {
-            Role::Free => 0,
-            Role::Driven => 1,
-            Role::Fixed => 2,
-        })
-        .collect();
-    let vertices = (0..p.len() as u32).flat_map(|i| [1, i]).collect();
-    let bonds: Vec<u32> = unbroken_lines(scene, world)
-        .flat_map(|(i, j)| [2, i as u32, j as u32])
-        .collect();
-    let piece = PolyDataPiece {
-        points: flat(&p.position).into(),
-        verts: Some(VertexNumbers::Legacy {
-            num_cells: p.len() as u32,
-            vertices,
-        }),
-        lines: (!bonds.is_empty()).then_some(VertexNumbers::Legacy {
-            num_cells: bonds.len() as u32 / 3,
-            vertices: bonds,
-        }),
-        polys: None,
-        strips: None,
-        data: Attributes {
-            point: vec![
-                Attribute::scalars("radius", 1).with_data(p.radius.clone()),
-                Attribute::vectors("velocity").with_data(flat(&p.velocity)),
-                Attribute::scalars("angle", 1).with_data(p.angle.clone()),
-                Attribute::scalars("angular_velocity", 1).with_data(p.angular_velocity.clone()),
-                Attribute::scalars("fragment", 1).with_data(fragments),
-                Attribute::scalars("role", 1).with_data(roles),
-            ],
-            cell: vec![],
-        },
-    };
-    let file = Vtk {
-        version: Version::new_legacy(4, 2),
-        title: format!("t = {:?} s", world.time()),
-        byte_order: ByteOrder::BigEndian,
-        file_path: None,
-        data: DataSet::PolyData {
-            meta: None,
-            pieces: vec![Piece::Inline(Box::new(piece))],
-        },
-    };
-    let mut text = String::new();
-    file.write_legacy_ascii(&mut text).map_err(|error| {
-        Error::file(
-            "write",
-            Path::new("trajectory"),
-            std::io::Error::other(error.to_string()),
-        )
-    })?;
-    Ok(text)
 }
