@@ -364,7 +364,7 @@ fn a_state_with_other_columns_is_refused() {
     ]
     .map(changed)
     .to_vec();
-    changes.extend((144..whole.len() - 32).step_by(7).map(|length| {
+    changes.extend((144..whole.len() - 32).step_by(41).map(|length| {
         let mut bytes = whole[..length].to_vec();
         bytes.extend([0; 32]);
         signed(bytes)
