@@ -6,7 +6,7 @@ use gouge_common::geometry::PeriodicX;
 use gouge_common::neighbors::Neighbors;
 use gouge_dem::contacts::{ContactMemory, Contacts};
 use gouge_dem::particles::Particles;
-use gouge_runner::run::{enter, phases};
+use gouge_runner::run::{begin_phase, phases};
 use gouge_runner::scene::{Scene, builtin};
 use gouge_validation::verify;
 use std::hint::black_box;
@@ -27,12 +27,12 @@ fn scenes(criterion: &mut Criterion) {
     });
     let Some(scene) = fault() else { return };
     criterion.bench_function("lay out the grains of the fault", |bencher| {
-        bencher.iter(|| enter(black_box(&scene), &phases(&scene), 0, None));
+        bencher.iter(|| begin_phase(black_box(&scene), &phases(&scene), 0, None));
     });
 }
 
 fn rebuild(criterion: &mut Criterion) {
-    let world = fault().and_then(|scene| enter(&scene, &phases(&scene), 0, None).ok());
+    let world = fault().and_then(|scene| begin_phase(&scene, &phases(&scene), 0, None).ok());
     let Some(world) = world else { return };
     find_neighbors(criterion, world.particles());
     list_contacts(criterion, world.particles());

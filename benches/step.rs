@@ -49,7 +49,7 @@ fn lattice(integrator: &str, parts: &[&str]) -> Option<World> {
     );
     let scene = Scene::parse("bench", text.as_bytes(), Path::new("."));
     let scene = scene.map_err(|error| eprintln!("{error}")).ok()?;
-    gouge_runner::run::enter(&scene, &gouge_runner::run::phases(&scene), 0, None).ok()
+    gouge_runner::run::begin_phase(&scene, &gouge_runner::run::phases(&scene), 0, None).ok()
 }
 
 /// After some steps: in the first one every contact begins, which costs more than all that follows.

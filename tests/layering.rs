@@ -211,6 +211,30 @@ fn the_kernel_touches_nothing_outside_itself() {
 }
 
 #[test]
+fn the_runner_prints_nothing_and_only_one_file_reads_the_environment() {
+    let output = [
+        "print!",
+        "println!",
+        "dbg!",
+        "stdout",
+        "stderr",
+        "indicatif",
+        "process::",
+    ];
+    let environment = ["std::env", "env::"];
+    let source = root().join("runner/src");
+    for file in rust_files(&source) {
+        let text = read(&file);
+        let may_ask = file == source.join("machine.rs");
+        for line in code(&text) {
+            let prints = output.iter().any(|word| line.contains(word));
+            let asks = environment.iter().any(|word| line.contains(word));
+            assert!(!prints && (may_ask || !asks), "{}: {line}", file.display());
+        }
+    }
+}
+
+#[test]
 fn only_passes_write_forces_and_estimators_write_nothing() {
     let source = root().join("kernel/dem/src");
     for file in rust_files(&source) {

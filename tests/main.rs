@@ -22,6 +22,7 @@ mod dual;
 mod calibration;
 mod geometry;
 mod equations;
+mod events;
 mod errata;
 mod identities;
 mod layering;

@@ -7,6 +7,7 @@ use crate::program::{gouge, run, stderr, stdout, write_scene};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use serde_json::Value;
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -301,6 +302,95 @@ fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
     fs::remove_file(&other).expect("ours");
     complete(&scene, &out, true);
     assert_same(&out, &reference);
+}
+
+/// The program wrote version 3 of the format until checkpoints named their model and columns.
+#[test]
+fn a_checkpoint_of_version_3_is_continued() {
+    let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/recorded/checkpoint-3");
+    let folder = tempfile::tempdir().expect("a folder");
+    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
+    fs::create_dir(&out).expect("a new folder");
+    for name in ["checkpoint", "series.csv"] {
+        fs::copy(stored.join(name), out.join(name)).expect("a copy");
+    }
+    let version = |bytes: &[u8]| bytes[VERSION].to_vec();
+    let whole = fs::read(out.join("checkpoint")).expect("a checkpoint");
+    assert_eq!(version(&whole), 3_u64.to_le_bytes());
+    let scene = stored.join("scene.toml");
+    complete(&scene, &reference, false);
+    complete(&scene, &out, true);
+    assert_same(&out, &reference);
+    let last = fs::read(out.join("checkpoint")).expect("a checkpoint");
+    assert_eq!(version(&last), 4_u64.to_le_bytes());
+}
+
+/// Where a checkpoint has the version of its format.
+const VERSION: std::ops::Range<usize> = 48..56;
+/// Where it has the number of letters of its model, and where the model.
+const MODEL: [std::ops::Range<usize>; 2] = [112..120, 120..123];
+
+/// The bytes of a checkpoint with its checksum made right.
+fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
+    let digest = Sha256::digest(&bytes[..bytes.len() - 32]);
+    let place = bytes.len() - 32;
+    bytes[place..].copy_from_slice(&digest);
+    bytes
+}
+
+#[test]
+fn a_state_with_other_columns_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let out = folder.path().join("out");
+    complete(&scene, &out, false);
+    let path = out.join("checkpoint");
+    let whole = fs::read(&path).expect("a checkpoint");
+    assert_eq!(signed(whole.clone()), whole);
+    assert_eq!(whole[MODEL[0].clone()], 3_u64.to_le_bytes());
+    assert_eq!(&whole[MODEL[1].clone()], b"dem");
+    let place_of = |name: &[u8]| {
+        let place = whole.windows(name.len()).position(|bytes| bytes == name);
+        place.expect("a column")
+    };
+    let changed = |place: usize| {
+        let mut bytes = whole.clone();
+        bytes[place] ^= 1;
+        signed(bytes)
+    };
+    // Behind a name stand the kind of the column's shape, its width and the number of its words.
+    let drive = place_of(b"drive");
+    let shape = drive + b"drive".len();
+    let mut changes: Vec<Vec<u8>> = [
+        MODEL[1].start,
+        drive,
+        drive - 8,
+        shape,
+        shape + 8,
+        shape + 16,
+    ]
+    .map(changed)
+    .to_vec();
+    changes.extend((144..whole.len() - 32).step_by(41).map(|length| {
+        let mut bytes = whole[..length].to_vec();
+        bytes.extend([0; 32]);
+        signed(bytes)
+    }));
+    let mut longer = whole.clone();
+    longer.extend([0; 8]);
+    changes.push(signed(longer));
+    for (number, bytes) in changes.into_iter().enumerate() {
+        fs::write(&path, bytes).expect("ours");
+        let output = start(&scene, &out, true)
+            .output()
+            .expect("the program starts");
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(1), "{number}: {said}");
+        assert!(
+            said.contains("its state does not fit the scene"),
+            "{number}: {said}"
+        );
+    }
 }
 
 #[test]

@@ -55,6 +55,30 @@ fn summaries_of_built_in_scenes() {
     }
 }
 
+/// Recorded before the writers of series and frames were made independent of the model.
+#[test]
+fn series_particles_and_frames_of_a_chain() {
+    let chain = include_str!("recorded/checkpoint-3/scene.toml");
+    for (format, ending) in [("vtk", "vtk"), ("extxyz", "xyz")] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = write_scene(
+            folder.path(),
+            &chain.replace("[output]", &format!("[output]\ntrajectory = \"{format}\"")),
+        );
+        let out = folder.path().join("out");
+        let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("UTF-8"));
+        let output = run(&["run", scene, "--out", out, "--quiet"]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        let read = |name: &str| std::fs::read_to_string(format!("{out}/{name}")).expect(name);
+        let frame = read(&format!("trajectory/frame_000020.{ending}"));
+        record(&format!("frame_{format}"), &frame);
+        let series = read("series.csv");
+        let rows: Vec<&str> = series.lines().take(25).collect();
+        record("series_of_a_chain", &rows.join("\n"));
+        record("particles_of_a_chain", &read("particles.csv"));
+    }
+}
+
 #[test]
 fn output_of_commands() {
     for (name, arguments) in [

@@ -3,7 +3,7 @@
 pub use gouge_validation::checks::dem::scenes::{bits, particle};
 
 use gouge_dem::World;
-use gouge_runner::run::{enter, phases};
+use gouge_runner::run::{begin_phase, phases};
 use gouge_runner::scene::{Scene, builtin};
 use std::path::Path;
 
@@ -67,7 +67,7 @@ pub fn sheared_with(replacements: &[(&str, &str)]) -> World {
     let phases = phases(&scene);
     let mut world = None;
     for index in 0..phases.len() {
-        let mut next = enter(&scene, &phases, index, world).expect("enters");
+        let mut next = begin_phase(&scene, &phases, index, world).expect("enters");
         if index + 1 < phases.len() {
             advance(&mut next, phases[index].steps);
         }

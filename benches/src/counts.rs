@@ -9,7 +9,7 @@ use clap::{Subcommand, ValueEnum};
 use gouge_dem::World;
 use gouge_runner::error::Error;
 use gouge_runner::machine::INSTRUCTIONS;
-use gouge_runner::run::words_of;
+use gouge_runner::run::words_of_bytes;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -106,7 +106,7 @@ impl Counted {
     /// Advance a prepared state that was recorded.
     fn run(self, file: &Path, steps: u64) -> Result<(), Error> {
         let bytes = std::fs::read(file).map_err(|error| Error::file("read", file, error))?;
-        let words = words_of(&bytes);
+        let words = words_of_bytes(&bytes);
         let prepared = match self {
             Self::Bonded => fault_again(&words)?,
             _ => pressed_again(&words)?,

@@ -18,7 +18,7 @@ mod worlds;
 use clap::{Parser, Subcommand};
 use counts::{Counting, Errand};
 use gouge_runner::error::Error;
-use gouge_runner::machine::{Caller, start};
+use gouge_runner::machine::{CallingThread, start_pool};
 use lammps::Lammps;
 use machine::Machine;
 use parts::Part;
@@ -112,7 +112,7 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
         Command::Errand(errand) => return errand.run(),
     };
     let rounds = arguments.rounds;
-    let instructions = start(Caller::Steps)?.instructions.name();
+    let instructions = start_pool(CallingThread::JoinsPool)?.instructions.name();
     let before = Machine::measured(instructions);
     let (mut cases, mut parts, mut counting) = (Vec::new(), Vec::new(), None);
     let mut precision = Vec::new();

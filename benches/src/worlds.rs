@@ -4,7 +4,7 @@ use gouge_dem::laws::{CundallStrackTruncated, HaffWerner};
 use gouge_dem::model::{ContactTangential, Model};
 use gouge_dem::{Start, World};
 use gouge_runner::error::Error;
-use gouge_runner::run::{Kind, prepared, recorded};
+use gouge_runner::run::{PhaseKind, run_setup, world_of_record};
 use gouge_runner::scene::{Scene, builtin};
 use std::path::Path;
 use std::time::Instant;
@@ -48,7 +48,7 @@ fn parse(text: &str) -> Result<Scene, Error> {
 fn prepare(text: &str) -> Result<World, Error> {
     let scene = parse(text)?;
     let began = Instant::now();
-    let world = prepared(&scene)?;
+    let world = run_setup(&scene)?;
     let (number, seconds) = (world.particles().len(), began.elapsed().as_secs_f64());
     eprintln!("set up {number} particles in {seconds:.1} s");
     Ok(world)
@@ -87,7 +87,9 @@ pub fn pressed_again(words: &[u64]) -> Result<World, Error> {
 
 /// The world of a scene in a recorded state.
 fn again(text: &str, words: &[u64]) -> Result<World, Error> {
-    let world = recorded(&parse(text)?, Kind::Main, words);
+    let scene = parse(text)?;
+    let record = World::<f64>::record_of_words(scene.integrator, words);
+    let world = record.and_then(|record| world_of_record(&scene, PhaseKind::Main, &record));
     world.ok_or_else(|| Error::Argument("the file holds no state of the scene".to_owned()))
 }
 

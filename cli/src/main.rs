@@ -1,16 +1,18 @@
 //! The `gouge` command: arguments and printing.
 
+mod terminal;
 mod verify;
 
 use clap::{Parser, Subcommand};
 use gouge_runner::error::Error;
-use gouge_runner::machine::{self, Caller};
+use gouge_runner::machine::{CallingThread, start_pool};
 use gouge_runner::scene::Scene;
 use gouge_runner::{commands, run};
 use mimalloc::MiMalloc;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use terminal::Terminal;
 
 /// Puts the columns of large worlds at lines of the cache and into huge pages.
 #[global_allocator]
@@ -77,9 +79,9 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 fn execute(command: Command) -> Result<(), Error> {
-    machine::start(match command {
-        Command::Run { .. } => Caller::Steps,
-        _ => Caller::Waits,
+    start_pool(match command {
+        Command::Run { .. } => CallingThread::JoinsPool,
+        _ => CallingThread::StaysOutside,
     })?;
     let text = match command {
         Command::Run {
@@ -89,12 +91,12 @@ fn execute(command: Command) -> Result<(), Error> {
             quiet,
             checkpoint_interval,
         } => {
-            let manner = run::Manner {
+            let options = run::RunOptions {
                 resume,
-                quiet,
                 checkpoint_interval,
             };
-            return run::run(&Scene::load(&scene)?, &out, manner);
+            let mut terminal = Terminal::new(quiet);
+            return run::run(&Scene::load(&scene)?, &out, options, &mut terminal);
         }
         Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,

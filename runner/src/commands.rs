@@ -16,7 +16,7 @@ const MACH_NUMBER: f64 = 15.0;
 
 /// The world of a scene at t = 0. Scenes with a set-up show it at the beginning of its first phase.
 fn world_of(scene: &Scene) -> Result<World, Error> {
-    Ok(crate::run::enter(
+    Ok(crate::run::begin_phase(
         scene,
         &crate::run::phases(scene),
         0,

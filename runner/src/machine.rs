@@ -12,9 +12,9 @@ pub const INSTRUCTIONS: &str = "GOUGE_INSTRUCTIONS";
 pub const THREADS: &str = "GOUGE_THREADS";
 
 /// Particles below which a second thread costs more than it gives.
-const WORTH_A_THREAD: usize = 10_000;
+const PARTICLES_PER_THREAD: usize = 10_000;
 /// Most threads that one may ask for.
-const MOST_THREADS: usize = 1024;
+const MAX_THREADS: usize = 1024;
 
 /// What the environment asks for.
 #[derive(Clone, Copy, Debug)]
@@ -55,32 +55,33 @@ fn chosen_threads() -> Result<Option<usize>, String> {
         return Ok(None);
     };
     let number = text.to_str().and_then(|text| text.parse().ok());
-    match number.filter(|number| (1..=MOST_THREADS).contains(number)) {
+    match number.filter(|number| (1..=MAX_THREADS).contains(number)) {
         Some(number) => Ok(Some(number)),
         None => Err(format!(
-            "{THREADS} = {}: must be an integer from 1 to {MOST_THREADS}",
+            "{THREADS} = {}: must be an integer from 1 to {MAX_THREADS}",
             text.to_string_lossy()
         )),
     }
 }
 
-/// What a main function does while worlds are computed.
+/// Whether the thread that starts the pool belongs to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Caller {
-    /// It steps them, and is one of the threads: asleep outside the pool it would be woken several times a step.
-    Steps,
-    /// It waits for threads of its own, and must not be missed by the pool.
-    Waits,
+pub enum CallingThread {
+    /// It steps worlds itself, and is one of the threads: outside the pool it would be woken several times per
+    /// step.
+    JoinsPool,
+    /// It waits for threads that it starts, so that the pool cannot count on it.
+    StaysOutside,
 }
 
-/// What the environment asks for, with a pool of as many threads; for main functions.
+/// Start a pool of as many threads as the environment asks for, and return what it asks for; for main functions.
 ///
 /// # Errors
 /// Instructions that this machine has not, numbers of threads that are none.
-pub fn start(caller: Caller) -> Result<Machine, Error> {
+pub fn start_pool(caller: CallingThread) -> Result<Machine, Error> {
     let machine = CHOSEN.clone().map_err(Error::Argument)?;
     let mut pool = ThreadPoolBuilder::new().num_threads(machine.threads.unwrap_or_default());
-    if caller == Caller::Steps {
+    if caller == CallingThread::JoinsPool {
         pool = pool.use_current_thread();
     }
     // A pool that is at work already keeps its threads.
@@ -91,11 +92,12 @@ pub fn start(caller: Caller) -> Result<Machine, Error> {
 /// Threads for a world of so many particles: one, or all of the machine where each has enough to do.
 pub fn default_threads(particles: usize) -> usize {
     let available = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    (particles / WORTH_A_THREAD).clamp(1, available)
+    (particles / PARTICLES_PER_THREAD).clamp(1, available)
 }
 
-/// A world that uses the machine as chosen; where the choice is an error, as without one.
-pub(crate) fn equipped<S: Number>(world: World<S>) -> World<S> {
+/// The world with the instructions and threads that the environment asks for; the default ones if what it asks for
+/// is an error.
+pub(crate) fn with_chosen_execution<S: Number>(world: World<S>) -> World<S> {
     let default = Machine {
         instructions: Instructions::widest(),
         threads: None,

@@ -3,6 +3,7 @@
 pub mod checks;
 pub mod measurements;
 pub mod oracles;
+pub mod references;
 pub mod report;
 pub mod scalars;
 pub mod verify;

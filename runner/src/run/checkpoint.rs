@@ -1,18 +1,34 @@
 //! What `--resume` continues from: written whole or not at all, checked before it is used.
+//!
+//! A checkpoint begins with its name, the fingerprint of the scene and the version of its format, and ends with
+//! a checksum. Between them stand how far the run is and the state, as the tag of its model and named columns.
+//! All numbers are words of eight bytes, the least significant first.
 
-use super::plan::{Kind, model};
+use super::folder::write_whole;
+use super::phases::{PhaseKind, phase_model};
 use crate::error::Error;
-use crate::machine::equipped;
+use crate::machine::with_chosen_execution;
 use crate::scene::{Place, Scene};
+use gouge_common::record::{Column, Record, Shape};
 use gouge_dem::World;
 use sha2::{Digest, Sha256};
-use std::io::Write;
 use std::path::Path;
 
 /// First bytes of every checkpoint.
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
-/// Version of the format, the first word after the fingerprint of the scene.
-const VERSION: u64 = 3;
+/// Version of the format.
+const VERSION: u64 = 4;
+/// The version that held the words of the state without names; it is read, and no longer written.
+const UNNAMED: u64 = 3;
+/// Bytes of a checksum or fingerprint.
+const DIGEST: usize = 32;
+/// Bytes before the version.
+const PREFIX: usize = MAGIC.len() + DIGEST;
+/// Words of the version and the numbers of a run.
+const HEAD: usize = 8;
+
+/// Fingerprint of everything in a scene that decides on the bits of a run.
+pub type Fingerprint = [u8; DIGEST];
 
 /// A moment of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,11 +46,11 @@ pub struct Checkpoint {
     /// Link-steps of the scene proper so far.
     pub link_steps: f64,
     /// The state.
-    pub world: Vec<u64>,
+    pub state: Record,
 }
 
-/// Fingerprint of everything in a scene that decides on the bits of a run.
-pub fn fingerprint(scene: &Scene) -> [u8; 32] {
+/// The fingerprint of a scene.
+pub fn fingerprint(scene: &Scene) -> Fingerprint {
     let mut anonymous = Scene {
         file: String::new(),
         files: Vec::new(),
@@ -62,7 +78,7 @@ impl Checkpoint {
     ///
     /// # Errors
     /// Failures of the file system; the earlier checkpoint is then still there.
-    pub fn write(&self, path: &Path, fingerprint: &[u8; 32]) -> Result<(), Error> {
+    pub fn write(&self, path: &Path, fingerprint: &Fingerprint) -> Result<(), Error> {
         let mut bytes = MAGIC.to_vec();
         bytes.extend(fingerprint);
         let head = [
@@ -75,93 +91,160 @@ impl Checkpoint {
             self.seconds[1].to_bits(),
             self.link_steps.to_bits(),
         ];
-        for word in head.iter().chain(&self.world) {
-            bytes.extend(word.to_le_bytes());
-        }
+        put_words(&mut bytes, &head);
+        put_record(&mut bytes, &self.state);
         let digest = Sha256::digest(&bytes);
         bytes.extend(digest);
         write_whole(path, &bytes)
     }
 
-    /// Read from a file.
+    /// Read the checkpoint of a scene from a file.
     ///
     /// # Errors
     /// Files that are damaged or belong to another scene.
-    pub fn read(path: &Path, fingerprint: &[u8; 32]) -> Result<Self, Error> {
+    pub fn read(path: &Path, scene: &Scene) -> Result<Self, Error> {
         let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-        let wrong = |reason: &str| Error::Checkpoint {
-            path: path.to_owned(),
-            reason: reason.to_owned(),
-        };
-        if bytes.len() < 16 + 32 + 8 * 8 + 32 || &bytes[..16] != MAGIC {
-            return Err(wrong("it is not a checkpoint, or its beginning is damaged"));
+        Self::parse(&bytes, scene).map_err(|reason| refusal(path, reason))
+    }
+
+    fn parse(bytes: &[u8], scene: &Scene) -> Result<Self, &'static str> {
+        if bytes.len() < PREFIX + 8 * HEAD + DIGEST || !bytes.starts_with(MAGIC) {
+            return Err("it is not a checkpoint, or its beginning is damaged");
         }
-        let (content, digest) = bytes.split_at(bytes.len() - 32);
+        let (content, digest) = bytes.split_at(bytes.len() - DIGEST);
         if Sha256::digest(content)[..] != *digest {
-            return Err(wrong(
-                "it is damaged: its checksum does not match its content",
-            ));
+            return Err("it is damaged: its checksum does not match its content");
         }
-        if &content[16..48] != fingerprint {
-            return Err(wrong(
-                "it belongs to another scene, or to another version of the program",
-            ));
+        if content[MAGIC.len()..PREFIX] != fingerprint(scene) {
+            return Err("it belongs to another scene, or to another version of the program");
         }
-        let words = words_of(&content[48..]);
-        if words[0] != VERSION {
-            return Err(wrong("its format has another version"));
-        }
+        let mut rest = Reader(&content[PREFIX..]);
+        let head = rest.words(HEAD as u64).unwrap_or_default();
+        let [
+            version,
+            phase,
+            samples,
+            series_bytes,
+            bonds_initial,
+            whole,
+            main,
+            link_steps,
+        ] = head[..]
+        else {
+            return Err("it is damaged: its beginning is missing");
+        };
+        let state = match version {
+            VERSION => rest.record().filter(|_| rest.0.is_empty()),
+            UNNAMED => World::record_of_words(scene.integrator, &words_of_bytes(rest.0)),
+            _ => return Err("its format has another version"),
+        };
         Ok(Self {
-            phase: words[1],
-            samples: words[2],
-            series_bytes: words[3],
-            bonds_initial: words[4],
-            seconds: [f64::from_bits(words[5]), f64::from_bits(words[6])],
-            link_steps: f64::from_bits(words[7]),
-            world: words[8..].to_vec(),
+            phase,
+            samples,
+            series_bytes,
+            bonds_initial,
+            seconds: [whole, main].map(f64::from_bits),
+            link_steps: f64::from_bits(link_steps),
+            state: state.ok_or("its state does not fit the scene")?,
         })
     }
 
-    /// The state.
+    /// The world in the state.
     ///
     /// # Errors
-    /// Words that are no state of the scene in a phase of the kind.
-    pub fn world(&self, path: &Path, scene: &Scene, kind: Kind) -> Result<World, Error> {
-        recorded(scene, kind, &self.world).ok_or_else(|| Error::Checkpoint {
-            path: path.to_owned(),
-            reason: "its state does not fit the scene".to_owned(),
-        })
+    /// Columns that are no state of the scene in a phase of the kind.
+    pub fn world(&self, path: &Path, scene: &Scene, kind: PhaseKind) -> Result<World, Error> {
+        let world = world_of_record(scene, kind, &self.state);
+        world.ok_or_else(|| refusal(path, "its state does not fit the scene"))
+    }
+}
+
+fn refusal(path: &Path, reason: &str) -> Error {
+    Error::Checkpoint {
+        path: path.to_owned(),
+        reason: reason.to_owned(),
+    }
+}
+
+fn put_words(bytes: &mut Vec<u8>, words: &[u64]) {
+    bytes.extend(words.iter().flat_map(|word| word.to_le_bytes()));
+}
+
+/// A text: its length, then its bytes.
+fn put_text(bytes: &mut Vec<u8>, text: &str) {
+    put_words(bytes, &[text.len() as u64]);
+    bytes.extend(text.as_bytes());
+}
+
+/// A record: its model, the number of its columns, then each with name, shape, number of words and words.
+fn put_record(bytes: &mut Vec<u8>, record: &Record) {
+    put_text(bytes, &record.model);
+    put_words(bytes, &[record.columns.len() as u64]);
+    for column in &record.columns {
+        put_text(bytes, &column.name);
+        let (is_list, width) = match column.shape {
+            Shape::Words(number) => (0, number),
+            Shape::List(width) => (1, width),
+        };
+        put_words(bytes, &[is_list, width as u64, column.words.len() as u64]);
+        put_words(bytes, &column.words);
+    }
+}
+
+/// What is left to read.
+struct Reader<'a>(&'a [u8]);
+
+impl<'a> Reader<'a> {
+    fn bytes(&mut self, number: u64) -> Option<&'a [u8]> {
+        let (read, rest) = self.0.split_at_checked(usize::try_from(number).ok()?)?;
+        self.0 = rest;
+        Some(read)
+    }
+
+    fn words(&mut self, number: u64) -> Option<Vec<u64>> {
+        Some(words_of_bytes(self.bytes(number.checked_mul(8)?)?))
+    }
+
+    fn word(&mut self) -> Option<u64> {
+        self.words(1)?.first().copied()
+    }
+
+    fn text(&mut self) -> Option<String> {
+        let length = self.word()?;
+        String::from_utf8(self.bytes(length)?.to_vec()).ok()
+    }
+
+    fn record(&mut self) -> Option<Record> {
+        let model = self.text()?;
+        let number = self.word()?;
+        let columns = (0..number).map(|_| self.column()).collect::<Option<_>>()?;
+        Some(Record { model, columns })
+    }
+
+    fn column(&mut self) -> Option<Column> {
+        let name = self.text()?;
+        let (kind, width) = (self.word()?, usize::try_from(self.word()?).ok()?);
+        let shape = match kind {
+            0 => Shape::Words(width),
+            1 => Shape::List(width),
+            _ => return None,
+        };
+        let number = self.word()?;
+        let words = self.words(number)?;
+        Some(Column { name, shape, words })
     }
 }
 
 /// The words in bytes, the least significant byte of each first; bytes that fill no word are left out.
-pub fn words_of(bytes: &[u8]) -> Vec<u64> {
+pub fn words_of_bytes(bytes: &[u8]) -> Vec<u64> {
     let (words, _) = bytes.as_chunks();
     words.iter().copied().map(u64::from_le_bytes).collect()
 }
 
-/// The world of a scene in a recorded state of a phase of the kind; nothing if the words are no such state.
-pub fn recorded(scene: &Scene, kind: Kind, words: &[u64]) -> Option<World> {
+/// The world of a scene in a recorded state of a phase of the kind; none if the record is no such state.
+pub fn world_of_record(scene: &Scene, kind: PhaseKind, record: &Record) -> Option<World> {
     // The area of driving depends on the radii, which only the state knows.
-    let bare = World::from_words(model(scene, kind, &[0.0]), words)?;
-    let model = model(scene, kind, &bare.particles().radius);
-    World::from_words(model, words).map(equipped)
-}
-
-/// Write a file so that it is there completely or as it was before.
-///
-/// # Errors
-/// Failures of the file system.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let beside = path.with_extension("partial");
-    let write = || -> std::io::Result<()> {
-        let mut file = std::fs::File::create(&beside)?;
-        file.write_all(bytes)?;
-        file.sync_all()?;
-        std::fs::rename(&beside, path)
-    };
-    write().map_err(|error| {
-        let _ = std::fs::remove_file(&beside);
-        Error::file("write", path, error)
-    })
+    let bare = World::from_record(phase_model(scene, kind, &[0.0]), record)?;
+    let model = phase_model(scene, kind, &bare.particles().radius);
+    World::from_record(model, record).map(with_chosen_execution)
 }

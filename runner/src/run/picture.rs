@@ -1,7 +1,7 @@
 //! One picture of the final state, fragments coloured, after thesis figure 11.
 
-use super::checkpoint::write_whole;
-use super::output::unbroken_lines;
+use super::dem::lines;
+use super::folder::{PICTURE, write_whole};
 use crate::error::Error;
 use crate::scene::Scene;
 use gouge_dem::World;
@@ -53,12 +53,12 @@ impl View {
 /// # Errors
 /// Failures of the file system.
 pub fn write(folder: &Path, scene: &Scene, world: &World) -> Result<(), Error> {
-    let text = document(scene, world).to_string();
-    write_whole(&folder.join("picture.svg"), text.as_bytes())
+    let text = draw_picture(scene, world).to_string();
+    write_whole(&folder.join(PICTURE), text.as_bytes())
 }
 
 /// The state of a scene as a picture.
-pub fn document(scene: &Scene, world: &World) -> Document {
+pub fn draw_picture(scene: &Scene, world: &World) -> Document {
     let view = View::of(scene, world.particles());
     let [width, height] = view.at(view.high[0], view.low[1]);
     Document::new()
@@ -123,7 +123,7 @@ fn pastel(hue: f64) -> String {
 fn bonds(view: &View, scene: &Scene, world: &World) -> Group {
     let mut group = Group::new().set("stroke", "#222").set("stroke-width", 0.8);
     let p = world.particles();
-    for (i, j) in unbroken_lines(scene, world) {
+    for (i, j) in lines(scene, world) {
         let (a, b) = (p.position[i], p.position[j]);
         let ([x1, y1], [x2, y2]) = (view.at(a.x, a.y), view.at(b.x, b.y));
         let line = Line::new()

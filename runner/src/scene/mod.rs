@@ -14,7 +14,7 @@ pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Se
 pub use text::hex;
 
 use crate::error::{Error, SceneError};
-use crate::machine::equipped;
+use crate::machine::with_chosen_execution;
 use crate::references;
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
@@ -264,7 +264,7 @@ impl Scene {
             contacts: self.contacts.iter().map(|(contact, _)| *contact).collect(),
             drive_force: self.initial_force(),
         };
-        World::new(model, particles, &start).map(equipped)
+        World::new(model, particles, &start).map(with_chosen_execution)
     }
 
     /// Total driving force at t = 0 in N.

@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use gouge_runner::error::Error;
-use gouge_runner::machine::{self, Caller};
+use gouge_runner::machine::{CallingThread, start_pool};
 use gouge_validation::verify::verify;
 use mimalloc::MiMalloc;
 use std::path::PathBuf;
@@ -25,7 +25,7 @@ struct Arguments {
 }
 
 fn execute(arguments: &Arguments) -> Result<(), Error> {
-    machine::start(Caller::Waits)?;
+    start_pool(CallingThread::StaysOutside)?;
     verify(arguments.only.as_deref(), &arguments.out)
 }
 

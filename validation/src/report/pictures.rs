@@ -1,7 +1,7 @@
 //! Pictures of the built-in scenes.
 
 use gouge_runner::error::Error;
-use gouge_runner::run::{advance, document, prepared};
+use gouge_runner::run::{advance, draw_picture, run_setup};
 use gouge_runner::scene::{Scene, builtin};
 use maud::{Markup, PreEscaped, html};
 use rayon::prelude::*;
@@ -26,7 +26,7 @@ const MOST_WORK: u64 = 400_000_000;
 pub fn pictures() -> Result<Vec<Picture>, Error> {
     let draw = |&(name, purpose, _): &(&'static str, &'static str, &str)| {
         let scene = Scene::load(name)?;
-        let mut world = prepared(&scene)?;
+        let mut world = run_setup(&scene)?;
         let work = scene.steps() * world.particles().len() as u64;
         let runs = scene.steps() <= MOST_STEPS && work <= MOST_WORK;
         if runs {
@@ -36,7 +36,7 @@ pub fn pictures() -> Result<Vec<Picture>, Error> {
             name,
             purpose,
             moment: format!("t = {:.3e} s", world.time()),
-            svg: document(&scene, &world).to_string(),
+            svg: draw_picture(&scene, &world).to_string(),
         })
     };
     builtin::SCENES.par_iter().map(draw).collect()

@@ -1,7 +1,9 @@
-//! Continuing from one phase of a scene to the next.
+//! Continuing from one phase of a scene to the next, and returning to an earlier state.
 
 use super::begin::Start;
 use super::simulation::World;
+use super::state::State;
+use super::workspace::Workspace;
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::particles::{Particles, Role};
@@ -38,6 +40,16 @@ impl World {
         world.make_edges_unbreakable();
         world.begin_ledger();
         Ok(world)
+    }
+
+    /// The same world in an earlier state. Buffers and the neighbour list are rebuilt; no later bit depends on them.
+    pub fn with_state(mut self, state: State) -> Self {
+        self.workspace = Workspace::new(&self.model, &state.particles);
+        self.state = state;
+        let parts = self.execution.parts.clone();
+        let mut world = self.with_parts(parts);
+        world.find_neighbors();
+        world
     }
 
     /// The particles only.

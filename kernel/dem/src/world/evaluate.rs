@@ -20,10 +20,15 @@ impl<S: Number> World<S> {
     /// # Errors
     /// As for [`step`](Self::step).
     pub fn evaluate_if_pending(&mut self) -> Result<(), StepError> {
-        if self.state.is_evaluated {
-            return Ok(());
+        if self.is_pending() {
+            return S::evaluate(self);
         }
-        S::evaluate(self)
+        Ok(())
+    }
+
+    /// Whether the next step begins with an evaluation, because the forces are not those of the present state.
+    pub fn is_pending(&self) -> bool {
+        !self.state.is_evaluated
     }
 
     pub(super) fn evaluate_first(&mut self) -> Result<(), StepError> {

@@ -94,8 +94,13 @@ impl World {
     /// The world of a model in the state that [`to_words`](Self::to_words) wrote; `None` if the words do not fit
     /// the model.
     pub fn from_words(model: Model, words: &[u64]) -> Option<Self> {
-        let record = Record::from_words(NAME, &layout(model.integrator), words)?;
+        let record = Self::record_of_words(model.integrator, words)?;
         Self::from_record(model, &record)
+    }
+
+    /// The record of such words, for a world with the given method; `None` if they do not fill its columns.
+    pub fn record_of_words(integrator: Integrator, words: &[u64]) -> Option<Record> {
+        Record::from_words(NAME, &layout(integrator), words)
     }
 
     /// Replace all bonds and all contact memories.

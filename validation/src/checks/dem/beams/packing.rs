@@ -7,7 +7,7 @@ use crate::checks::dem::scenes::scene;
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::network::{Beam, settle, stiffness};
-use gouge_runner::run::prepared;
+use gouge_runner::run::run_setup;
 use nalgebra::DVector;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -73,7 +73,7 @@ fn packing(seed: u64) -> Result<Rest, Failure> {
             }
         ),
     );
-    Ok(Rest::of(&prepared(&scene(&text)?)?))
+    Ok(Rest::of(&run_setup(&scene(&text)?)?))
 }
 
 fn pulled(rest: &Rest) -> Result<Pulled, Failure> {

@@ -9,7 +9,7 @@ use crate::oracles::beams::{Sphere, Springs};
 use crate::scalars::DoubleDouble;
 use gouge_common::scalar::Real;
 use gouge_dem::World;
-use gouge_runner::run::prepared;
+use gouge_runner::run::run_setup;
 use nalgebra::DVector;
 
 /// The checks.
@@ -77,7 +77,7 @@ pub fn hexagonal(
         &whole[..end],
         0.55 * pitch / radius,
     );
-    Ok(prepared(&scene(&text)?)?)
+    Ok(run_setup(&scene(&text)?)?)
 }
 
 /// What a pulled block shows.

@@ -8,7 +8,7 @@ use crate::checks::{
 };
 use gouge_dem::World;
 use gouge_dem::balance::Energy;
-use gouge_runner::run::prepared;
+use gouge_runner::run::run_setup;
 use gouge_runner::scene::builtin;
 
 pub(super) fn checks() -> Vec<Check> {
@@ -102,7 +102,7 @@ fn pile() -> Outcome {
     let start = |step: f64| {
         let text = builtin::text("pile").unwrap_or_default();
         let text = text.replace("step = 2e-6", &format!("step = {step:e}"));
-        Ok(prepared(&scene(&text)?)?)
+        Ok(run_setup(&scene(&text)?)?)
     };
     let steps = [4e-6, 2e-6, 1e-6, 0.5e-6];
     converge("a pile that collapses", 40e-3, steps, start, |orders| {

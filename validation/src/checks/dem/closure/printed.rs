@@ -218,7 +218,7 @@ pub(super) fn fault(step: f64) -> Result<World, Failure> {
     ] {
         text = text.replace(old, &new);
     }
-    Ok(gouge_runner::run::prepared(&scene(&text)?)?)
+    Ok(gouge_runner::run::run_setup(&scene(&text)?)?)
 }
 
 /// A built-in scene without set-up.

@@ -3,9 +3,9 @@
 use super::motion::recorded_motion;
 use crate::checks::dem::scenes::world;
 use crate::checks::{Exhibit, Failure, Measurement, Outcome, Table};
+use crate::references::{Case, RecordedRun, Run};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
-use gouge_runner::references::{Case, RecordedRun, Run};
 
 /// Compare the forces on the first particle and both torques, with the difference of the laws added.
 pub(super) fn compare(case: &Case) -> Outcome {

@@ -7,11 +7,11 @@ use crate::checks::{
     Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest, thesis,
 };
 use crate::oracles::oscillator::truncated_restitution;
+use crate::references::{Case, RecordedRun, Run};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::geometry::PairFrame;
 use gouge_dem::model::ContactTangential;
-use gouge_runner::references::{Case, RecordedRun, Run};
 
 /// The checks of this file.
 pub fn checks() -> Vec<Check> {

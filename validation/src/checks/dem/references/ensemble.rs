@@ -7,7 +7,7 @@
 use super::observables::{Course, value};
 use crate::checks::dem::scenes::world;
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table};
-use gouge_runner::references::{Case, Control, Observable, RecordedRun, Run};
+use crate::references::{Case, Control, Observable, RecordedRun, Run};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -188,7 +188,7 @@ fn plot(case: &Case, courses: &[Course]) -> Result<Option<Exhibit>, Failure> {
     else {
         return Ok(None);
     };
-    let points = |table: &gouge_runner::references::Table| {
+    let points = |table: &crate::references::Table| {
         let names = ["step", observable.name.as_str()];
         let [step, place] = table.places(names).map_err(Failure::Oracle)?;
         let rows = table.rows.iter();

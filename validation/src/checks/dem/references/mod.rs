@@ -9,7 +9,7 @@ mod overview;
 mod stretched;
 
 use crate::checks::{Check, Effort, Evidence, Failure, Origin, Outcome, Topic};
-use gouge_runner::references::{Case, case};
+use crate::references::{Case, case};
 
 /// The topic.
 pub fn topic() -> Topic {

@@ -2,8 +2,8 @@
 
 use crate::checks::dem::scenes::{advance, world};
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot};
+use crate::references::{Case, RecordedRun, Table};
 use gouge_dem::World;
-use gouge_runner::references::{Case, RecordedRun, Table};
 
 /// Kinds of recorded quantities: each has its own scale.
 const KINDS: [(&str, &[&str]); 5] = [

@@ -2,9 +2,9 @@
 
 use crate::checks::Failure;
 use crate::checks::dem::scenes::advance;
+use crate::references::{Observable, Statistic, Table};
 use gouge_dem::World;
 use gouge_dem::particles::Role;
-use gouge_runner::references::{Observable, Statistic, Table};
 
 /// Mass in kg above which a free particle is a wall that moves.
 const WALL: f64 = 1.0;

@@ -4,7 +4,7 @@ use super::motion;
 use crate::checks::{
     Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest, thesis,
 };
-use gouge_runner::references::{Case, Compared, case, paths};
+use crate::references::{Case, Compared, case, paths};
 
 /// The check of this file.
 pub fn check() -> Check {
@@ -31,7 +31,7 @@ fn overview() -> Outcome {
     );
     let mut wrong = 0;
     for path in paths() {
-        let case = case(path).map_err(Failure::Oracle)?;
+        let case = case(&path).map_err(Failure::Oracle)?;
         let result = &case.result;
         let is_complete = !result.version.is_empty()
             && !result.inputs.is_empty()

@@ -5,8 +5,8 @@ use super::stored;
 use crate::checks::dem::scenes::world;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::stretched::{Pair, Stretched};
+use crate::references::Table;
 use gouge_dem::World;
-use gouge_runner::references::Table;
 
 /// The check of this file.
 pub fn check() -> Check {

@@ -7,7 +7,7 @@ use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, T
 use crate::oracles::emergent::Strength;
 use gouge_dem::World;
 use gouge_dem::distributions::Distribution;
-use gouge_runner::run::prepared;
+use gouge_runner::run::run_setup;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -104,7 +104,7 @@ impl Block {
 }
 
 fn block(seed: u64) -> Result<Block, Failure> {
-    Ok(Block::of(&prepared(&scene(&text(seed))?)?))
+    Ok(Block::of(&run_setup(&scene(&text(seed))?)?))
 }
 
 /// First seed: the claims were worded after looking at packings of seeds below it.

@@ -10,7 +10,7 @@ use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::model::{BondLaws, Model};
-use gouge_runner::run::{Kind, enter, phases};
+use gouge_runner::run::{PhaseKind, begin_phase, phases};
 use gouge_runner::scene::{Scene, builtin};
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -36,8 +36,8 @@ impl Packing {
         let phases = phases(&scene);
         let mut world = None;
         for (index, phase) in phases.iter().enumerate() {
-            let mut next = enter(&scene, &phases, index, world)?;
-            if !matches!(phase.kind, Kind::Settle(_)) {
+            let mut next = begin_phase(&scene, &phases, index, world)?;
+            if !matches!(phase.kind, PhaseKind::Settle(_)) {
                 let model = Model {
                     ambient: None,
                     external: None,

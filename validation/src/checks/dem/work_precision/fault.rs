@@ -5,7 +5,7 @@ use crate::checks::Failure;
 use crate::checks::dem::remembered::start;
 use crate::checks::dem::scenes::scene;
 use gouge_dem::particles::{Particles, Role};
-use gouge_runner::run::prepared;
+use gouge_runner::run::run_setup;
 
 /// The protocol of granite-fault on a box of a few grains; the upper block is driven at its target speed
 /// from the first step, by the controller that holds the constraints.
@@ -83,7 +83,7 @@ ambient = { law = "creeping", viscosity = 1.0 }
 
 /// The two blocks, pressed.
 pub fn origin() -> Result<Origin, Failure> {
-    let world = prepared(&scene(TEXT)?)?;
+    let world = run_setup(&scene(TEXT)?)?;
     let mut particles = world.particles().clone();
     drive_at(
         &mut particles,

@@ -1,12 +1,12 @@
-//! What a case compares, and the scenes of its runs.
+//! What a case compares.
 
 use super::Recorded;
+use gouge_runner::references::{FOLDER, Run, StoredScenes};
 use include_dir::Dir;
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -54,7 +54,10 @@ pub struct Case {
     /// The runs.
     pub runs: Vec<Run>,
     #[serde(skip)]
-    files: Files,
+    scenes: StoredScenes,
+    /// SHA-256 of every file by its path in the folder.
+    #[serde(skip)]
+    hashes: BTreeMap<String, String>,
     /// What the engine computed.
     #[serde(skip)]
     pub result: Recorded,
@@ -120,53 +123,20 @@ pub struct Control {
     pub rejects: Vec<String>,
 }
 
-/// A run: its name and the variables of the scene and the input.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Run {
-    /// Its name.
-    pub name: String,
-    /// Names and values of the variables.
-    #[serde(flatten)]
-    pub variables: toml::Table,
-}
-
-/// Texts of a folder.
-#[derive(Clone, Debug, Default)]
-struct Files {
-    scene: String,
-    /// SHA-256 of every file by its path in the folder.
-    hashes: BTreeMap<String, String>,
-    particles: Vec<(PathBuf, String)>,
-    bonds: Vec<(PathBuf, String)>,
-}
-
 impl Case {
     /// The case in a folder.
-    pub(super) fn read(root: &Dir, folder: &Path) -> Result<Self, String> {
+    pub(super) fn read(folder: &Path) -> Result<Self, String> {
         let text = |name: &str| {
-            let path = folder.join(name);
-            let file = root.get_file(&path).and_then(|file| file.contents_utf8());
-            file.map(str::to_owned)
-                .ok_or_else(|| format!("{name} is missing"))
-        };
-        let tables = |kind: &str| {
-            let inside = root.get_dir(folder.join(kind));
-            let files = inside.into_iter().flat_map(Dir::files);
-            let read = |file: &include_dir::File| {
-                Some((file.path().to_owned(), file.contents_utf8()?.to_owned()))
-            };
-            files.filter_map(read).collect()
+            let file = FOLDER.get_file(folder.join(name));
+            let text = file.and_then(|file| file.contents_utf8());
+            text.ok_or_else(|| format!("{name} is missing"))
         };
         let mut case: Self =
-            toml::from_str(&text("case.toml")?).map_err(|e| format!("case.toml: {e}"))?;
+            toml::from_str(text("case.toml")?).map_err(|e| format!("case.toml: {e}"))?;
         case.result =
-            serde_json::from_str(&text("result.json")?).map_err(|e| format!("result.json: {e}"))?;
-        case.files = Files {
-            scene: text("scene.toml")?,
-            hashes: root.get_dir(folder).map(hashes).unwrap_or_default(),
-            particles: tables("particles"),
-            bonds: tables("bonds"),
-        };
+            serde_json::from_str(text("result.json")?).map_err(|e| format!("result.json: {e}"))?;
+        case.scenes = StoredScenes::read(folder)?;
+        case.hashes = FOLDER.get_dir(folder).map(hashes).unwrap_or_default();
         Ok(case)
     }
 
@@ -175,32 +145,17 @@ impl Case {
     /// # Errors
     /// Variables that the run does not set, tables of particles that are not there.
     pub fn scene(&self, run: &Run) -> Result<String, String> {
-        let mut text = filled(&self.files.scene, run)?;
-        if let Some(table) = self.table(&self.files.particles, run) {
-            text += &items("particles", table, particle)?;
-        }
-        if let Some(table) = self.table(&self.files.bonds, run) {
-            text += &items("bonds", table, bond)?;
-        }
-        Ok(text)
+        self.scenes.text(run)
     }
 
     /// Inputs of the engine that are not those that it was given.
     pub fn changed_inputs(&self) -> Vec<&str> {
         let recorded = self.result.inputs.iter();
-        let is_other =
-            |(path, hash): &(&String, &String)| self.files.hashes.get(*path) != Some(*hash);
+        let is_other = |(path, hash): &(&String, &String)| self.hashes.get(*path) != Some(*hash);
         recorded
             .filter(is_other)
             .map(|(path, _)| path.as_str())
             .collect()
-    }
-
-    /// The table of a run's seed.
-    fn table<'a>(&self, tables: &'a [(PathBuf, String)], run: &Run) -> Option<&'a str> {
-        let seed = run.variables.get("seed")?.as_str()?;
-        let named = |(path, _): &&(PathBuf, String)| path.file_stem().is_some_and(|s| s == seed);
-        tables.iter().find(named).map(|(_, text)| text.as_str())
     }
 }
 
@@ -218,75 +173,4 @@ fn hashes(folder: &Dir) -> BTreeMap<String, String> {
         (path.display().to_string(), text)
     };
     files.map(hash).collect()
-}
-
-/// A text with every `${name}` replaced.
-fn filled(text: &str, run: &Run) -> Result<String, String> {
-    let mut filled = String::with_capacity(text.len());
-    let mut parts = text.split("${");
-    filled += parts.next().unwrap_or_default();
-    for part in parts {
-        let (name, rest) = part.split_once('}').unwrap_or((part, ""));
-        match run.variables.get(name) {
-            Some(toml::Value::String(value)) => filled += value,
-            Some(toml::Value::Float(value)) => {
-                let _ = write!(filled, "{value:?}");
-            }
-            Some(value) => {
-                let _ = write!(filled, "{value}");
-            }
-            None => return Err(format!("run {} does not set {name}", run.name)),
-        }
-        filled += rest;
-    }
-    Ok(filled)
-}
-
-/// A CSV table as items of an array of tables.
-fn items(
-    key: &str,
-    table: &str,
-    item: impl Fn(&dyn Fn(&str) -> Option<String>) -> Option<String>,
-) -> Result<String, String> {
-    let mut reader = csv::Reader::from_reader(table.as_bytes());
-    let columns = reader.headers().map_err(|e| e.to_string())?.clone();
-    let mut text = String::new();
-    for row in reader.records() {
-        let row = row.map_err(|e| e.to_string())?;
-        let cell = |name: &str| {
-            let place = columns.iter().position(|column| column == name)?;
-            row.get(place).map(str::to_owned)
-        };
-        let entries = item(&cell).ok_or_else(|| format!("a table of {key} lacks a column"))?;
-        let _ = write!(text, "\n[[{key}]]\n{entries}");
-    }
-    Ok(text)
-}
-
-/// Entries of a particle; a fixed one has no velocity.
-fn particle(cell: &dyn Fn(&str) -> Option<String>) -> Option<String> {
-    let role = cell("role")?;
-    let velocity = if role == "fixed" {
-        String::new()
-    } else {
-        let velocity = format!("velocity = [{}, {}]\n", cell("vx")?, cell("vy")?);
-        velocity + &format!("angular_velocity = {}\n", cell("angular_velocity")?)
-    };
-    Some(format!(
-        "position = [{}, {}]\n{velocity}radius = {}\ndensity = {}\nrole = \"{role}\"\n",
-        cell("x")?,
-        cell("y")?,
-        cell("radius")?,
-        cell("density")?,
-    ))
-}
-
-/// Entries of a bond.
-fn bond(cell: &dyn Fn(&str) -> Option<String>) -> Option<String> {
-    Some(format!(
-        "between = [{}, {}]\nstrength_factor = {}\n",
-        cell("i")?,
-        cell("j")?,
-        cell("strength_factor")?,
-    ))
 }

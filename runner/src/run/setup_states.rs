@@ -1,176 +1,28 @@
-//! The phases of a run: those of the set-up, then the scene proper.
+//! States that the set-up makes: loose grains, the bonded block, and the roles of its particles.
 
-use crate::error::Error;
-use crate::machine::equipped;
-use crate::scene::{Amount, PhaseTable, Scene, Setup, steps_for, wrap};
+use super::phases::{PhaseKind, phase_model};
+use crate::machine::with_chosen_execution;
+use crate::scene::{Amount, Scene, Setup, wrap};
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
-use gouge_dem::model::{BondLaws, ContactLaws, Model};
+use gouge_dem::model::Model;
 use gouge_dem::particles::{Particle, Particles, Role};
 use gouge_dem::setup::{Fault, Lattice, bonds_within, is_above, strength_factors};
 use gouge_dem::{ModelError, Start, World};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// What happens in a phase.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
-    /// Loose grains settle, without friction.
-    Settle(PhaseTable),
-    /// The bonded and cut block relaxes.
-    Relax(PhaseTable),
-    /// The driven particles press.
-    Press(PhaseTable),
-    /// The scene proper.
-    Main,
-}
-
-/// A phase of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Phase {
-    /// Name for progress and errors.
-    pub name: String,
-    /// What happens.
-    pub kind: Kind,
-    /// Number of steps.
-    pub steps: u64,
-}
-
-/// All phases of a scene, the scene proper last.
-pub fn phases(scene: &Scene) -> Vec<Phase> {
-    let mut phases = Vec::new();
-    let mut add = |name: &str, tables: &[PhaseTable], kind: fn(PhaseTable) -> Kind| {
-        for (i, &table) in tables.iter().enumerate() {
-            phases.push(Phase {
-                name: if tables.len() > 1 {
-                    format!("{name} {}", i + 1)
-                } else {
-                    name.to_owned()
-                },
-                kind: kind(table),
-                steps: steps_for(table.duration, table.step),
-            });
-        }
-    };
-    if let Some(setup) = &scene.setup {
-        add("settle", &setup.settle, Kind::Settle);
-        add("relax", &setup.relax, Kind::Relax);
-        add("press", &setup.press, Kind::Press);
-    }
-    phases.push(Phase {
-        name: "run".to_owned(),
-        kind: Kind::Main,
-        steps: scene.steps(),
-    });
-    phases
-}
-
-/// The model of a phase.
-pub fn model(scene: &Scene, kind: Kind, radii: &[f64]) -> Model {
-    let full = scene.model(radii);
-    let quiet = |table: PhaseTable| Model {
-        time_step: table.step,
-        ambient: table.ambient,
-        external: table.external,
-        driving: None,
-        ledger: false,
-        bond: full.bond.map(|bond| BondLaws {
-            yielding: None,
-            ..bond
-        }),
-        ..full
-    };
-    match kind {
-        Kind::Main => full,
-        Kind::Relax(table) => quiet(table),
-        Kind::Press(table) => {
-            let mut driving = full.driving;
-            if let Some(driving) = &mut driving {
-                driving.speed = table.speed;
-            }
-            Model {
-                driving,
-                ..quiet(table)
-            }
-        }
-        Kind::Settle(table) => Model {
-            bond: None,
-            contact: full.contact.map(|contact| ContactLaws {
-                tangential: None,
-                ..contact
-            }),
-            ..quiet(table)
-        },
-    }
-}
-
-/// The world at the beginning of a phase, from that at the end of the phase before.
-///
-/// # Errors
-/// States that the kernel refuses.
-pub fn enter(
-    scene: &Scene,
-    phases: &[Phase],
-    index: usize,
-    before: Option<World>,
-) -> Result<World, ModelError> {
-    let Some(setup) = &scene.setup else {
-        return scene.initial_world();
-    };
-    let kind = phases[index].kind;
-    let world = match before {
-        None => loose(scene, setup, kind)?,
-        Some(world) => world,
-    };
-    let made_before = index > 0 && !matches!(phases[index - 1].kind, Kind::Settle(_));
-    let world = if matches!(kind, Kind::Settle(_)) || made_before {
-        world
-    } else {
-        block(scene, setup, world, kind)?
-    };
-    let radii = world.particles().radius.clone();
-    let had_roles = index > 0 && matches!(phases[index - 1].kind, Kind::Press(_));
-    let gets_roles = matches!(kind, Kind::Press(_) | Kind::Main) && !had_roles;
-    let roles = gets_roles.then(|| roles(scene, setup, world.particles()));
-    world.continue_with(model(scene, kind, &radii), roles)
-}
-
-/// The world at t = 0 of the scene proper, after all phases of its set-up, without any output.
-///
-/// # Errors
-/// States that the kernel refuses or that become senseless.
-pub fn prepared(scene: &Scene) -> Result<World, Error> {
-    let phases = phases(scene);
-    let mut world = enter(scene, &phases, 0, None)?;
-    for (index, phase) in phases.iter().enumerate().take(phases.len() - 1) {
-        advance(&mut world, phase.steps, &phase.name)?;
-        world = enter(scene, &phases, index + 1, Some(world))?;
-    }
-    Ok(world)
-}
-
-/// Advance a world by some steps of a phase of the given name.
-///
-/// # Errors
-/// A state that becomes senseless.
-pub fn advance(world: &mut World, steps: u64, phase: &str) -> Result<(), Error> {
-    for _ in 0..steps {
-        world.step().map_err(|source| Error::Step {
-            phase: phase.to_owned(),
-            source,
-        })?;
-    }
-    Ok(())
-}
-
-/// Streams of random numbers, one a purpose, so that none depends on how much another used.
+/// Streams of random numbers, one per purpose, so that none depends on how much another used.
 fn random(setup: &Setup, purpose: u128) -> impl FnMut() -> f64 {
     let mut source = Pcg64::new(u128::from(setup.seed), purpose);
     move || source.random::<f64>()
 }
 
 /// Grains on the lattice, beside the particles that the scene lists.
-fn loose(scene: &Scene, setup: &Setup, kind: Kind) -> Result<World, ModelError> {
+///
+/// # Errors
+/// States that the kernel refuses.
+pub fn loose_grains(scene: &Scene, setup: &Setup, kind: PhaseKind) -> Result<World, ModelError> {
     let (mut sizes, mut places) = (random(setup, 1), random(setup, 2));
     let table = setup.lattice;
     let lattice = Lattice {
@@ -216,9 +68,9 @@ fn loose(scene: &Scene, setup: &Setup, kind: Kind) -> Result<World, ModelError> 
     let model = Model {
         driving: None,
         ledger: false,
-        ..model(scene, kind, &radii)
+        ..phase_model(scene, kind, &radii)
     };
-    World::new(model, particles, &start).map(equipped)
+    World::new(model, particles, &start).map(with_chosen_execution)
 }
 
 fn wants_more(amount: &Amount, columns: usize, scene: &Scene, number: usize, covered: f64) -> bool {
@@ -239,7 +91,15 @@ fn centre(scene: &Scene, particles: &mut Particles) {
 }
 
 /// Clip, bond, correct the density and cut: thesis sections 3.7.3-3.7.6.
-fn block(scene: &Scene, setup: &Setup, world: World, kind: Kind) -> Result<World, ModelError> {
+///
+/// # Errors
+/// States that the kernel refuses.
+pub fn bonded_block(
+    scene: &Scene,
+    setup: &Setup,
+    world: World,
+    kind: PhaseKind,
+) -> Result<World, ModelError> {
     let drive_force = world.drive().force;
     let listed = scene.particles.len();
     let mut all = world.into_particles();
@@ -274,9 +134,9 @@ fn block(scene: &Scene, setup: &Setup, world: World, kind: Kind) -> Result<World
     let model = Model {
         driving: None,
         ledger: false,
-        ..model(scene, kind, &radii)
+        ..phase_model(scene, kind, &radii)
     };
-    World::new(model, all, &start).map(equipped)
+    World::new(model, all, &start).map(with_chosen_execution)
 }
 
 /// Bonds between neighbouring grains, without those that the fault cuts.
@@ -316,7 +176,7 @@ fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
 }
 
 /// Roles of all particles; those that the scene lists keep theirs.
-fn roles(scene: &Scene, setup: &Setup, particles: &Particles) -> Vec<Role> {
+pub fn roles(scene: &Scene, setup: &Setup, particles: &Particles) -> Vec<Role> {
     let made = particles.len() - scene.particles.len();
     let rules = setup.roles.unwrap_or_default();
     let role = |i: usize| {

@@ -1,0 +1,137 @@
+//! What the thesis's model writes: the values of its series, the columns of its particles, its frames.
+
+use super::series::{Sample, Value};
+use super::table::{Kinds, Table, Values};
+use super::trajectory::{Frame, Shapes};
+use crate::scene::{Scene, role_name};
+use gouge_common::geometry::Vec2;
+use gouge_dem::estimators::{Energy, fragments, friction_feedback, friction_load};
+use gouge_dem::particles::{Particles, Role};
+use gouge_dem::{Drive, World};
+
+/// A sample of a world with the given driving force.
+pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>) -> Sample {
+    let mut sample = vec![("time", Value::Number(world.time()))];
+    if scene.output.energy {
+        let energies = Energy::<f64>::NAMES
+            .into_iter()
+            .zip(world.energy().values());
+        sample.extend(energies.map(|(name, energy)| (name, Value::Number(energy))));
+    }
+    if scene.driving.is_some() {
+        let numbers = [
+            ("friction_load", friction_load(drive)),
+            ("friction_feedback", friction_feedback(drive)),
+            ("drive_force_x", drive.applied.x),
+            ("drive_force_y", drive.applied.y),
+        ];
+        sample.extend(numbers.map(|(name, number)| (name, Value::Number(number))));
+    }
+    if scene.bond.is_some() {
+        let fragments = fragments(world.state()).number;
+        sample.push(("bonds", Value::Count(number_of_bonds(world))));
+        sample.push(("fragments", Value::Count(fragments)));
+    }
+    sample
+}
+
+/// Names of the values of every sample of a scene.
+pub fn series_columns(scene: &Scene, world: &World) -> Vec<&'static str> {
+    let sample = sample(scene, world, world.drive());
+    sample.into_iter().map(|(name, _)| name).collect()
+}
+
+/// The first energy of a sample that is not finite.
+pub fn infinite_energy(sample: &Sample) -> Option<&'static str> {
+    let infinite = sample.iter().find(|(name, value)| match value {
+        Value::Number(number) => Energy::<f64>::NAMES.contains(name) && !number.is_finite(),
+        Value::Count(_) => false,
+    });
+    infinite.map(|(name, _)| *name)
+}
+
+/// The energies of a world by name.
+pub fn energies(world: &World) -> serde_json::Map<String, serde_json::Value> {
+    let values = world.energy().values();
+    Energy::<f64>::NAMES
+        .iter()
+        .zip(values)
+        .map(|(name, value)| ((*name).to_owned(), serde_json::json!(value)))
+        .collect()
+}
+
+/// Number of bonds, zero where the model has none.
+pub fn number_of_bonds(world: &World) -> usize {
+    world.bonds().map_or(0, |bonds| bonds.len())
+}
+
+/// The final particles, as `particles.csv` lists them.
+pub fn particles(particles: &Particles) -> Table {
+    let component =
+        |column: &[Vec2], of: fn(&Vec2) -> f64| Values::Numbers(column.iter().map(of).collect());
+    let p = particles;
+    let columns = vec![
+        ("id", Values::Integers((0..p.len()).collect())),
+        ("x", component(&p.position, |v| v.x)),
+        ("y", component(&p.position, |v| v.y)),
+        ("vx", component(&p.velocity, |v| v.x)),
+        ("vy", component(&p.velocity, |v| v.y)),
+        ("angle", Values::Numbers(p.angle.clone())),
+        (
+            "angular_velocity",
+            Values::Numbers(p.angular_velocity.clone()),
+        ),
+        ("radius", Values::Numbers(p.radius.clone())),
+        ("role", Values::Kinds(roles(&p.role))),
+    ];
+    Table { columns }
+}
+
+fn roles(roles: &[Role]) -> Kinds {
+    let names = [Role::Free, Role::Driven, Role::Fixed].map(role_name);
+    let code = |role: &Role| match role {
+        Role::Free => 0,
+        Role::Driven => 1,
+        Role::Fixed => 2,
+    };
+    Kinds {
+        names: names.to_vec(),
+        codes: roles.iter().map(code).collect(),
+    }
+}
+
+/// A frame of a world.
+pub fn frame(scene: &Scene, world: &World) -> Frame {
+    let p = world.particles();
+    let labels = fragments(world.state()).label;
+    let columns = vec![
+        ("angle", Values::Numbers(p.angle.clone())),
+        (
+            "angular_velocity",
+            Values::Numbers(p.angular_velocity.clone()),
+        ),
+        ("fragment", Values::Integers(labels)),
+        ("role", Values::Kinds(roles(&p.role))),
+    ];
+    Frame {
+        time: world.time(),
+        domain: scene.domain,
+        positions: p.position.clone(),
+        shapes: Shapes::Discs(p.radius.clone()),
+        vectors: vec![("velocity", p.velocity.clone())],
+        scalars: Table { columns },
+        lines: lines(scene, world).collect(),
+    }
+}
+
+/// Bonds that can be drawn as lines between their grains: not those across the seam of a periodic box.
+pub fn lines(scene: &Scene, world: &World) -> impl Iterator<Item = (usize, usize)> {
+    let position = &world.particles().position;
+    let half = scene
+        .domain
+        .period()
+        .map_or(f64::INFINITY, |width| 0.5 * width);
+    let bonded = world.bonds().map_or(&[][..], |bonds| bonds.pairs());
+    let pairs = bonded.iter().map(|pair| pair.indices());
+    pairs.filter(move |&(i, j)| (position[i].x - position[j].x).abs() <= half)
+}

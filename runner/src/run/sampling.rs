@@ -1,0 +1,62 @@
+//! Samples of the scene proper: rows of the series and frames of the trajectory.
+
+use super::scene_run::SceneRun;
+use super::trajectory::write_frame;
+use super::{Event, dem};
+use crate::error::Error;
+use gouge_dem::Drive;
+
+impl SceneRun<'_> {
+    /// Step at which a sample is due.
+    pub(super) fn sample_step(&self, sample: u64) -> u64 {
+        let exact = sample as f64 * self.scene.output.interval / self.scene.step;
+        (exact.round() as u64).max(sample)
+    }
+
+    /// Write down the present state.
+    pub(super) fn sample(&mut self) -> Result<(), Error> {
+        let refreshed = self
+            .world
+            .refresh_neighbors()
+            .and_then(|()| self.world.check());
+        refreshed.map_err(|source| self.step_error(source))?;
+        let drive = self.present_drive()?;
+        let sample = dem::sample(self.scene, &self.world, &drive);
+        if let Some(name) = dem::infinite_energy(&sample) {
+            return Err(Error::Energy {
+                phase: self.phases[self.phase].name.clone(),
+                name,
+                time: self.world.time(),
+            });
+        }
+        self.last_good.clone_from(self.world.state());
+        if let Some(series) = &mut self.series {
+            series.write(&sample)?;
+        }
+        write_frame(self.scene, &self.folder, self.samples, &self.world)?;
+        self.observer.event(Event::SampleWritten {
+            sample: self.samples,
+            time: self.world.time(),
+        });
+        let steps = self
+            .sample_step(self.samples + 1)
+            .min(self.phases[self.phase].steps);
+        let links = dem::number_of_bonds(&self.world) + self.world.number_of_contacts();
+        self.link_steps += links as f64 * steps.saturating_sub(self.world.steps()) as f64;
+        self.samples += 1;
+        Ok(())
+    }
+
+    /// The driving force and the reaction to it in the present state. If forces are pending, they are evaluated in a
+    /// copy: an evaluation breaks bonds, which belongs to the next step and not to this sample.
+    fn present_drive(&self) -> Result<Drive<f64>, Error> {
+        if self.scene.driving.is_none() || !self.world.is_pending() {
+            return Ok(*self.world.drive());
+        }
+        let mut ahead = self.world.clone();
+        ahead
+            .evaluate_if_pending()
+            .map_err(|source| self.step_error(source))?;
+        Ok(*ahead.drive())
+    }
+}

@@ -1,0 +1,271 @@
+//! A scene on its way through its phases, with samples and checkpoints.
+
+use super::checkpoint::{Checkpoint, Fingerprint, fingerprint};
+use super::dem;
+use super::folder::{CHECKPOINT, SUMMARY, remove_outputs};
+use super::phases::{Phase, phases};
+use super::series::Series;
+use super::transitions::begin_phase;
+use super::{Event, Observer, RunOptions, Warning};
+use crate::error::Error;
+use crate::scene::Scene;
+use gouge_dem::{State, StepError, World};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Steps between looks at the clock.
+const CHUNK: u64 = 256;
+
+/// A scene on its way.
+pub struct SceneRun<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) folder: PathBuf,
+    pub(super) observer: &'a mut dyn Observer,
+    pub(super) world: World,
+    pub(super) bonds_initial: usize,
+    pub(super) link_steps: f64,
+    /// The latest state that was sampled, saved or began a phase: a run that fails ends with it.
+    pub(super) last_good: State,
+    pub(super) phases: Vec<Phase>,
+    /// Position of the present phase.
+    pub(super) phase: usize,
+    pub(super) series: Option<Series>,
+    /// Samples written.
+    pub(super) samples: u64,
+    options: RunOptions,
+    fingerprint: Fingerprint,
+    clock: Clock,
+}
+
+/// Wall times of a run.
+struct Clock {
+    /// Seconds before the run was resumed: of the whole run and of the scene proper.
+    earlier: [f64; 2],
+    run_began: Instant,
+    main_began: Instant,
+    saved: Instant,
+}
+
+impl<'a> SceneRun<'a> {
+    /// Begin a run; what an earlier one left is removed.
+    ///
+    /// # Errors
+    /// States that the kernel refuses, failures of the file system.
+    pub fn begin(
+        scene: &'a Scene,
+        folder: &Path,
+        options: RunOptions,
+        observer: &'a mut dyn Observer,
+    ) -> Result<Self, Error> {
+        let phases = phases(scene);
+        let world = begin_phase(scene, &phases, 0, None)?;
+        remove_outputs(folder)?;
+        let mut run = Self::new(scene, folder, options, observer, (phases, 0), world);
+        run.report_phase();
+        run.begin_main()?;
+        run.write_checkpoint()?;
+        Ok(run)
+    }
+
+    /// Go on from the checkpoint in the folder.
+    ///
+    /// # Errors
+    /// A checkpoint or a series that does not fit, failures of the file system.
+    pub fn resume(
+        scene: &'a Scene,
+        folder: &Path,
+        options: RunOptions,
+        observer: &'a mut dyn Observer,
+    ) -> Result<Self, Error> {
+        let path = folder.join(CHECKPOINT);
+        let saved = Checkpoint::read(&path, scene)?;
+        let phases = phases(scene);
+        let phase = (saved.phase as usize).min(phases.len() - 1);
+        let world = saved.world(&path, scene, phases[phase].kind)?;
+        let mut run = Self::new(scene, folder, options, observer, (phases, phase), world);
+        run.samples = saved.samples;
+        run.bonds_initial = saved.bonds_initial as usize;
+        run.link_steps = saved.link_steps;
+        run.clock.earlier = saved.seconds;
+        if run.is_main() {
+            run.series = Some(run.open_series(Some(saved.series_bytes))?);
+        }
+        let _ = std::fs::remove_file(folder.join(SUMMARY));
+        run.report_phase();
+        Ok(run)
+    }
+
+    fn new(
+        scene: &'a Scene,
+        folder: &Path,
+        options: RunOptions,
+        observer: &'a mut dyn Observer,
+        (phases, phase): (Vec<Phase>, usize),
+        world: World,
+    ) -> Self {
+        let now = Instant::now();
+        Self {
+            scene,
+            options,
+            observer,
+            folder: folder.to_owned(),
+            fingerprint: fingerprint(scene),
+            phases,
+            phase,
+            last_good: world.state().clone(),
+            world,
+            series: None,
+            samples: 0,
+            bonds_initial: 0,
+            link_steps: 0.0,
+            clock: Clock {
+                earlier: [0.0; 2],
+                run_began: now,
+                main_began: now,
+                saved: now,
+            },
+        }
+    }
+
+    /// Whether this is the scene proper.
+    pub(super) fn is_main(&self) -> bool {
+        self.phase + 1 == self.phases.len()
+    }
+
+    /// All phases from the present one.
+    pub(super) fn run_phases(&mut self) -> Result<(), Error> {
+        while !self.is_main() {
+            self.advance_to(self.phases[self.phase].steps)?;
+            self.begin_next_phase()?;
+        }
+        self.clock.main_began = Instant::now();
+        let last = self.phases[self.phase].steps;
+        loop {
+            let due = self.sample_step(self.samples).min(last);
+            self.advance_to(due)?;
+            // The last step is a sample too, once.
+            let is_extra =
+                due == last && self.samples > 0 && self.sample_step(self.samples - 1) >= last;
+            if !is_extra {
+                self.sample()?;
+            }
+            if due == last {
+                return Ok(());
+            }
+        }
+    }
+
+    fn begin_next_phase(&mut self) -> Result<(), Error> {
+        self.last_good.clone_from(self.world.state());
+        // If the next phase cannot begin, the run ends in the present world.
+        let before = Some(self.world.clone());
+        self.world = begin_phase(self.scene, &self.phases, self.phase + 1, before)?;
+        self.phase += 1;
+        self.last_good.clone_from(self.world.state());
+        self.report_phase();
+        self.begin_main()?;
+        self.write_checkpoint()
+    }
+
+    /// Begin the series if the scene proper begins.
+    fn begin_main(&mut self) -> Result<(), Error> {
+        if self.is_main() {
+            self.bonds_initial = dem::number_of_bonds(&self.world);
+            self.series = Some(self.open_series(None)?);
+            self.warn_of_time_step();
+        }
+        Ok(())
+    }
+
+    fn open_series(&self, bytes: Option<u64>) -> Result<Series, Error> {
+        let columns = dem::series_columns(self.scene, &self.world);
+        Series::open(&self.folder, &columns, bytes)
+    }
+
+    fn report_phase(&mut self) {
+        self.observer.event(Event::PhaseBegan {
+            phases: &self.phases,
+            index: self.phase,
+        });
+    }
+
+    /// Warn if the time step may be unstable.
+    fn warn_of_time_step(&mut self) {
+        let bound = gouge_dem::stable_step_estimate(&self.world);
+        let step = self.scene.step;
+        if step > bound {
+            let scene = &self.scene.file;
+            let warning = Warning::TimeStep { scene, step, bound };
+            self.observer.event(Event::Warning(warning));
+        }
+    }
+
+    fn advance_to(&mut self, last: u64) -> Result<(), Error> {
+        while self.world.steps() < last {
+            let until = last.min(self.world.steps() + CHUNK);
+            while self.world.steps() < until {
+                if let Err(source) = self.world.step() {
+                    return Err(self.step_error(source));
+                }
+            }
+            self.observer.event(Event::Progress {
+                phase: self.phase,
+                steps: self.world.steps(),
+            });
+            if self.clock.saved.elapsed().as_secs_f64() > self.options.checkpoint_interval {
+                self.world
+                    .check()
+                    .map_err(|source| self.step_error(source))?;
+                self.last_good.clone_from(self.world.state());
+                self.write_checkpoint()?;
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn step_error(&self, source: StepError) -> Error {
+        Error::Step {
+            phase: self.phases[self.phase].name.clone(),
+            source,
+        }
+    }
+
+    /// Wall time so far in s: of the whole run and of the scene proper.
+    pub(super) fn seconds(&self) -> [f64; 2] {
+        let clock = &self.clock;
+        let main = if self.is_main() {
+            clock.main_began.elapsed().as_secs_f64()
+        } else {
+            0.0
+        };
+        [
+            clock.earlier[0] + clock.run_began.elapsed().as_secs_f64(),
+            clock.earlier[1] + main,
+        ]
+    }
+
+    /// Write the present state as a checkpoint.
+    pub(super) fn write_checkpoint(&mut self) -> Result<(), Error> {
+        // The checkpoint must not know of samples that a power failure may take back.
+        if let Some(series) = &self.series {
+            series.sync()?;
+        }
+        let checkpoint = Checkpoint {
+            phase: self.phase as u64,
+            samples: self.samples,
+            series_bytes: self.series.as_ref().map_or(0, Series::bytes),
+            bonds_initial: self.bonds_initial as u64,
+            seconds: self.seconds(),
+            link_steps: self.link_steps,
+            state: self.world.record(),
+        };
+        let path = self.folder.join(CHECKPOINT);
+        checkpoint.write(&path, &self.fingerprint)?;
+        self.clock.saved = Instant::now();
+        self.observer.event(Event::CheckpointWritten {
+            path: &path,
+            steps: self.world.steps(),
+        });
+        Ok(())
+    }
+}

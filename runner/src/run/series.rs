@@ -1,0 +1,98 @@
+//! The file `series.csv` as it grows.
+
+use super::folder::SERIES;
+use crate::error::Error;
+use std::fmt;
+use std::fs::File;
+use std::io::{Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// A number of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// In SI units.
+    Number(f64),
+    /// A count.
+    Count(usize),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number:?}"),
+            Self::Count(count) => write!(f, "{count}"),
+        }
+    }
+}
+
+/// A sample: values by name, with the same names in every sample of a series.
+pub type Sample = Vec<(&'static str, Value)>;
+
+/// The file `series.csv` as it grows.
+pub struct Series {
+    path: PathBuf,
+    file: File,
+    bytes: u64,
+}
+
+impl Series {
+    /// Begin a series of the given columns, or go on after the first `bytes` of one.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn open(folder: &Path, columns: &[&str], bytes: Option<u64>) -> Result<Self, Error> {
+        let path = folder.join(SERIES);
+        let open = || -> std::io::Result<(File, u64)> {
+            let Some(bytes) = bytes else {
+                return Ok((File::create(&path)?, 0));
+            };
+            let mut file = File::options().write(true).open(&path)?;
+            if file.metadata()?.len() < bytes {
+                return Err(std::io::Error::other(
+                    "it is shorter than when it was last written",
+                ));
+            }
+            file.set_len(bytes)?;
+            file.seek(SeekFrom::End(0))?;
+            Ok((file, bytes))
+        };
+        let (file, bytes) = open().map_err(|error| Error::file("open", &path, error))?;
+        let mut series = Self { path, file, bytes };
+        if series.bytes == 0 {
+            series.append(&(columns.join(",") + "\n"))?;
+        }
+        Ok(series)
+    }
+
+    /// Bring what was appended to the disk.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn sync(&self) -> Result<(), Error> {
+        let synced = self.file.sync_data();
+        synced.map_err(|error| Error::file("write", &self.path, error))
+    }
+
+    /// Append a sample.
+    ///
+    /// # Errors
+    /// Failures of the file system; what was there before is kept.
+    pub fn write(&mut self, sample: &Sample) -> Result<(), Error> {
+        let cells: Vec<String> = sample.iter().map(|(_, value)| value.to_string()).collect();
+        self.append(&(cells.join(",") + "\n"))
+    }
+
+    fn append(&mut self, text: &str) -> Result<(), Error> {
+        if let Err(error) = self.file.write_all(text.as_bytes()) {
+            let _ = self.file.set_len(self.bytes);
+            return Err(Error::file("write", &self.path, error));
+        }
+        self.bytes += text.len() as u64;
+        Ok(())
+    }
+
+    /// Bytes written so far.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+}

@@ -1,0 +1,72 @@
+//! Named columns: what a model has to show of its particles, as plain data.
+
+use std::fmt::Write;
+
+/// A table of as many rows in every column.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// Its columns.
+    pub columns: Vec<Column>,
+}
+
+/// A column: its name and its values.
+pub type Column = (&'static str, Values);
+
+/// The values of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Numbers in SI units.
+    Numbers(Vec<f64>),
+    /// Counts and labels.
+    Integers(Vec<usize>),
+    /// Kinds of particles.
+    Kinds(Kinds),
+}
+
+/// A kind per row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kinds {
+    /// Names of all kinds.
+    pub names: Vec<&'static str>,
+    /// Positions among them.
+    pub codes: Vec<usize>,
+}
+
+impl Values {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Numbers(numbers) => numbers.len(),
+            Self::Integers(integers) => integers.len(),
+            Self::Kinds(kinds) => kinds.codes.len(),
+        }
+    }
+
+    /// Append a value as text; reading it back gives the same bits.
+    pub fn print(&self, row: usize, text: &mut String) {
+        let _ = match self {
+            Self::Numbers(numbers) => write!(text, "{:?}", numbers[row]),
+            Self::Integers(integers) => write!(text, "{}", integers[row]),
+            Self::Kinds(kinds) => write!(text, "{}", kinds.names[kinds.codes[row]]),
+        };
+    }
+}
+
+impl Table {
+    /// The table as CSV, with a line of names.
+    pub fn to_csv(&self) -> String {
+        let names: Vec<&str> = self.columns.iter().map(|(name, _)| *name).collect();
+        let mut text = names.join(",") + "\n";
+        let rows = self.columns.first().map_or(0, |(_, values)| values.len());
+        for row in 0..rows {
+            for (place, (_, values)) in self.columns.iter().enumerate() {
+                if place > 0 {
+                    text.push(',');
+                }
+                values.print(row, &mut text);
+            }
+            text.push('\n');
+        }
+        text
+    }
+}

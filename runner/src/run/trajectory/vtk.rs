@@ -1,0 +1,84 @@
+//! Legacy VTK files: a vertex per particle, a segment per line.
+
+use super::super::table::Values;
+use super::Frame;
+use crate::error::Error;
+use gouge_common::geometry::Vec2;
+use std::path::Path;
+use vtkio::model::{
+    Attribute, Attributes, ByteOrder, DataSet, Piece, PolyDataPiece, Version, VertexNumbers, Vtk,
+};
+
+/// A frame.
+///
+/// # Errors
+/// What the library cannot write.
+pub fn text(frame: &Frame) -> Result<String, Error> {
+    let file = Vtk {
+        version: Version::new_legacy(4, 2),
+        title: format!("t = {:?} s", frame.time),
+        byte_order: ByteOrder::BigEndian,
+        file_path: None,
+        data: DataSet::PolyData {
+            meta: None,
+            pieces: vec![Piece::Inline(Box::new(piece(frame)))],
+        },
+    };
+    let mut text = String::new();
+    file.write_legacy_ascii(&mut text).map_err(|error| {
+        Error::file(
+            "write",
+            Path::new("trajectory"),
+            std::io::Error::other(error.to_string()),
+        )
+    })?;
+    Ok(text)
+}
+
+fn piece(frame: &Frame) -> PolyDataPiece {
+    let number = frame.positions.len() as u32;
+    let vertices = (0..number).flat_map(|i| [1, i]).collect();
+    let lines: Vec<u32> = frame
+        .lines
+        .iter()
+        .flat_map(|&(i, j)| [2, i as u32, j as u32])
+        .collect();
+    let radii = Attribute::scalars("radius", 1).with_data(frame.radii().to_vec());
+    let vectors = frame
+        .vectors
+        .iter()
+        .map(|(name, column)| Attribute::vectors(*name).with_data(flat(column)));
+    let scalars = frame.scalars.columns.iter().map(scalar);
+    PolyDataPiece {
+        points: flat(&frame.positions).into(),
+        verts: Some(VertexNumbers::Legacy {
+            num_cells: number,
+            vertices,
+        }),
+        lines: (!lines.is_empty()).then_some(VertexNumbers::Legacy {
+            num_cells: lines.len() as u32 / 3,
+            vertices: lines,
+        }),
+        polys: None,
+        strips: None,
+        data: Attributes {
+            point: [radii].into_iter().chain(vectors).chain(scalars).collect(),
+            cell: vec![],
+        },
+    }
+}
+
+fn scalar((name, values): &(&'static str, Values)) -> Attribute {
+    let attribute = Attribute::scalars(*name, 1);
+    let integers = |column: &[usize]| column.iter().map(|&x| x as i32).collect::<Vec<i32>>();
+    match values {
+        Values::Numbers(numbers) => attribute.with_data(numbers.clone()),
+        Values::Integers(column) => attribute.with_data(integers(column)),
+        Values::Kinds(kinds) => attribute.with_data(integers(&kinds.codes)),
+    }
+}
+
+/// Components of vectors one after the other; the third is zero.
+fn flat(column: &[Vec2]) -> Vec<f64> {
+    column.iter().flat_map(|v| [v.x, v.y, 0.0]).collect()
+}

@@ -1,0 +1,66 @@
+//! From one phase to the next.
+
+use super::phases::{Phase, PhaseKind, phase_model, phases};
+use super::setup_states::{bonded_block, loose_grains, roles};
+use crate::error::Error;
+use crate::scene::Scene;
+use gouge_dem::{ModelError, World};
+
+/// The world at the beginning of a phase, from that at the end of the phase before.
+///
+/// # Errors
+/// States that the kernel refuses.
+pub fn begin_phase(
+    scene: &Scene,
+    phases: &[Phase],
+    index: usize,
+    before: Option<World>,
+) -> Result<World, ModelError> {
+    let Some(setup) = &scene.setup else {
+        return scene.initial_world();
+    };
+    let kind = phases[index].kind;
+    let world = match before {
+        None => loose_grains(scene, setup, kind)?,
+        Some(world) => world,
+    };
+    let made_before = index > 0 && !matches!(phases[index - 1].kind, PhaseKind::Settle(_));
+    let world = if matches!(kind, PhaseKind::Settle(_)) || made_before {
+        world
+    } else {
+        bonded_block(scene, setup, world, kind)?
+    };
+    let radii = world.particles().radius.clone();
+    let had_roles = index > 0 && matches!(phases[index - 1].kind, PhaseKind::Press(_));
+    let gets_roles = matches!(kind, PhaseKind::Press(_) | PhaseKind::Main) && !had_roles;
+    let roles = gets_roles.then(|| roles(scene, setup, world.particles()));
+    world.continue_with(phase_model(scene, kind, &radii), roles)
+}
+
+/// The world at t = 0 of the scene proper, after all phases of its set-up, without any output.
+///
+/// # Errors
+/// States that the kernel refuses or that become senseless.
+pub fn run_setup(scene: &Scene) -> Result<World, Error> {
+    let phases = phases(scene);
+    let mut world = begin_phase(scene, &phases, 0, None)?;
+    for (index, phase) in phases.iter().enumerate().take(phases.len() - 1) {
+        advance(&mut world, phase.steps, &phase.name)?;
+        world = begin_phase(scene, &phases, index + 1, Some(world))?;
+    }
+    Ok(world)
+}
+
+/// Advance a world by some steps of a phase of the given name.
+///
+/// # Errors
+/// A state that becomes senseless.
+pub fn advance(world: &mut World, steps: u64, phase: &str) -> Result<(), Error> {
+    for _ in 0..steps {
+        world.step().map_err(|source| Error::Step {
+            phase: phase.to_owned(),
+            source,
+        })?;
+    }
+    Ok(())
+}

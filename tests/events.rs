@@ -1,0 +1,200 @@
+//! What a run reports to its observer, and in which order.
+
+use crate::worlds::{head, particle, scene};
+use gouge_runner::error::Error;
+use gouge_runner::run::{Event, RunOptions, Warning, phases, run};
+use gouge_runner::scene::{Scene, builtin};
+use std::path::Path;
+
+/// An event without what it borrows.
+#[derive(Clone, Debug, PartialEq)]
+enum Seen {
+    Began(usize, Vec<String>),
+    Progress(usize, u64),
+    Warning(f64, f64, String),
+    Sample(u64, f64),
+    Checkpoint(u64),
+    Ended,
+}
+
+fn seen(event: Event<'_>) -> Seen {
+    match event {
+        Event::PhaseBegan { phases, index } => Seen::Began(
+            index,
+            phases.iter().map(|phase| phase.name.clone()).collect(),
+        ),
+        Event::Progress { phase, steps } => Seen::Progress(phase, steps),
+        Event::Warning(warning) => {
+            let Warning::TimeStep { step, bound, .. } = warning;
+            Seen::Warning(step, bound, warning.to_string())
+        }
+        Event::SampleWritten { sample, time } => Seen::Sample(sample, time),
+        Event::CheckpointWritten { path, steps } => {
+            assert!(path.ends_with("checkpoint") && path.exists());
+            Seen::Checkpoint(steps)
+        }
+        Event::Ended => Seen::Ended,
+    }
+}
+
+/// The events of a run, and how it ended.
+fn watch(scene: &Scene, folder: &Path, options: RunOptions) -> (Vec<Seen>, Result<(), Error>) {
+    let mut events = Vec::new();
+    let mut observer = |event: Event<'_>| events.push(seen(event));
+    let outcome = run(scene, folder, options, &mut observer);
+    (events, outcome)
+}
+
+/// Checkpoints only where they are due anyway.
+const RARELY: RunOptions = RunOptions {
+    resume: false,
+    checkpoint_interval: f64::INFINITY,
+};
+/// Checkpoints as often as possible.
+const OFTEN: RunOptions = RunOptions {
+    resume: false,
+    checkpoint_interval: 0.0,
+};
+
+/// A small fault in short phases: settling of 600 and 600 steps, relaxing and pressing of 800, shear of 4000.
+fn fault() -> Scene {
+    let mut text = builtin::text("granite-fault-small")
+        .expect("built in")
+        .to_owned();
+    for (old, new) in [
+        ("end = 12.5e-3", "end = 40e-6"),
+        ("interval = 50e-6", "interval = 10e-6"),
+        ("width = 25e-3", "width = 15e-3"),
+        ("height = 25e-3", "height = 15e-3"),
+        ("driven_above = 21e-3", "driven_above = 11e-3"),
+        ("duration = 1e-3", "duration = 60e-6"),
+        ("duration = 0.5e-3", "duration = 8e-6"),
+    ] {
+        assert!(text.contains(old), "{old}");
+        text = text.replace(old, new);
+    }
+    scene(&text)
+}
+
+#[test]
+fn phases_samples_and_checkpoints_are_reported_in_order() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = fault();
+    let phases = phases(&scene);
+    let names: Vec<String> = phases.iter().map(|phase| phase.name.clone()).collect();
+    assert!(phases.len() > 2, "{names:?}");
+    let (events, outcome) = watch(&scene, folder.path(), RARELY);
+    outcome.expect("the run succeeds");
+    let (last, earlier) = phases.split_last().expect("the scene proper");
+    let mut expected = Vec::new();
+    for (index, phase) in earlier.iter().enumerate() {
+        expected.push(Seen::Began(index, names.clone()));
+        expected.push(Seen::Checkpoint(0));
+        expected.push(Seen::Progress(index, phase.steps));
+    }
+    expected.push(Seen::Began(earlier.len(), names.clone()));
+    expected.push(Seen::Checkpoint(0));
+    for sample in 0..=4 {
+        if sample > 0 {
+            expected.push(Seen::Progress(earlier.len(), last.steps / 4 * sample));
+        }
+        let time = (last.steps / 4 * sample) as f64 * scene.step;
+        expected.push(Seen::Sample(sample, time));
+    }
+    expected.push(Seen::Ended);
+    expected.push(Seen::Checkpoint(last.steps));
+    assert_eq!(ends_of_progress(events), expected);
+}
+
+/// The events, but of consecutive reports of progress only the last; each must be farther than the one before.
+fn ends_of_progress(events: Vec<Seen>) -> Vec<Seen> {
+    let mut ends: Vec<Seen> = Vec::new();
+    for event in events {
+        if let (Some(Seen::Progress(phase, steps)), Seen::Progress(next, more)) =
+            (ends.last(), &event)
+        {
+            assert!(
+                phase == next && steps < more,
+                "{phase} {steps} {next} {more}"
+            );
+            ends.pop();
+        }
+        ends.push(event);
+    }
+    ends
+}
+
+/// Two grains that touch, with a time step in units of sqrt(m / k).
+fn pair(step: f64) -> Scene {
+    // Mass 2700 4/3 pi 1e-9 kg, stiffness 1e7 N/m.
+    let unit = (2700.0 * 4.0 / 3.0 * core::f64::consts::PI * 1e-9 / 1e7_f64).sqrt();
+    let text = head("velocity-verlet", step * unit)
+        .replace("end = 1.0", &format!("end = {:e}", 2000.0 * step * unit))
+        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n[output]\ninterval = 1.0\n"
+        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
+        + &particle([1.999e-3, 0.0], [0.0, 0.0], 0.0, 1e-3);
+    scene(&text)
+}
+
+#[test]
+fn a_time_step_above_the_bound_is_reported_once_before_the_first_step() {
+    // Two equal masses on a spring: velocity Verlet is stable up to 2 / sqrt(2 k / m).
+    for (step, warns) in [(0.5, false), (1.5, true)] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = pair(step);
+        let (events, _) = watch(&scene, folder.path(), RARELY);
+        let warning = |event: &&Seen| matches!(event, Seen::Warning(..));
+        assert_eq!(events.iter().filter(warning).count(), usize::from(warns));
+        if !warns {
+            continue;
+        }
+        let Seen::Warning(step, bound, text) = &events[1] else {
+            panic!("{events:?}");
+        };
+        assert!(*step == scene.step && bound < step);
+        for part in ["scene.toml: time.step = ", "gouge stability"] {
+            assert!(text.contains(part), "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_failed_run_ends_without_another_checkpoint() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = head("euler", 1e-3) + &particle([0.0; 2], [1e200, 0.0], 0.0, 1e-3);
+    let (events, outcome) = watch(&scene(&text), folder.path(), RARELY);
+    assert!(matches!(outcome, Err(Error::Energy { .. })), "{outcome:?}");
+    let names = vec!["run".to_owned()];
+    assert_eq!(
+        events,
+        [Seen::Began(0, names), Seen::Checkpoint(0), Seen::Ended]
+    );
+}
+
+#[test]
+fn a_resumed_run_begins_in_its_phase() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = pair(0.1);
+    let (events, outcome) = watch(&scene, folder.path(), OFTEN);
+    outcome.expect("the run succeeds");
+    let written: Vec<u64> = events
+        .iter()
+        .filter_map(|event| match event {
+            Seen::Checkpoint(steps) => Some(*steps),
+            _ => None,
+        })
+        .collect();
+    // One when the phase begins, one after each look at the clock, one at the end.
+    assert!(written.len() > 3 && written.is_sorted(), "{written:?}");
+    let resumed = RunOptions {
+        resume: true,
+        ..RARELY
+    };
+    let (events, outcome) = watch(&scene, folder.path(), resumed);
+    outcome.expect("the run succeeds");
+    let names = vec!["run".to_owned()];
+    assert_eq!(
+        events,
+        [Seen::Began(0, names), Seen::Ended, Seen::Checkpoint(2000)]
+    );
+}

@@ -1,0 +1,34 @@
+//! Other programs' results, as the folder `references` holds them.
+//!
+//! A case is a folder `ENGINE/NAME`: `case.toml` states what is compared and lists the runs, `scene.toml`
+//! is our scene with `${variables}` of the runs, the engine's input stands beside it, and `result.json`
+//! is what the engine computed. The runner carries a copy of all of them.
+
+mod case;
+mod result;
+
+pub use case::{Case, Compared, Control, Observable, Statistic};
+pub use gouge_runner::references::{Run, paths};
+pub use result::{Recorded, RecordedRun, Table};
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::LazyLock;
+
+static CASES: LazyLock<BTreeMap<String, Result<Case, String>>> = LazyLock::new(|| {
+    paths()
+        .map(|path| (path.clone(), Case::read(Path::new(&path))))
+        .collect()
+});
+
+/// The case at a path such as `lammps/kelvin-voigt`.
+///
+/// # Errors
+/// No such case, or files of it that cannot be read.
+pub fn case(path: &str) -> Result<&'static Case, String> {
+    match CASES.get(path) {
+        Some(Ok(case)) => Ok(case),
+        Some(Err(error)) => Err(format!("references/{path}: {error}")),
+        None => Err(format!("there is no folder references/{path}")),
+    }
+}
