@@ -3,6 +3,7 @@
 pub use gouge_validation::checks::dem::scenes::{bits, particle};
 
 use gouge_dem::World;
+use gouge_runner::machine::equipped;
 use gouge_runner::run::{enter, phases};
 use gouge_runner::scene::{Scene, builtin};
 use std::path::Path;
@@ -28,6 +29,7 @@ pub fn scene(text: &str) -> Scene {
 pub fn world(text: &str) -> World {
     scene(text)
         .initial_world()
+        .map(equipped)
         .expect("the kernel takes the scene")
 }
 

@@ -95,7 +95,7 @@ pub fn default_threads(particles: usize) -> usize {
 }
 
 /// A world that uses the machine as chosen; where the choice is an error, as without one.
-pub(crate) fn equipped<S: Number>(world: World<S>) -> World<S> {
+pub fn equipped<S: Number>(world: World<S>) -> World<S> {
     let default = Machine {
         instructions: Instructions::widest(),
         threads: None,

@@ -115,7 +115,7 @@ pub fn enter(
     before: Option<World>,
 ) -> Result<World, ModelError> {
     let Some(setup) = &scene.setup else {
-        return scene.initial_world();
+        return scene.initial_world().map(equipped);
     };
     let kind = phases[index].kind;
     let world = match before {
