@@ -214,6 +214,26 @@ fn the_kernel_touches_nothing_outside_itself() {
 }
 
 #[test]
+fn reading_a_scene_depends_only_on_its_files_and_prints_nothing() {
+    let outside = [
+        "std::env",
+        "env::var",
+        "machine",
+        "print!",
+        "println!",
+        "std::time",
+        "std::process",
+    ];
+    for file in rust_files(&root().join("runner/src/scene")) {
+        let text = read(&file);
+        for line in code(&text) {
+            let word = outside.iter().find(|word| line.contains(*word));
+            assert!(word.is_none(), "{}: {line}", file.display());
+        }
+    }
+}
+
+#[test]
 fn only_passes_write_forces_and_estimators_write_nothing() {
     let source = root().join("kernel/dem/src");
     for file in rust_files(&source) {

@@ -159,10 +159,20 @@ impl Scene {
     /// As [`Scene::load`]; a mistake in an override names the override.
     pub fn load_with(name: &str, overrides: &Overrides) -> std::result::Result<Self, Error> {
         if let Some(text) = builtin::text(name) {
-            return Ok(Self::parse_with(name, text.as_bytes(), Path::new("."), overrides)?);
+            return Ok(Self::parse_with(
+                name,
+                text.as_bytes(),
+                Path::new("."),
+                overrides,
+            )?);
         }
         if let Some(text) = references::scene_text(name) {
-            return Ok(Self::parse_with(name, text.as_bytes(), Path::new("."), overrides)?);
+            return Ok(Self::parse_with(
+                name,
+                text.as_bytes(),
+                Path::new("."),
+                overrides,
+            )?);
         }
         let path = Path::new(name);
         let bytes = std::fs::read(path).map_err(|error| SceneError {
