@@ -7,13 +7,16 @@
 //! |---|---|
 //! | `#` | a remark |
 //! | `-`, `+` | the first text in the scene is replaced by the second |
+//! | `$` | an override, `KEY=VALUE` |
 //! | `@` | a file beside the scene is replaced: its name, a space, its content |
 //! | `=` | what the message says after the line of the scene that ends with `# here`, or its first line |
 //! | `!` | what the message says, beginning with the name of the file beside the scene |
+//! | `>` | what the message says in full |
 //!
 //! ` ... ` in an expected message stands for any text.
 
 use crate::program::{gouge, stderr};
+use gouge_runner::scene::{Overrides, Scene};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use std::path::{Path, PathBuf};
@@ -41,7 +44,9 @@ const BESIDE: [(&str, &str); 3] = [
 #[derive(Clone, Debug, Default)]
 struct Case {
     scene: Vec<u8>,
+    overrides: Vec<String>,
     beside: Vec<(String, Vec<u8>)>,
+    /// `FOLDER` stands for the folder of the scene.
     expected: String,
 }
 
@@ -76,16 +81,20 @@ impl Bench {
         for (name, bytes) in beside.chain(replaced) {
             std::fs::write(self.path(name), bytes).expect("the folder is writable");
         }
-        let expected = format!("gouge: {}/{}", self.folder.path().display(), case.expected);
-        self.refuses(&scene, &expected);
+        let folder = self.folder.path().display().to_string();
+        let expected = format!("gouge: {}", case.expected.replace("FOLDER", &folder));
+        self.refuses(&scene, &case.overrides, &expected);
     }
 
     /// All commands that take a scene refuse it with a message.
-    fn refuses(&mut self, scene: &Path, expected: &str) {
+    fn refuses(&mut self, scene: &Path, overrides: &[String], expected: &str) {
         let out = self.path("out");
         for command in ["run", "links", "stability"] {
             let mut program = gouge();
             program.arg(command).arg(scene);
+            for text in overrides {
+                program.arg("--set").arg(text);
+            }
             if command == "run" {
                 program.arg("--out").arg(&out);
             }
@@ -101,7 +110,7 @@ impl Bench {
             if !is_refused {
                 let (status, said) = (output.status, said.chars().take(600).collect::<String>());
                 self.failures.push(format!(
-                    "{command}\nwanted {expected}\nsaid {status} {said}"
+                    "{command} {overrides:?}\nwanted {expected}\nsaid {status} {said}"
                 ));
                 let _ = std::fs::remove_dir_all(&out);
                 return;
@@ -183,9 +192,11 @@ fn case(scene: &str, paragraph: &str) -> Option<Case> {
             }
             "=" => {
                 let marked = scene.lines().position(|line| line.ends_with("# here"));
-                case.expected = format!("scene.toml:{}: {text}", 1 + marked.unwrap_or(0));
+                case.expected = format!("FOLDER/scene.toml:{}: {text}", 1 + marked.unwrap_or(0));
             }
-            "!" => case.expected = text.to_owned(),
+            "!" => case.expected = format!("FOLDER/{text}"),
+            ">" => case.expected = text.to_owned(),
+            "$" => case.overrides.push(text.to_owned()),
             _ => {}
         }
     }
@@ -229,6 +240,60 @@ fn mistakes_in_a_set_up_are_named() {
 fn mistakes_in_files_beside_a_scene_are_named() {
     let list = include_str!("bad_input/beside.txt");
     assert!(check_list(include_str!("bad_input/beside.toml"), list) > 35);
+}
+
+#[test]
+fn mistakes_in_overrides_are_named() {
+    let list = include_str!("bad_input/overrides.txt");
+    assert!(check_list(include_str!("bad_input/full.toml"), list) > 50);
+}
+
+/// The override that makes the mistake that a case of a file expects to be named, if its message shows the
+/// value in full.
+fn same_mistake(case: &Case) -> Option<String> {
+    let (_, message) = case
+        .expected
+        .strip_prefix("FOLDER/scene.toml:")?
+        .split_once(": ")?;
+    let (key, rest) = message.split_once(" = ")?;
+    let (value, _) = rest.split_once(": ")?;
+    let is_whole = !value.contains("...") && !value.contains("[array of") && value != "{table}";
+    let is_toml = case.expected.contains("must be TOML");
+    let key = key.replace('[', ".").replace(']', "");
+    (is_whole && !is_toml).then(|| format!("{key}={value}"))
+}
+
+#[test]
+fn an_override_leads_to_the_error_of_the_same_value_in_the_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lists = [
+        (
+            include_str!("bad_input/full.toml"),
+            include_str!("bad_input/full.txt"),
+        ),
+        (
+            include_str!("bad_input/made.toml"),
+            include_str!("bad_input/made.txt"),
+        ),
+    ];
+    let cases = lists.iter().flat_map(|(scene, list)| {
+        let cases = list.split("\n\n").filter_map(|text| case(scene, text));
+        cases.filter_map(|case| Some((same_mistake(&case)?, case.scene)))
+    });
+    let mut number = 0;
+    for (text, scene) in cases {
+        let overrides = Overrides::parse(&[&text]).expect("usable overrides");
+        let parse = |overrides: &Overrides| {
+            Scene::parse_with("scene.toml", &scene, folder.path(), overrides)
+                .expect_err("the scene has a mistake")
+        };
+        let (of_file, of_override) = (parse(&Overrides::default()), parse(&overrides));
+        assert_eq!(of_override.accepted, of_file.accepted, "{text}");
+        let expected = format!("--set {text}: {}", of_file.accepted);
+        assert_eq!(of_override.to_string(), expected);
+        number += 1;
+    }
+    assert!(number > 120, "{number}");
 }
 
 /// Pseudo-random bytes.
@@ -335,7 +400,7 @@ fn what_is_no_scene_at_all_is_refused() {
     for (scene, expected) in no_scenes().into_iter().chain(repetitive_scenes()) {
         bench.check(&Case {
             scene,
-            expected: expected.to_owned(),
+            expected: format!("FOLDER/{expected}"),
             ..Case::default()
         });
     }
@@ -358,10 +423,10 @@ fn scenes_that_cannot_be_read_are_refused() {
             "gouge: {}: must be a readable scene file or one of the built-in scenes granite-fault, ",
             path.display()
         );
-        bench.refuses(path, &expected);
+        bench.refuses(path, &[], &expected);
     }
     let expected = "gouge: granite: must be a readable scene file or one of the built-in scenes";
-    bench.refuses(Path::new("granite"), expected);
+    bench.refuses(Path::new("granite"), &[], expected);
     bench.finish();
 }
 
@@ -370,7 +435,7 @@ fn unusable_arguments_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");
     let out = out.to_str().expect("UTF-8");
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 16] = [
         (&[], "Usage"),
         (&["fly"], "fly"),
         (&["run"], "SCENE"),
@@ -382,6 +447,8 @@ fn unusable_arguments_are_refused() {
         (&["run", "head-on", "oblique", "--out", out], "oblique"),
         (&["run", "heads-on", "--out", out], "heads-on"),
         (&["links"], "SCENE"),
+        (&["links", "head-on", "--set"], "--set"),
+        (&["scenes", "head-on", "--set", "time.step=1"], "--set"),
         (&["stability", "no-such-scene"], "no-such-scene"),
         (&["scenes", "no-such-scene"], "granite-fault"),
         (

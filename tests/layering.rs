@@ -211,6 +211,17 @@ fn the_kernel_touches_nothing_outside_itself() {
 }
 
 #[test]
+fn reading_a_scene_depends_only_on_its_files() {
+    for file in rust_files(&root().join("runner/src/scene")) {
+        let text = read(&file);
+        for line in code(&text) {
+            let outside = ["machine::", "std::time"].iter().any(|word| line.contains(word));
+            assert!(!outside, "{}: {line}", file.display());
+        }
+    }
+}
+
+#[test]
 fn the_runner_prints_nothing_and_only_one_file_reads_the_environment() {
     let output = [
         "print!",

@@ -8,6 +8,7 @@ mod integrators;
 mod links;
 mod nothing_lost;
 mod original_program;
+mod overrides;
 mod pay_for_use;
 mod program;
 mod readings;

@@ -3,6 +3,7 @@
 pub use gouge_validation::checks::dem::scenes::{bits, particle};
 
 use gouge_dem::World;
+use gouge_runner::machine::with_chosen_execution;
 use gouge_runner::run::{begin_phase, phases};
 use gouge_runner::scene::{Scene, builtin};
 use std::path::Path;
@@ -28,6 +29,7 @@ pub fn scene(text: &str) -> Scene {
 pub fn world(text: &str) -> World {
     scene(text)
         .initial_world()
+        .map(with_chosen_execution)
         .expect("the kernel takes the scene")
 }
 

@@ -3,10 +3,10 @@
 mod terminal;
 mod verify;
 
-use clap::{Parser, Subcommand};
+use clap::{Args, Parser, Subcommand};
 use gouge_runner::error::Error;
 use gouge_runner::machine::{CallingThread, start_pool};
-use gouge_runner::scene::Scene;
+use gouge_runner::scene::{Overrides, Scene};
 use gouge_runner::{commands, run};
 use mimalloc::MiMalloc;
 use std::io::Write;
@@ -30,8 +30,8 @@ struct Arguments {
 enum Command {
     /// Run a scene and write its outputs
     Run {
-        /// A scene file, or the name of a built-in scene
-        scene: String,
+        #[command(flatten)]
+        scene: SceneArguments,
         /// Folder for the outputs
         #[arg(long)]
         out: PathBuf,
@@ -47,13 +47,13 @@ enum Command {
     },
     /// Print every pair that interacts at t = 0, as CSV
     Links {
-        /// A scene file, or the name of a built-in scene
-        scene: String,
+        #[command(flatten)]
+        scene: SceneArguments,
     },
     /// Print the time-step bounds of a scene, as JSON
     Stability {
-        /// A scene file, or the name of a built-in scene
-        scene: String,
+        #[command(flatten)]
+        scene: SceneArguments,
     },
     /// Run the checks and write report.html and report.json
     Verify {
@@ -69,6 +69,22 @@ enum Command {
         /// Name of a built-in scene
         name: Option<String>,
     },
+}
+
+/// A scene and what is different from its file.
+#[derive(Args)]
+struct SceneArguments {
+    /// A scene file, or the name of a built-in scene
+    scene: String,
+    /// Override a key of the scene with a TOML value, such as time.step=1e-9; repeatable
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+}
+
+impl SceneArguments {
+    fn load(&self) -> Result<Scene, Error> {
+        Scene::load_with(&self.scene, &Overrides::parse(&self.set)?)
+    }
 }
 
 /// A number of seconds.
@@ -96,11 +112,11 @@ fn execute(command: Command) -> Result<(), Error> {
                 checkpoint_interval,
             };
             let mut terminal = Terminal::new(quiet);
-            return run::run(&Scene::load(&scene)?, &out, options, &mut terminal);
+            return run::run(&scene.load()?, &out, options, &mut terminal);
         }
         Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
-        Command::Links { scene } => commands::links(&Scene::load(&scene)?)?,
-        Command::Stability { scene } => commands::stability(&Scene::load(&scene)?)?,
+        Command::Links { scene } => commands::links(&scene.load()?)?,
+        Command::Stability { scene } => commands::stability(&scene.load()?)?,
         Command::Scenes { name } => commands::scenes(name.as_deref())?,
     };
     // A closed pipe is how `head` says that it has seen enough.

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// A scene file that cannot be used: file, line, key, value and what is accepted.
+/// A scene that cannot be used: file and line or override, key, value and what is accepted.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub struct SceneError {
-    /// The file.
+    /// The file, or the override as `--set KEY=VALUE`.
     pub file: String,
     /// The line, counted from one; zero where no single line is at fault.
     pub line: usize,
-    /// The key, as a dotted path.
+    /// The key, as a dotted path; empty where the override names it.
     pub key: String,
     /// The value found.
     pub value: String,

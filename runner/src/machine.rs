@@ -97,7 +97,7 @@ pub fn default_threads(particles: usize) -> usize {
 
 /// The world with the instructions and threads that the environment asks for; the default ones if what it asks for
 /// is an error.
-pub(crate) fn with_chosen_execution<S: Number>(world: World<S>) -> World<S> {
+pub fn with_chosen_execution<S: Number>(world: World<S>) -> World<S> {
     let default = Machine {
         instructions: Instructions::widest(),
         threads: None,

@@ -17,7 +17,7 @@ pub fn begin_phase(
     before: Option<World>,
 ) -> Result<World, ModelError> {
     let Some(setup) = &scene.setup else {
-        return scene.initial_world();
+        return scene.initial_world().map(with_chosen_execution);
     };
     let kind = phases[index].kind;
     let world = match before {

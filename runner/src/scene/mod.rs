@@ -3,18 +3,19 @@
 pub mod builtin;
 mod check;
 mod laws;
+mod overrides;
 mod particles;
 mod setup;
 mod table;
 mod text;
 
 pub use laws::DrivingTable;
+pub use overrides::Overrides;
 pub use particles::{Place, Placed, role_name};
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
 pub use text::hex;
 
 use crate::error::{Error, SceneError};
-use crate::machine::with_chosen_execution;
 use crate::references;
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
@@ -26,7 +27,6 @@ use gouge_dem::laws::characteristic_length;
 use gouge_dem::model::{Ambient, BondLaws, ContactLaws, External, Model, Reading};
 use gouge_dem::particles::{Particle, Particles};
 use gouge_dem::{ModelError, Number, Start, World};
-use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use table::{Range, Source, Table};
 use text::{syntax_error, text_of};
@@ -75,7 +75,7 @@ pub struct Scene {
     pub file: String,
     /// All files that were read: the scene and those beside it.
     pub files: Vec<PathBuf>,
-    /// SHA-256 of the file.
+    /// SHA-256 of the file and the overrides.
     pub sha256: String,
 }
 
@@ -101,8 +101,9 @@ pub enum Trajectory {
     Extxyz,
 }
 
-const KEYS: [&str; 18] = [
+const KEYS: [&str; 19] = [
     "title",
+    "model",
     "reading",
     "time",
     "box",
@@ -149,11 +150,29 @@ impl Scene {
     /// # Errors
     /// Unreadable files and every mistake in them.
     pub fn load(name: &str) -> std::result::Result<Self, Error> {
+        Self::load_with(name, &Overrides::default())
+    }
+
+    /// As [`Scene::load`], with some keys overridden.
+    ///
+    /// # Errors
+    /// As [`Scene::load`]; a mistake in an override names the override.
+    pub fn load_with(name: &str, overrides: &Overrides) -> std::result::Result<Self, Error> {
         if let Some(text) = builtin::text(name) {
-            return Ok(Self::parse(name, text.as_bytes(), Path::new("."))?);
+            return Ok(Self::parse_with(
+                name,
+                text.as_bytes(),
+                Path::new("."),
+                overrides,
+            )?);
         }
         if let Some(text) = references::scene_text(name) {
-            return Ok(Self::parse(name, text.as_bytes(), Path::new("."))?);
+            return Ok(Self::parse_with(
+                name,
+                text.as_bytes(),
+                Path::new("."),
+                overrides,
+            )?);
         }
         let path = Path::new(name);
         let bytes = std::fs::read(path).map_err(|error| SceneError {
@@ -167,7 +186,7 @@ impl Scene {
             ),
         })?;
         let folder = path.parent().unwrap_or(Path::new("."));
-        Ok(Self::parse(name, &bytes, folder)?)
+        Ok(Self::parse_with(name, &bytes, folder, overrides)?)
     }
 
     /// Read a scene from the bytes of a file; side files are sought in `folder`.
@@ -175,17 +194,37 @@ impl Scene {
     /// # Errors
     /// Every mistake in it.
     pub fn parse(file: &str, bytes: &[u8], folder: &Path) -> Result<Self> {
+        Self::parse_with(file, bytes, folder, &Overrides::default())
+    }
+
+    /// As [`Scene::parse`], with some keys overridden before anything is checked.
+    ///
+    /// # Errors
+    /// As [`Scene::parse`]; a mistake in an override names the override.
+    pub fn parse_with(
+        file: &str,
+        bytes: &[u8],
+        folder: &Path,
+        overrides: &Overrides,
+    ) -> Result<Self> {
         let text = text_of(file, bytes)?;
-        let source = Source { file, text };
+        let source = Source {
+            file,
+            text,
+            overrides: overrides.list(),
+        };
         let table = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
-        let root = Table::root(source, table.get_ref());
+        let table = overrides.apply(table.into_inner(), text.len() + 1)?;
+        let root = Table::root(source, &table);
         let mut scene = Self::from_table(&root, folder)?;
-        scene.sha256 = hex(&Sha256::digest(bytes));
+        scene.sha256 = hex(&overrides.sha256(bytes));
         scene.check(&root)?;
         Ok(scene)
     }
 
     fn from_table(root: &Table, folder: &Path) -> Result<Self> {
+        // The model decides on the keys, so it is checked before them.
+        root.optional_choice("model", &[("dem", ())])?;
         root.allow(&KEYS)?;
         let readings = [
             ("corrected", Reading::Corrected),
@@ -242,7 +281,8 @@ impl Scene {
         }
     }
 
-    /// The world at t = 0 of a scene without set-up.
+    /// The world at t = 0 of a scene without set-up, computed in one thread with the widest instructions
+    /// unless the caller chooses others (`machine::with_chosen_execution`).
     ///
     /// # Errors
     /// States that the kernel refuses.
@@ -264,7 +304,7 @@ impl Scene {
             contacts: self.contacts.iter().map(|(contact, _)| *contact).collect(),
             drive_force: self.initial_force(),
         };
-        World::new(model, particles, &start).map(with_chosen_execution)
+        World::new(model, particles, &start)
     }
 
     /// Total driving force at t = 0 in N.

@@ -28,11 +28,11 @@ pub fn role_name(role: Role) -> &'static str {
 /// Where a particle or link stands, for errors found later.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// The file.
+    /// The file, or the override.
     pub file: String,
-    /// The line.
+    /// The line; zero for an override.
     pub line: usize,
-    /// The key.
+    /// The key; empty for an override, which names it.
     pub key: String,
 }
 
@@ -43,7 +43,10 @@ impl Place {
             file: self.file.clone(),
             line: self.line,
             key: self.key.clone(),
-            value,
+            value: match self.key.is_empty() {
+                true => String::new(),
+                false => value,
+            },
             accepted,
         }
     }
@@ -329,6 +332,7 @@ impl Rows {
         let source = Source {
             file: &self.file,
             text: "",
+            overrides: &[],
         };
         let known = [required, optional].concat().join(", ");
         let accepted = format!("must be one of the columns: {known}");

@@ -1,5 +1,6 @@
 //! A table of a scene file that knows where it stands and accounts for every key.
 
+use super::overrides::{Override, located};
 use crate::error::SceneError;
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -7,16 +8,33 @@ use toml::de::{DeTable, DeValue};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
-/// The text of a file, to turn positions into lines.
+/// The text of a file and its overrides, to turn positions into lines.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
     /// Name of the file.
     pub file: &'a str,
     /// Its text.
     pub text: &'a str,
+    /// The overrides, whose values stand behind the text and one byte.
+    pub overrides: &'a [Override],
 }
 
-impl Source<'_> {
+impl<'a> Source<'a> {
+    /// The override to which a byte belongs, and the byte of its value; nothing for bytes of the file.
+    fn overriding(&self, byte: usize) -> Option<(&'a Override, usize)> {
+        let behind = byte.checked_sub(self.text.len() + 1)?;
+        located(self.overrides, behind)
+    }
+
+    /// What is written at a place.
+    fn written(&self, span: std::ops::Range<usize>) -> &'a str {
+        let text = match self.overriding(span.start) {
+            Some((one, start)) => one.written(start..start + span.len()),
+            None => self.text.get(span),
+        };
+        text.unwrap_or_default()
+    }
+
     /// Line of a byte, counted from one.
     pub fn line(&self, byte: usize) -> usize {
         1 + self
@@ -28,11 +46,16 @@ impl Source<'_> {
             .count()
     }
 
-    /// An error at a byte of the file.
+    /// An error at a byte of the file or of an override, which names its key and value itself.
     pub fn error(&self, byte: usize, key: &str, value: &str, accepted: &str) -> SceneError {
+        let (file, line, is_named) = match self.overriding(byte) {
+            Some((one, _)) => (one.to_string(), 0, one.path() == key),
+            None => (self.file.to_owned(), self.line(byte), false),
+        };
+        let (key, value) = if is_named { ("", "") } else { (key, value) };
         SceneError {
-            file: self.file.to_owned(),
-            line: self.line(byte),
+            file,
+            line,
             key: key.to_owned(),
             value: value.to_owned(),
             accepted: accepted.to_owned(),
@@ -99,7 +122,7 @@ fn shown_plain(source: &Source, value: &Spanned<DeValue>) -> String {
     match value.get_ref() {
         DeValue::String(text) => format!("{:?}", shortened(text)),
         DeValue::Integer(_) | DeValue::Float(_) | DeValue::Datetime(_) => {
-            shortened(source.text.get(value.span()).unwrap_or_default())
+            shortened(source.written(value.span()))
         }
         DeValue::Boolean(truth) => truth.to_string(),
         DeValue::Array(array) => format!("[array of {}]", array.len()),

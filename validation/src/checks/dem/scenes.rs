@@ -7,6 +7,7 @@ use gouge_dem::integrators::Integrator;
 use gouge_dem::model::{Model, Reading};
 use gouge_dem::particles::{Particle, Role};
 use gouge_dem::{Number, World};
+use gouge_runner::machine::with_chosen_execution;
 use gouge_runner::scene::Scene;
 use std::path::Path;
 
@@ -49,7 +50,7 @@ pub fn world(text: &str) -> Result<World, Failure> {
 /// # Errors
 /// As [`world`].
 pub fn world_in<S: Number>(text: &str) -> Result<World<S>, Failure> {
-    Ok(scene(text)?.initial_world_in()?)
+    Ok(scene(text)?.initial_world_in().map(with_chosen_execution)?)
 }
 
 /// Advance a world by so many steps.
