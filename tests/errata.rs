@@ -1,6 +1,6 @@
 //! Errata that change forces or motion, pinned by closed forms, invariants and derivatives.
 
-use crate::worlds::{INTEGRATORS, advance, head, particle, world};
+use crate::worlds::{INTEGRATORS, advance, head, particle, scene, world};
 use gouge_common::geometry::{Metric, PeriodicX, Vec2};
 use gouge_dem::World;
 use gouge_dem::estimators::{friction_feedback, friction_load};
@@ -11,7 +11,8 @@ use gouge_dem::laws::{
     drag_coefficient,
 };
 use gouge_dem::material::{Elastic, GRANITE};
-use gouge_dem::particles::{sphere_mass, sphere_moment_of_inertia};
+use gouge_dem::particles::{SPHERE_INERTIA_FACTOR, moment_of_inertia, sphere_mass};
+use gouge_runner::run::prepared;
 use std::f64::consts::PI;
 
 fn close(found: f64, expected: f64, relative: f64) -> bool {
@@ -137,11 +138,50 @@ fn masses_are_those_of_stacked_discs() {
     }
     let found = sphere_mass(density, r);
     assert!(close(found, mass, 1e-9));
-    assert!(close(sphere_moment_of_inertia(found, r), inertia, 1e-9));
+    let sphere = moment_of_inertia(SPHERE_INERTIA_FACTOR, found, r);
+    assert!(close(sphere, inertia, 1e-9));
     assert!(
         close(sphere_mass(2.0 * density, r), 2.0 * found, 1e-15),
         "grows with density"
     );
+}
+
+#[test]
+fn inertia_follows_the_reading_and_the_scene() {
+    // Second moments over the mass times the squared radius, by shells and rings of thickness 1/n: of a
+    // sphere about an axis, of a disc about its own, of a sphere about its centre as a point.
+    let n = 10_000;
+    let mean_square = |power: i32| {
+        let places = (0..n).map(|k| (f64::from(k) + 0.5) / f64::from(n));
+        let (mass, moment) = places.fold((0.0, 0.0), |(mass, moment), s| {
+            (mass + s.powi(power), moment + s.powi(power + 2))
+        });
+        moment / mass
+    };
+    let (point, disc) = (mean_square(2), mean_square(1));
+    let axis = 2.0 / 3.0 * point;
+    let cases = [
+        ("", "", axis),
+        ("reading = \"thesis\"\n", "", point),
+        ("", "inertia_factor = 0.5\n", disc),
+        ("reading = \"thesis\"\n", "inertia_factor = 0.4\n", axis),
+    ];
+    let r = 1.3e-3;
+    let listed = particle([0.0, 0.0], [0.0, 0.0], 0.0, r) + "density = 1000.0\n";
+    let made = "[setup]\nseed = 1\n[setup.sizes]\nminimum = 1.3e-3\nmaximum = 1.3e-3\n\
+                [setup.lattice]\ncolumns = 1\nrows = 1\n";
+    for (reading, key, expected) in cases {
+        for (particles, density) in [(listed.as_str(), 1000.0), (made, 2700.0)] {
+            let text = reading.to_owned() + &head("euler", 1e-9) + key + particles;
+            let world = prepared(&scene(&text)).expect("the kernel takes the scene");
+            let found = world.particles().moment_of_inertia[0];
+            let whole = sphere_mass(density, r) * r * r;
+            assert!(
+                close(found, expected * whole, 1e-7),
+                "{reading}{key}{found}"
+            );
+        }
+    }
 }
 
 // --- Links ----------------------------------------------------------------------------------

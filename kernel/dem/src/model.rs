@@ -7,6 +7,7 @@ use crate::laws::{
     CundallStrackTruncated, Driving, EulerBernoulli, Gravity, HaffWerner, HarmonicWell,
     KelvinVoigt, ZhangEckert,
 };
+use crate::particles::{COMPUTED_INERTIA_FACTOR, SPHERE_INERTIA_FACTOR};
 use gouge_common::geometry::Domain;
 
 /// Which form is used of what `docs/thesis/errata.md` lists as changing forces or motion.
@@ -16,6 +17,17 @@ pub enum Reading {
     Corrected,
     /// What the thesis prints or its author computed.
     Thesis,
+}
+
+impl Reading {
+    /// Moment of inertia in units of mass times radius squared, where a scene gives none: 2/5, the
+    /// sphere's, or 3/5, which the thesis's author computed with (erratum E64 of the thesis).
+    pub fn inertia_factor(self) -> f64 {
+        match self {
+            Self::Corrected => SPHERE_INERTIA_FACTOR,
+            Self::Thesis => COMPUTED_INERTIA_FACTOR,
+        }
+    }
 }
 
 /// Normal law of weak links.

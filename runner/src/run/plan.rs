@@ -196,7 +196,8 @@ fn loose(scene: &Scene, setup: &Setup, kind: Kind) -> Result<World, ModelError> 
             angle: 0.0,
             angular_velocity: 0.0,
             radius,
-            density: scene.density,
+            density: scene.material.density,
+            inertia_factor: scene.material.inertia_factor,
             role: Role::Free,
         });
     }
