@@ -3,6 +3,7 @@
 use crate::checks::dem::scenes::{head, particle, world_in};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table};
 use crate::scalars::DoubleDouble;
+use gouge_common::scalar::Real;
 use std::f64::consts::PI;
 
 pub(super) fn checks() -> Vec<Check> {
