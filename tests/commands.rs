@@ -72,6 +72,41 @@ fn stability_names_bounds_and_verdict() {
 }
 
 #[test]
+fn stability_follows_the_moment_of_inertia() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (k, mass) = (3e6, 4.0 / 3.0 * std::f64::consts::PI * 2700.0e-9);
+    for (key, factor) in [("", 0.4), ("inertia_factor = 0.6\n", 0.6)] {
+        let text = head("velocity-verlet", 1e-9)
+            + key
+            + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e6\ndamping = 0.0\n\
+               [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 3e6\n\
+               [bond.normal]\nstiffness = 1e6\ndamping = 0.0\n\
+               [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 3e6\ndamping = 0.0\n"
+            + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
+            + &particle([2e-3, 0.0], [0.0, 0.0], 0.0, 1e-3)
+            + "[[bonds]]\nbetween = [0, 1]\n";
+        let path = write_scene(folder.path(), &text);
+        let output = run(&["stability", path.to_str().expect("UTF-8")]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        let report = json(&stdout(&output));
+        let bounds = report["bounds"].as_array().expect("a list");
+        // A contact sees both rotations; the ends of a beam turn alike or oppositely.
+        let squares = [
+            ("contact tangential", 2.0 * (1.0 + 1.0 / factor)),
+            ("bond shear", 1.0 + 1.0 / factor),
+            ("bond bending", 1.0 / factor),
+        ];
+        for (name, square) in squares {
+            let bound = bounds.iter().find(|bound| bound["name"] == name);
+            let found = bound.and_then(|bound| bound["angular_frequency"].as_f64());
+            let expected = (square * k / mass).sqrt();
+            let is_near = found.is_some_and(|found| (found / expected - 1.0).abs() < 1e-12);
+            assert!(is_near, "{name} {factor}: {found:?}, {expected}");
+        }
+    }
+}
+
+#[test]
 fn scenes_lists_and_prints() {
     let list = stdout(&run(&["scenes"]));
     for name in [

@@ -3,14 +3,15 @@
 mod fields;
 mod time;
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, head, particle, scene, world};
 use approx::{abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::{Metric, PeriodicX, Vec2};
 use gouge_dem::World;
 use gouge_dem::geometry::{contact_half_length, overlap_factor};
 use gouge_dem::laws::{ZhangEckert, dissipative_constant, dissipative_constant_printed};
 use gouge_dem::material::{Elastic, GRANITE};
-use gouge_dem::particles::{sphere_mass, sphere_moment_of_inertia};
+use gouge_dem::particles::{SPHERE_INERTIA_FACTOR, moment_of_inertia, sphere_mass};
+use gouge_runner::run::prepared;
 use std::f64::consts::PI;
 
 // --- Material and normal forces -------------------------------------------------------------
@@ -144,12 +145,8 @@ fn masses_are_those_of_stacked_discs() {
     }
     let found = sphere_mass(density, r);
     assert_relative_eq!(found, mass, epsilon = 0.0, max_relative = 1e-9);
-    assert_relative_eq!(
-        sphere_moment_of_inertia(found, r),
-        inertia,
-        epsilon = 0.0,
-        max_relative = 1e-9
-    );
+    let sphere = moment_of_inertia(SPHERE_INERTIA_FACTOR, found, r);
+    assert_relative_eq!(sphere, inertia, epsilon = 0.0, max_relative = 1e-9);
     assert!(
         relative_eq!(
             sphere_mass(2.0 * density, r),
@@ -159,6 +156,44 @@ fn masses_are_those_of_stacked_discs() {
         ),
         "grows with density"
     );
+}
+
+#[test]
+fn inertia_follows_the_reading_and_the_scene() {
+    // Second moments over the mass times the squared radius, by shells and rings of thickness 1/n: of a
+    // sphere about an axis, of a disc about its own, of a sphere about its centre as a point.
+    let n = 10_000;
+    let mean_square = |power: i32| {
+        let places = (0..n).map(|k| (f64::from(k) + 0.5) / f64::from(n));
+        let (mass, moment) = places.fold((0.0, 0.0), |(mass, moment), s| {
+            (mass + s.powi(power), moment + s.powi(power + 2))
+        });
+        moment / mass
+    };
+    let (point, disc) = (mean_square(2), mean_square(1));
+    let axis = 2.0 / 3.0 * point;
+    let cases = [
+        ("", "", axis),
+        ("reading = \"thesis\"\n", "", point),
+        ("", "inertia_factor = 0.5\n", disc),
+        ("reading = \"thesis\"\n", "inertia_factor = 0.4\n", axis),
+    ];
+    let r = 1.3e-3;
+    let listed = particle([0.0, 0.0], [0.0, 0.0], 0.0, r) + "density = 1000.0\n";
+    let made = "[setup]\nseed = 1\n[setup.sizes]\nminimum = 1.3e-3\nmaximum = 1.3e-3\n\
+                [setup.lattice]\ncolumns = 1\nrows = 1\n";
+    for (reading, key, expected) in cases {
+        for (particles, density) in [(listed.as_str(), 1000.0), (made, 2700.0)] {
+            let text = reading.to_owned() + &head("euler", 1e-9) + key + particles;
+            let world = prepared(&scene(&text)).expect("the kernel takes the scene");
+            let found = world.particles().moment_of_inertia[0];
+            let whole = sphere_mass(density, r) * r * r;
+            assert!(
+                relative_eq!(found, expected * whole, epsilon = 0.0, max_relative = 1e-7),
+                "{reading}{key}{found}"
+            );
+        }
+    }
 }
 
 // --- Links ----------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ use gouge_common::geometry::{Domain, Metric, Open, PeriodicX, Vec2};
 use gouge_common::neighbors::{Cells, Neighbors, precedes};
 use gouge_common::pair::Pair;
 use gouge_dem::model::{BondLaws, Model, Yielding};
-use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use proptest::prelude::*;
 
 fn particles(points: &[(f64, f64, f64)]) -> Particles {
@@ -18,6 +18,7 @@ fn particles(points: &[(f64, f64, f64)]) -> Particles {
             angular_velocity: 0.0,
             radius,
             density: 1.0,
+            inertia_factor: SPHERE_INERTIA_FACTOR,
             role: Role::Free,
         })
         .collect()

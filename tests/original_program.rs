@@ -132,6 +132,7 @@ fn particle(grain: &Grain) -> Particle {
         angular_velocity: grain.omega,
         radius: grain.r,
         density: grain.density,
+        inertia_factor: Reading::Thesis.inertia_factor(),
         role: match grain.duty {
             Duty::Free => Role::Free,
             Duty::Driven => Role::Driven,
@@ -373,8 +374,8 @@ fn rounding(run: &Replay, growth: f64) -> Deviation {
     let force = LINKS * (k * (x + large * phi.max(TAU)) + gamma * (v + large * omega));
     let walk = growth * f64::EPSILON * steps.sqrt();
     let velocity = walk * (force * rules.dt / mass + v);
-    // m r^2 / J is 5/2 for a sphere.
-    let spin = 2.5 * velocity / small + walk * omega;
+    // m r^2 / J is 5/3.
+    let spin = 5.0 / 3.0 * velocity / small + walk * omega;
     let (sum, time) = (f64::EPSILON * steps, steps * rules.dt);
     let [position, angle] = [sum * x + velocity * time, sum * phi + spin * time];
     Deviation([position, velocity, angle, spin, f64::EPSILON * drive])

@@ -125,10 +125,14 @@ fn pair_bound(scene: &Scene, name: &str, meaning: &str, [k, c]: [f64; 2]) -> Val
 /// Bounds of the oscillations of a pair of the lightest particles.
 fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     let p = world.particles();
-    let lightest = p.mass.iter().copied().fold(f64::INFINITY, f64::min);
+    let by_mass = |i: &usize, j: &usize| p.mass[*i].total_cmp(&p.mass[*j]);
+    let (lightest, ease) = match (0..p.len()).min_by(by_mass) {
+        Some(i) => (p.mass[i], p.ease_of_turning(i)),
+        None => (f64::INFINITY, 0.0),
+    };
     let smallest = p.radius.iter().copied().fold(f64::INFINITY, f64::min);
-    // Reduced mass of two equal particles; rolling adds the inertia: 7/2 for spheres.
-    let (push, roll) = (2.0 / lightest, 7.0 / lightest);
+    // Reduced mass of two equal particles; rolling adds the inertia: 1 + m r^2 / J, 7/2 for spheres.
+    let (push, roll) = (2.0 / lightest, 2.0 * (1.0 + ease) / lightest);
     let bound = |name, meaning, k, c| pair_bound(scene, name, meaning, [k, c]);
     let mut bounds = Vec::new();
     if let Some(contact) = &scene.contact {
@@ -158,8 +162,8 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
             push * law.damping,
         ));
         if let Some(beam) = bond.tangential {
-            // Alike 7/2 k / m, oppositely 5/2 k / m, for equal spheres in touch.
-            let (shear, turn) = (3.5 / lightest, 2.5 / lightest);
+            // Alike and oppositely, for equal particles in touch: 7/2 k / m and 5/2 k / m for spheres.
+            let (shear, turn) = ((1.0 + ease) / lightest, ease / lightest);
             bounds.push(bound(
                 "bond shear",
                 "both ends turning alike",
@@ -197,12 +201,12 @@ fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
         bound(
             "wave",
             "a primary wave crosses the smallest particle (61)",
-            wave_bound(elastic, scene.density, radius),
+            wave_bound(elastic, scene.material.density, radius),
         ),
         bound(
             "crack",
             "a crack at Mach 15 crosses the smallest particle (62)",
-            crack_bound(elastic, scene.density, radius, MACH_NUMBER),
+            crack_bound(elastic, scene.material.density, radius, MACH_NUMBER),
         ),
     ]
 }

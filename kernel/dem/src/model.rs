@@ -7,6 +7,7 @@ use crate::laws::{
     CundallStrackTruncated, Driving, EulerBernoulli, Gravity, HaffWerner, HarmonicWell,
     KelvinVoigt, ZhangEckert,
 };
+use crate::particles::{COMPUTED_INERTIA_FACTOR, SPHERE_INERTIA_FACTOR};
 use gouge_common::geometry::Domain;
 
 /// Which form of the equations is used, where `docs/thesis/errata.md` corrects forces or motion.
@@ -16,6 +17,17 @@ pub enum Reading {
     Corrected,
     /// The form that the thesis prints, or that its author's program computes.
     Thesis,
+}
+
+impl Reading {
+    /// Moment of inertia in units of mass times radius squared, where a scene gives none: 2/5, the
+    /// sphere's, or 3/5, which the thesis's author computed with (thesis E64).
+    pub fn inertia_factor(self) -> f64 {
+        match self {
+            Self::Corrected => SPHERE_INERTIA_FACTOR,
+            Self::Thesis => COMPUTED_INERTIA_FACTOR,
+        }
+    }
 }
 
 /// Normal law of contacts.

@@ -70,6 +70,8 @@ pub struct Particle {
     pub radius: f64,
     /// Density in kg/m^3.
     pub density: f64,
+    /// Moment of inertia in units of mass times radius squared; [`SPHERE_INERTIA_FACTOR`] for a sphere.
+    pub inertia_factor: f64,
     /// Role.
     pub role: Role,
 }
@@ -86,6 +88,7 @@ impl<S: Real> Particles<S> {
     /// Append a particle.
     pub fn push(&mut self, particle: &Particle) {
         let mass = sphere_mass(particle.density, particle.radius);
+        let inertia = moment_of_inertia(particle.inertia_factor, mass, particle.radius);
         self.position.push(particle.position.cast());
         self.velocity.push(particle.velocity.cast());
         self.angle.push(S::from_f64(particle.angle));
@@ -93,8 +96,7 @@ impl<S: Real> Particles<S> {
             .push(S::from_f64(particle.angular_velocity));
         self.radius.push(S::from_f64(particle.radius));
         self.mass.push(S::from_f64(mass));
-        self.moment_of_inertia
-            .push(S::from_f64(sphere_moment_of_inertia(mass, particle.radius)));
+        self.moment_of_inertia.push(S::from_f64(inertia));
         self.role.push(particle.role);
     }
     /// Whether particle `i` is fixed.
@@ -112,6 +114,15 @@ impl<S: Real> Particles<S> {
     /// Whether forces between two particles can move anything: not if both are fixed.
     pub fn may_interact(&self, i: usize, j: usize) -> bool {
         !(self.is_fixed(i) && self.is_fixed(j))
+    }
+    /// How easily particle `i` turns, m r^2 / J, dimensionless: 5/2 for a sphere.
+    ///
+    /// A multiple of 2^-40, which takes back the roundings of J.
+    pub fn ease_of_turning(&self, i: usize) -> f64 {
+        const UNIT: f64 = 1.0 / (1_u64 << 40) as f64;
+        let (mass, radius) = (self.mass[i].to_f64(), self.radius[i].to_f64());
+        let ease = mass * radius * radius / self.moment_of_inertia[i].to_f64();
+        libm::round(ease / UNIT) * UNIT
     }
     /// Indices of the particles with the given role.
     pub fn with_role(&self, role: Role) -> impl Iterator<Item = usize> + '_ {
@@ -196,12 +207,23 @@ pub fn sphere_mass(density: f64, radius: f64) -> f64 {
     4.0 / 3.0 * PI * density * radius * radius * radius
 }
 
-/// Moment of inertia of a homogeneous sphere about its centre in kg m^2.
+/// Inertia factor of a homogeneous sphere about an axis through its centre, dimensionless.
 ///
-/// $$ J = \tfrac25 m r^2 $$
+/// Thesis eq. (53); a disc has 1/2.
+pub const SPHERE_INERTIA_FACTOR: f64 = 0.4;
+
+/// Inertia factor with which the thesis's author computed, dimensionless.
 ///
-/// Thesis eq. (53).
+/// The second moment of a homogeneous sphere about its centre as a point, not about an axis (erratum E64
+/// of the thesis).
+pub const COMPUTED_INERTIA_FACTOR: f64 = 0.6;
+
+/// Moment of inertia in kg m^2 of a round body, for its inertia factor c > 0, mass in kg and radius in m.
+///
+/// $$ J = c\, m r^2 $$
+///
+/// Thesis eq. (53), with [`SPHERE_INERTIA_FACTOR`].
 #[rendered]
-pub fn sphere_moment_of_inertia(mass: f64, radius: f64) -> f64 {
-    0.4 * mass * radius * radius
+pub fn moment_of_inertia(factor: f64, mass: f64, radius: f64) -> f64 {
+    factor * mass * radius * radius
 }

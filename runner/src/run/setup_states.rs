@@ -48,7 +48,8 @@ pub fn loose_grains(scene: &Scene, setup: &Setup, kind: PhaseKind) -> Result<Wor
             angle: 0.0,
             angular_velocity: 0.0,
             radius,
-            density: scene.density,
+            density: scene.material.density,
+            inertia_factor: scene.material.inertia_factor,
             role: Role::Free,
         });
     }

@@ -3,6 +3,7 @@
 use super::phases::{Phase, PhaseKind, phase_model, phases};
 use super::setup_states::{bonded_block, loose_grains, roles};
 use crate::error::Error;
+use crate::machine::with_chosen_execution;
 use crate::scene::Scene;
 use gouge_dem::{ModelError, World};
 

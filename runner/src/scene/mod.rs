@@ -11,7 +11,7 @@ mod text;
 
 pub use laws::DrivingTable;
 pub use overrides::Overrides;
-pub use particles::{Place, Placed, role_name};
+pub use particles::{Material, Place, Placed, role_name};
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
 pub use text::hex;
 
@@ -49,8 +49,8 @@ pub struct Scene {
     pub end: f64,
     /// The box.
     pub domain: Domain,
-    /// Density of the particles in kg/m^3, where they have none of their own.
-    pub density: f64,
+    /// What particles are made of.
+    pub material: Material,
     /// Weak links.
     pub contact: Option<ContactLaws>,
     /// Strong links.
@@ -237,7 +237,7 @@ impl Scene {
         let time = root.table("time")?;
         time.allow(&["step", "end", "integrator"])?;
         let (end, step) = time.duration_and_step("end")?;
-        let density = density(root)?;
+        let material = particles::material(root, reading)?;
         Ok(Self {
             title: root.optional_text("title")?.unwrap_or_default().to_owned(),
             reading,
@@ -249,13 +249,13 @@ impl Scene {
             ambient: laws::ambient(root, reading)?,
             external: laws::external(root, &domain)?,
             driving: laws::driving(root)?,
-            particles: particles::particles(root, folder, density)?,
+            particles: particles::particles(root, folder, material)?,
             bonds: particles::bonds(root, folder)?,
             contacts: particles::contacts(root, folder)?,
-            setup: setup::setup(root, &domain, reading, density)?,
+            setup: setup::setup(root, &domain, reading, material)?,
             output: output(root, end)?,
             domain,
-            density,
+            material,
             file: root.source().file.to_owned(),
             files: files(root, folder)?,
             sha256: String::new(),
@@ -365,12 +365,6 @@ fn domain(root: &Table) -> Result<Domain> {
         height: table.optional_number("height", Range::Positive)?,
         periodic,
     })
-}
-
-fn density(root: &Table) -> Result<f64> {
-    let table = root.table("material")?;
-    table.allow(&["density"])?;
-    table.number("density", Range::Positive)
 }
 
 fn output(root: &Table, end: f64) -> Result<Output> {

@@ -5,7 +5,8 @@ use crate::error::SceneError;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
 use gouge_dem::contacts::ContactStart;
-use gouge_dem::particles::{Particle, Role, sphere_mass, sphere_moment_of_inertia};
+use gouge_dem::model::Reading;
+use gouge_dem::particles::{Particle, Role, moment_of_inertia, sphere_mass};
 use std::path::Path;
 
 type Result<T> = std::result::Result<T, SceneError>;
@@ -57,10 +58,35 @@ pub type Placed<T> = Vec<(T, Place)>;
 
 const FIXED_MOVES: &str = "a fixed particle never moves, so this must be zero or absent";
 
+/// `[material]`: what particles are made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Density in kg/m^3, of particles that give none of their own.
+    pub density: f64,
+    /// Moment of inertia of all particles in units of mass times radius squared.
+    pub inertia_factor: f64,
+}
+
+/// `[material]`.
+pub fn material(root: &Table, reading: Reading) -> Result<Material> {
+    let table = root.table("material")?;
+    table.allow(&["density", "inertia_factor"])?;
+    Ok(Material {
+        density: table.number("density", Range::Positive)?,
+        inertia_factor: table
+            .optional_number("inertia_factor", Range::Positive)?
+            .unwrap_or(reading.inertia_factor()),
+    })
+}
+
 /// What is wrong with the mass of a sphere, if its numbers leave the range of a computer.
-pub fn mass_problem(density: f64, radius: f64) -> Option<String> {
+pub fn mass_problem(material: Material, radius: f64) -> Option<String> {
+    let Material {
+        density,
+        inertia_factor,
+    } = material;
     let mass = sphere_mass(density, radius);
-    let inertia = sphere_moment_of_inertia(mass, radius);
+    let inertia = moment_of_inertia(inertia_factor, mass, radius);
     let is_usable = |number: f64| number.is_normal() && number.recip().is_normal();
     (!is_usable(mass) || !is_usable(inertia)).then(|| {
         format!(
@@ -71,21 +97,21 @@ pub fn mass_problem(density: f64, radius: f64) -> Option<String> {
 }
 
 /// `[[particles]]` or `particles_file`.
-pub fn particles(root: &Table, folder: &Path, density: f64) -> Result<Vec<Particle>> {
+pub fn particles(root: &Table, folder: &Path, material: Material) -> Result<Vec<Particle>> {
     if let Some(rows) = side_file(root, "particles", folder)? {
         return rows.read(
             &["x", "y", "radius"],
             &["vx", "vy", "angle", "angular_velocity", "density", "role"],
-            |row| particle_row(row, density),
+            |row| particle_row(row, material),
         );
     }
     root.tables("particles")?
         .iter()
-        .map(|table| particle(table, density))
+        .map(|table| particle(table, material))
         .collect()
 }
 
-fn particle(table: &Table, density: f64) -> Result<Particle> {
+fn particle(table: &Table, material: Material) -> Result<Particle> {
     table.allow(&[
         "position",
         "velocity",
@@ -117,16 +143,24 @@ fn particle(table: &Table, density: f64) -> Result<Particle> {
         radius: table.number("radius", Range::Positive)?,
         density: table
             .optional_number("density", Range::Positive)?
-            .unwrap_or(density),
+            .unwrap_or(material.density),
+        inertia_factor: material.inertia_factor,
         role,
     };
-    match mass_problem(particle.density, particle.radius) {
+    match mass_problem(material_of(&particle), particle.radius) {
         Some(problem) => Err(table.error("radius", &problem)),
         None => Ok(particle),
     }
 }
 
-fn particle_row(row: &Row, density: f64) -> Result<Particle> {
+fn material_of(particle: &Particle) -> Material {
+    Material {
+        density: particle.density,
+        inertia_factor: particle.inertia_factor,
+    }
+}
+
+fn particle_row(row: &Row, material: Material) -> Result<Particle> {
     let number = |key: &str, range, default| row.optional_number(key, range, default);
     let role = row.role()?;
     let velocity = Vec2::new(
@@ -153,10 +187,11 @@ fn particle_row(row: &Row, density: f64) -> Result<Particle> {
         angle: number("angle", Range::Finite, 0.0)?,
         angular_velocity,
         radius: row.number("radius", Range::Positive)?,
-        density: number("density", Range::Positive, density)?,
+        density: number("density", Range::Positive, material.density)?,
+        inertia_factor: material.inertia_factor,
         role,
     };
-    match mass_problem(particle.density, particle.radius) {
+    match mass_problem(material_of(&particle), particle.radius) {
         Some(problem) => Err(row.error("radius", &problem)),
         None => Ok(particle),
     }

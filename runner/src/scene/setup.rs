@@ -1,7 +1,7 @@
 //! `[setup]`: the protocol that makes the particles of a scene, thesis section 3.7.
 
 use super::laws;
-use super::particles::mass_problem;
+use super::particles::{Material, mass_problem};
 use super::table::{Range, Table};
 use crate::error::SceneError;
 use gouge_common::geometry::Domain;
@@ -131,13 +131,13 @@ pub fn setup(
     root: &Table,
     domain: &Domain,
     reading: Reading,
-    density: f64,
+    material: Material,
 ) -> Result<Option<Setup>> {
     let Some(table) = root.optional_table("setup")? else {
         return Ok(None);
     };
     table.allow(&KEYS)?;
-    let sizes = sizes(&table.table("sizes")?, density)?;
+    let sizes = sizes(&table.table("sizes")?, material)?;
     let phases = |key: &str, presses: bool| phases(&table, key, presses, domain, reading);
     let needs_box = domain.width.zip(domain.height);
     let (clip, correct_density) = (
@@ -178,10 +178,10 @@ fn check_company(root: &Table, setup: &Table) -> Result<()> {
     Ok(())
 }
 
-fn sizes(table: &Table, density: f64) -> Result<SizeRange> {
+fn sizes(table: &Table, material: Material) -> Result<SizeRange> {
     let sizes = size_range(table)?;
     for (key, radius) in [("minimum", sizes.minimum), ("maximum", sizes.maximum)] {
-        if let Some(problem) = mass_problem(density, radius) {
+        if let Some(problem) = mass_problem(material, radius) {
             let key = if table.has("mean") { "mean" } else { key };
             return Err(table.error(key, &problem));
         }

@@ -175,8 +175,9 @@ impl Grain {
     fn mass(&self) -> f64 {
         self.density * 4.0 / 3.0 * PI * self.r.powi(3)
     }
+    /// The second moment about the centre as a point, which the program takes for the moment of inertia.
     fn inertia(&self) -> f64 {
-        2.0 / 5.0 * self.mass() * self.r.powi(2)
+        3.0 / 5.0 * self.mass() * self.r.powi(2)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::simulation::{Number, World};
 use crate::error::StepError;
 use crate::integrators::{Oscillator, critical_step};
+use crate::laws::EulerBernoulli;
 use crate::model::{ContactNormal, ContactTangential, Model};
 
 impl<S: Number> World<S> {
@@ -93,17 +94,18 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
     let number = world.state.particles.len();
     let mut stiffness = vec![0.0; number];
     let mut damping = vec![0.0; number];
-    let mut add = |(i, j): (usize, usize), k: f64, c: f64| {
+    let mut add = |(i, j): (usize, usize), link: PairConstants| {
         for particle in [i, j] {
+            let [k, c] = link.for_mass(world.state.particles.ease_of_turning(particle));
             stiffness[particle] += k;
             damping[particle] += c;
         }
     };
-    if let (Some(bonds), Some((k, c))) = (&world.state.bonds, bond_constants(&world.model)) {
+    if let (Some(bonds), Some(bond)) = (&world.state.bonds, bond_constants(&world.model)) {
         bonds
             .pairs
             .iter()
-            .for_each(|pair| add(pair.indices(), k, c));
+            .for_each(|pair| add(pair.indices(), bond));
     }
     if let (Some(contacts), Some(laws)) = (&world.state.contacts, world.model.contact) {
         for pair in &contacts.pairs {
@@ -112,8 +114,8 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
                 world.state.particles.radius[i].to_f64(),
                 world.state.particles.radius[j].to_f64(),
             ];
-            let (k, c) = contact_constants(&laws.normal, &laws.tangential, radii);
-            add((i, j), k, c);
+            let contact = contact_constants(&laws.normal, &laws.tangential, radii);
+            add((i, j), contact);
         }
     }
     let largest = |sums: &[f64]| {
@@ -130,32 +132,49 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
     critical_step(world.model.integrator, stiffest)
 }
 
-/// Factor of the tangential stiffness of a contact in units of normal stiffness: the rolling mode of a pair has the
-/// squared frequency 7 k / m, the normal mode 2 k / m.
-const ROLLING_FACTOR: f64 = 3.5;
-/// The same factor for bonds, whose ends are separate springs: the squared frequency is at most 9/2 k / m for any
-/// ratio of radii, and 7/2 k / m for equal radii.
-const SHEARING_FACTOR: f64 = 2.25;
-
-/// Stiffness in kg/s^2 and damping in kg/s of a bond: the larger of its normal and scaled tangential constants.
-fn bond_constants(model: &Model) -> Option<(f64, f64)> {
-    let bond = model.bond?;
-    let (k, c) = bond
-        .tangential
-        .map_or((0.0, 0.0), |beam| (beam.stiffness, beam.damping));
-    Some((
-        bond.normal.stiffness.max(SHEARING_FACTOR * k),
-        bond.normal.damping.max(SHEARING_FACTOR * c),
-    ))
+/// Stiffness in N/m and damping in kg/s of a contact or bond.
+#[derive(Clone, Copy)]
+struct PairConstants {
+    /// Along the normal.
+    normal: [f64; 2],
+    /// Along the tangent.
+    tangential: [f64; 2],
+    /// Rotations that one tangential spring sees at once, of the two.
+    shared: f64,
 }
 
-/// Stiffness in kg/s^2 and damping in kg/s of a contact: the larger of its normal and scaled tangential constants.
+impl PairConstants {
+    /// The larger of normal and tangential constants, for the mass of a particle with q = m r^2 / J.
+    ///
+    /// Between equal masses the normal mode has the squared frequency 2 k / m. The spring of a contact sees
+    /// both rotations: 2 (1 + q) k / m. The ends of a beam are springs of their own: at most 2 (1 + q/2) k / m
+    /// for any ratio of radii, (1 + q) k / m for equal ones.
+    fn for_mass(self, ease_of_turning: f64) -> [f64; 2] {
+        let share = 1.0 + self.shared * ease_of_turning;
+        [0, 1].map(|n| self.normal[n].max(share * self.tangential[n]))
+    }
+}
+
+/// The constants of a bond.
+fn bond_constants(model: &Model) -> Option<PairConstants> {
+    let bond = model.bond?;
+    let beam = |law: EulerBernoulli| [law.stiffness, law.damping];
+    Some(PairConstants {
+        normal: [bond.normal.stiffness, bond.normal.damping],
+        tangential: bond.tangential.map_or([0.0; 2], beam),
+        shared: 0.5,
+    })
+}
+
+/// The constants of a contact.
 fn contact_constants(
     normal: &ContactNormal,
     tangential: &Option<ContactTangential>,
     radii: [f64; 2],
-) -> (f64, f64) {
-    let [k_n, c_n] = normal.constants(radii);
-    let [k_t, c_t] = tangential.map_or([0.0; 2], |law| law.constants());
-    (k_n.max(ROLLING_FACTOR * k_t), c_n.max(ROLLING_FACTOR * c_t))
+) -> PairConstants {
+    PairConstants {
+        normal: normal.constants(radii),
+        tangential: tangential.map_or([0.0; 2], |law| law.constants()),
+        shared: 1.0,
+    }
 }

@@ -5,7 +5,7 @@ use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::model::{Model, Reading};
-use gouge_dem::particles::{Particle, Role};
+use gouge_dem::particles::{Particle, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::{Number, World};
 use gouge_runner::machine::with_chosen_execution;
 use gouge_runner::scene::Scene;
@@ -105,6 +105,7 @@ pub fn sphere(position: Vec2, velocity: Vec2, spin: f64, radius: f64) -> Particl
         angular_velocity: spin,
         radius,
         density: 2700.0,
+        inertia_factor: SPHERE_INERTIA_FACTOR,
         role: Role::Free,
     }
 }

@@ -110,12 +110,14 @@ fn follow(world: &mut World, steps: u64) -> Result<Printed, Failure> {
 
 /// As printed, the tangential force is that of the law.
 const READING: &str = "reading = \"thesis\"\n";
+/// Moment of inertia in that reading, in m r^2.
+const COMPUTED: f64 = 3.0 / 5.0;
 
 fn numbered() -> Outcome {
     const STEPS: u32 = 2000;
     let time = f64::from(STEPS) * 1e-7;
     let limit = FRICTION * STIFFNESS * SQUEEZE;
-    let deceleration = 2.0 * limit * HELD / inertia(HELD);
+    let deceleration = 2.0 * limit / (COMPUTED * mass(HELD) * HELD);
     let distance = HELD * (SPIN * time - 0.5 * deceleration * time * time);
     let whole = 2.0 * limit * distance;
     let rounding = 4.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;

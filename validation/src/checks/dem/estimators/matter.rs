@@ -6,7 +6,7 @@ use crate::oracles::matter::{moduli, sphere};
 use gouge_common::geometry::Vec2;
 use gouge_dem::calibration::FrictionDecay;
 use gouge_dem::material::{Elastic, GRANITE, Measured};
-use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 
 pub fn checks() -> Vec<Check> {
     vec![spheres(), energy(), solid(), granite(), decay()]
@@ -37,6 +37,7 @@ fn measure_spheres() -> Outcome {
             angular_velocity: 0.6,
             radius,
             density,
+            inertia_factor: SPHERE_INERTIA_FACTOR,
             role: Role::Free,
         };
         let mut p: Particles = [particle; 2].into_iter().collect();

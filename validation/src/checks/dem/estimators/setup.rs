@@ -4,7 +4,7 @@ use crate::checks::dem::scenes::{head, scene};
 use crate::checks::{Check, Effort, Evidence, Failure, Measurement, Origin, Outcome, thesis};
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
-use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::setup::{
     Arrangement, Fault, Lattice, REACH, SizeRange, bonds_within, draw_radii, is_above,
     strength_factors,
@@ -214,6 +214,7 @@ fn grain(x: f64, radius: f64) -> Particle {
         angular_velocity: 0.0,
         radius,
         density: 2700.0,
+        inertia_factor: SPHERE_INERTIA_FACTOR,
         role: Role::Free,
     }
 }

@@ -14,7 +14,7 @@ use gouge_dem::model::{
     Ambient, BondLaws, ContactLaws, ContactNormal, ContactTangential, External, Model, Reading,
     Yielding,
 };
-use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::{ModelError, Start, World};
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -247,6 +247,7 @@ impl Draw {
             angular_velocity: self.number(),
             radius,
             density: self.positive(),
+            inertia_factor: SPHERE_INERTIA_FACTOR,
             role,
         }
     }

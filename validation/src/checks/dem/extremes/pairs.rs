@@ -7,7 +7,7 @@ use gouge_dem::geometry::ContactDistance;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::KelvinVoigt;
 use gouge_dem::model::{ContactLaws, ContactNormal, ContactTangential, Model, Reading};
-use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::{Start, World};
 use std::f64::consts::PI;
 
@@ -28,6 +28,7 @@ pub fn free(position: [f64; 2], velocity: [f64; 2], radius: f64) -> Particle {
         angular_velocity: 0.0,
         radius,
         density: DENSITY,
+        inertia_factor: SPHERE_INERTIA_FACTOR,
         role: Role::Free,
     }
 }

@@ -13,7 +13,7 @@ use gouge_dem::laws::{
 use gouge_dem::model::{
     Ambient, BondLaws, ContactLaws, ContactNormal, ContactTangential, External, Model, Yielding,
 };
-use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::{Number, Start, World};
 
 /// Factors by which the units of length, time and mass are smaller.
@@ -139,6 +139,7 @@ fn grains(units: Units) -> Vec<Particle> {
             angular_velocity: 300.0 * speed / time,
             radius: 1e-3 * radius * length,
             density: 2700.0 * mass / (length * length * length),
+            inertia_factor: SPHERE_INERTIA_FACTOR,
             role: Role::Free,
         }
     };

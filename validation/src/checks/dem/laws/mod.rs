@@ -3,6 +3,7 @@
 mod cluster;
 mod driving;
 mod energy;
+mod inertia;
 mod rounding;
 mod symmetry;
 mod thresholds;
@@ -18,6 +19,7 @@ pub fn topic() -> Topic {
         checks: [
             driving::checks(),
             energy::checks(),
+            inertia::checks(),
             rounding::checks(),
             symmetry::checks(),
             thresholds::checks(),

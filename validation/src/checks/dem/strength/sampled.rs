@@ -7,7 +7,7 @@ use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_dem::distributions::Distribution;
 use gouge_dem::laws::ZhangEckert;
-use gouge_dem::particles::{Particle, Particles, Role};
+use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::setup::{
     Arrangement, Lattice, REACH, SizeRange, bonds_within, draw_radii, strength_factors,
 };
@@ -56,6 +56,7 @@ pub fn independent() -> Vec<f64> {
         angular_velocity: 0.0,
         radius,
         density: 2700.0,
+        inertia_factor: SPHERE_INERTIA_FACTOR,
         role: Role::Free,
     };
     let particles: Particles = radii.iter().enumerate().map(particle).collect();

@@ -1,0 +1,157 @@
+//! The moment of inertia, by what friction makes of it.
+
+use crate::checks::dem::scenes::{head, particle, world_in};
+use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
+use crate::scalars::DoubleDouble;
+use gouge_common::scalar::Real;
+use std::f64::consts::PI;
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![Check {
+        id: "laws.inertia",
+        claim: "With J = c m r^2 an impact on a plane changes c r w by as much as the velocity along the plane, and by mu (1 + e) V_n where it slides from first to last; c is 2/5, in the reading thesis 3/5, or what the scene says.",
+        equations: thesis("(6)-(7), (51)-(53)"),
+        scene: "A sphere of 1 mm at 1 m/s against a plane, along it at 20 m/s, where it slides, or 0.3 m/s, where it holds; Kelvin-Voigt and two laws of friction, 150 steps a collision; c = 2/5, 1/2, 3/5, and no c in either reading",
+        oracle: "Balance of momentum and angular momentum, with the normal restitution that the run shows",
+        norm: "Largest error of velocity along the plane and of c r w, in units of the normal speed before",
+        origin: Origin::Exact,
+        reason: "All impulses are sums of the same steps, so that the step does not matter; a hundred units of rounding of the larger velocity, and the tilt of a plane that is a sphere 1e12 times as large, 1e-12 of the way in radii, on both velocities",
+        effort: Effort::Quick,
+        measure,
+    }]
+}
+
+const RADIUS: f64 = 1e-3;
+const STIFFNESS: f64 = 1e7;
+const FRICTION: f64 = 0.3;
+/// Radius of the sphere that is the plane, in radii of the other.
+const FLATNESS: f64 = 1e12;
+
+/// A sphere that hits a plane.
+struct Impact {
+    /// What the scene says of reading and inertia.
+    reading: &'static str,
+    key: &'static str,
+    /// The inertia factor that this means.
+    factor: f64,
+    /// Tangential law.
+    law: &'static str,
+    /// Velocity along the plane before in m/s; towards it, it is 1 m/s.
+    along: f64,
+}
+
+/// Velocities after an impact along the plane and away from it in m/s, angular velocity in rad/s.
+struct After {
+    along: f64,
+    away: f64,
+    spin: f64,
+}
+
+/// Reading, inertia and the factor that they mean.
+const BODIES: [(&str, &str, f64); 5] = [
+    ("", "", 2.0 / 5.0),
+    ("", "inertia_factor = 0.4\n", 2.0 / 5.0),
+    ("", "inertia_factor = 0.5\n", 1.0 / 2.0),
+    ("", "inertia_factor = 0.6\n", 3.0 / 5.0),
+    ("reading = \"thesis\"\n", "", 3.0 / 5.0),
+];
+
+/// Tangential law and velocity along the plane: one impact slides to the end, the other holds.
+const MOTIONS: [(&str, f64); 2] = [
+    ("law = \"haff-werner\"\ndamping = 1e3\n", 20.0),
+    ("law = \"cundall-strack-truncated\"\nstiffness = 4e6\n", 0.3),
+];
+
+impl Impact {
+    fn duration() -> f64 {
+        PI * (2700.0 * 4.0 / 3.0 * PI * RADIUS.powi(3) / STIFFNESS).sqrt()
+    }
+
+    fn scene(&self, steps: u32) -> String {
+        self.reading.to_owned()
+            + &head("velocity-verlet", Self::duration() / f64::from(steps))
+            + self.key
+            + &format!(
+                "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {STIFFNESS:e}\ndamping = 10.0\n\
+                 [contact.tangential]\nfriction = {FRICTION}\n{}",
+                self.law
+            )
+            + &particle([0.0, RADIUS.next_down()], [self.along, -1.0], 0.0, RADIUS)
+            + &particle([0.0, -FLATNESS * RADIUS], [0.0; 2], 0.0, FLATNESS * RADIUS)
+            + "role = \"fixed\"\n"
+    }
+
+    fn after(&self, steps: u32) -> Result<After, Failure> {
+        let mut world = world_in::<DoubleDouble>(&self.scene(steps))?;
+        for _ in 0..4 * steps {
+            world.step()?;
+        }
+        let p = world.particles();
+        Ok(After {
+            along: p.velocity[0].x.to_f64(),
+            away: p.velocity[0].y.to_f64(),
+            spin: p.angular_velocity[0].to_f64(),
+        })
+    }
+
+    fn slides(&self) -> bool {
+        self.along > 1.0
+    }
+
+    /// Errors of the velocity along the plane, if it slides, and of c r w.
+    fn errors(&self, after: &After) -> Vec<Measurement> {
+        let fast = 1.0 + self.along;
+        let way = self.along * Self::duration() / RADIUS;
+        let tolerance = 2e-14 * fast + 2.0 * way / FLATNESS * fast;
+        let gained = self.factor * RADIUS * after.spin;
+        let lost = after.along - self.along;
+        let mut all = vec![Measurement::absolute(lost, gained, tolerance)];
+        if self.slides() {
+            let impulse = FRICTION * (1.0 + after.away);
+            all.push(Measurement::absolute(-impulse, gained, tolerance));
+            all.push(Measurement::absolute(-impulse, lost, tolerance));
+        }
+        all
+    }
+}
+
+fn measure() -> Outcome {
+    let mut all = Vec::new();
+    let mut table = Table::new(
+        "What friction makes of the spin: a sliding impact, and what sliding leaves of a velocity when it has become rolling",
+        &[
+            "scene",
+            "J in m r^2",
+            "spin in rad/s: mu (1 + e) V_n / (c r)",
+            "kernel",
+            "left by rolling, 1 / (1 + c)",
+        ],
+    );
+    for (reading, key, factor) in BODIES {
+        for (law, along) in MOTIONS {
+            let impact = Impact {
+                reading,
+                key,
+                factor,
+                law,
+                along,
+            };
+            let after = impact.after(150)?;
+            all.extend(impact.errors(&after));
+            if impact.slides() {
+                let spin = FRICTION * (1.0 + after.away) / (factor * RADIUS);
+                table.push([
+                    (reading.to_owned() + key)
+                        .replace('"', "")
+                        .trim()
+                        .to_owned(),
+                    factor.to_string(),
+                    format!("{spin:.9}"),
+                    format!("{:.9}", -after.spin),
+                    format!("{:.4}", 1.0 / (1.0 + factor)),
+                ]);
+            }
+        }
+    }
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
+}
