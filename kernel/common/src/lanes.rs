@@ -9,6 +9,9 @@ use wide::f64x2;
 ///
 /// By default nothing is wide; only doubles are worth the code. Results have the same bits either way.
 pub trait Lanes: Real {
+    /// Whether loops are compiled for wide instructions. What loops share is inlined into each of them only
+    /// if they are, since it would be compiled once per choice of laws.
+    const IS_WIDE: bool = false;
     /// Two differences, `to` minus `from`.
     #[inline(always)]
     fn differences(to: [Self; 2], from: [Self; 2]) -> [Self; 2] {
@@ -20,13 +23,14 @@ pub trait Lanes: Real {
         [[a, c], [b, d]]
     }
     /// Run a loop over numbers of this type with the given instructions.
-    #[inline(always)]
+    #[inline(never)]
     fn run<L: NullaryFnOnce>(_: Instructions, body: L) -> L::Output {
         body.call()
     }
 }
 
 impl Lanes for f64 {
+    const IS_WIDE: bool = true;
     #[inline(always)]
     fn differences(to: [Self; 2], from: [Self; 2]) -> [Self; 2] {
         (f64x2::new(to) - f64x2::new(from)).to_array()

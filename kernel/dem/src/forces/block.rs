@@ -92,6 +92,9 @@ impl<S: Lanes> Block<S> {
         prefetch: impl Fn(usize),
     ) {
         let now = &pairs[positions.clone()];
+        if !S::IS_WIDE {
+            return self.inputs.gather_out_of_line(columns, now, reads);
+        }
         let Some(sums) = sums else {
             return self.inputs.gather(columns, now, reads, |_| {});
         };
@@ -113,7 +116,11 @@ impl<S: Lanes> Block<S> {
         metric: M,
         number: usize,
     ) -> (&Inputs<S>, &Frames<S>, &mut Outputs<S>) {
-        self.frames.find(metric, &self.inputs, number);
+        if S::IS_WIDE {
+            self.frames.find(metric, &self.inputs, number);
+        } else {
+            self.frames.find_out_of_line(metric, &self.inputs, number);
+        }
         (&self.inputs, &self.frames, &mut self.outputs)
     }
 }
@@ -196,6 +203,11 @@ impl<S: Lanes> Inputs<S> {
             self.gather_two(twos.len(), columns, [last; 2], reads);
         }
     }
+    /// The same without anything beside, compiled once.
+    #[inline(never)]
+    fn gather_out_of_line(&mut self, columns: Columns<S>, pairs: &[Pair], reads: Reads) {
+        self.gather(columns, pairs, reads, |_| {});
+    }
     /// Gather what two pairs read, into the given pair of lanes.
     #[inline(always)]
     fn gather_two(&mut self, two: usize, columns: Columns<S>, pairs: [Pair; 2], reads: Reads) {
@@ -244,6 +256,11 @@ impl<S: Lanes> Frames<S> {
             let distances = [frame.distance, frame.inverse_distance];
             put(&mut self.distances, lane, distances);
         }
+    }
+    /// The same, compiled once per metric.
+    #[inline(never)]
+    fn find_out_of_line<M: Metric>(&mut self, metric: M, inputs: &Inputs<S>, number: usize) {
+        self.find(metric, inputs, number);
     }
     #[inline(always)]
     pub fn at(&self, lane: usize) -> PairFrame<S> {
