@@ -8,6 +8,7 @@ use gouge_dem::contacts::{ContactMemory, Contacts};
 use gouge_dem::particles::Particles;
 use gouge_runner::run::{begin_phase, phases};
 use gouge_runner::scene::{Scene, builtin};
+use gouge_validation::report::Figures;
 use gouge_validation::verify;
 use std::hint::black_box;
 use std::path::Path;
@@ -87,7 +88,13 @@ fn touching() -> ContactMemory<f64> {
 fn report(criterion: &mut Criterion) {
     let folder = std::env::temp_dir().join("gouge-bench-report");
     criterion.bench_function("report on the identities", |bencher| {
-        bencher.iter(|| verify::verify(Some("identities.minimum-image"), black_box(&folder)));
+        bencher.iter(|| {
+            verify::verify(
+                Some("identities.minimum-image"),
+                black_box(&folder),
+                Figures::Inside,
+            )
+        });
     });
     let _ = std::fs::remove_dir_all(&folder);
 }

@@ -215,7 +215,9 @@ fn reading_a_scene_depends_only_on_its_files() {
     for file in rust_files(&root().join("runner/src/scene")) {
         let text = read(&file);
         for line in code(&text) {
-            let outside = ["machine::", "std::time"].iter().any(|word| line.contains(word));
+            let outside = ["machine::", "std::time"]
+                .iter()
+                .any(|word| line.contains(word));
             assert!(!outside, "{}: {line}", file.display());
         }
     }

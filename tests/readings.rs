@@ -86,7 +86,7 @@ fn the_drag_constant_follows_the_reading() {
 
 #[test]
 fn a_truncated_spring_pays_back_no_more_than_it_was_given() {
-    use gouge_dem::laws::{CundallStrack, CundallStrackTruncated, TangentialMotion, TangentialLaw};
+    use gouge_dem::laws::{CundallStrack, CundallStrackTruncated, TangentialLaw, TangentialMotion};
     // The closed cycle of thesis E15: slide under a low load, return under a high one.
     fn work<L: TangentialLaw>(law: L) -> f64 {
         let (mut memory, mut work, n) = (0.0, 0.0, 100_000);

@@ -1,18 +1,58 @@
 //! The program that runs the checks, which `gouge verify` starts.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use std::process::Command;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn verify(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_gouge-verify"))
+        .args(arguments)
+        .arg("--out")
+        .arg(folder)
+        .output()
+        .expect("the program starts")
+}
 
 #[test]
 fn a_pattern_that_matches_no_check_is_refused() {
     let folder = std::env::temp_dir().join(format!("gouge-verify-{}", std::process::id()));
-    let output = Command::new(env!("CARGO_BIN_EXE_gouge-verify"))
-        .args(["--only", "no-such-check", "--out"])
-        .arg(&folder)
-        .output()
-        .expect("the program starts");
+    let output = verify(&["--only", "no-such-check"], &folder);
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("no check matches"), "{message}");
     assert!(!folder.exists(), "nothing is written");
+}
+
+/// The page in a folder, without what was timed and with figures of files put back.
+fn page(folder: &Path) -> String {
+    let page = std::fs::read_to_string(folder.join("report.html")).expect("the page");
+    let mut parts = page.split("<td class=\"n time\">");
+    let mut timeless = parts.next().expect("the head").to_owned();
+    for part in parts {
+        timeless += part.split_once("</td>").expect("the end of a cell").1;
+    }
+    let mut parts = timeless.split("<img src=\"");
+    let mut whole = parts.next().expect("the head").to_owned();
+    for part in parts {
+        let (name, rest) = part
+            .split_once("\" alt=\"\">")
+            .expect("the end of an image");
+        whole += &std::fs::read_to_string(folder.join(name)).expect("the figure");
+        whole += rest;
+    }
+    whole
+}
+
+#[test]
+fn a_page_with_figures_apart_shows_the_same_as_a_page_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (alone, apart) = (folder.path().join("alone"), folder.path().join("apart"));
+    let only = ["--only", "chung-ooi.4"];
+    assert!(verify(&only, &alone).status.success());
+    let output = verify(&[&only[..], &["--figures-apart"]].concat(), &apart);
+    assert!(output.status.success());
+    let figures = std::fs::read_dir(apart.join("figures")).expect("figures");
+    assert!(figures.count() > 0);
+    assert!(!alone.join("figures").exists());
+    assert!(page(&alone) == page(&apart));
 }

@@ -1,7 +1,7 @@
 //! `gouge verify`: the register is run, a line printed a check, and the reports are written.
 
 use crate::checks::{Check, Effort, Topic, register};
-use crate::report::{self, Entry, Record};
+use crate::report::{self, Entry, Figures, Record};
 use gouge_runner::error::Error;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::collections::BTreeMap;
@@ -14,7 +14,7 @@ use std::time::Instant;
 ///
 /// # Errors
 /// Patterns that match nothing, failures of the file system, failed checks.
-pub fn verify(only: Option<&str>, folder: &Path) -> Result<(), Error> {
+pub fn verify(only: Option<&str>, folder: &Path, figures: Figures) -> Result<(), Error> {
     let topics = register();
     let checks = chosen(&topics, only)?;
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
@@ -26,7 +26,7 @@ pub fn verify(only: Option<&str>, folder: &Path) -> Result<(), Error> {
         Some(_) => Vec::new(),
     };
     progress.finish_and_clear();
-    report::write(folder, &topics, &entries, &pictures)?;
+    report::write(folder, &topics, &entries, &pictures, figures)?;
     match entries
         .iter()
         .filter(|entry| !entry.record.passed())

@@ -9,6 +9,9 @@ use wide::f64x2;
 ///
 /// The default methods are scalar; only `f64` is vectorised. The bits of the result are the same.
 pub trait Lanes: Real {
+    /// Whether loops are compiled for vector instructions. Only then is the code that loops share inlined into
+    /// each of them; otherwise it is compiled once, not once per choice of laws.
+    const IS_WIDE: bool = false;
     /// Two differences, `to` minus `from`.
     #[inline(always)]
     fn differences(to: [Self; 2], from: [Self; 2]) -> [Self; 2] {
@@ -20,13 +23,14 @@ pub trait Lanes: Real {
         [[a, c], [b, d]]
     }
     /// Run a loop over numbers of this type with an instruction set.
-    #[inline(always)]
+    #[inline(never)]
     fn run<L: NullaryFnOnce>(_: Instructions, body: L) -> L::Output {
         body.call()
     }
 }
 
 impl Lanes for f64 {
+    const IS_WIDE: bool = true;
     #[inline(always)]
     fn differences(to: [Self; 2], from: [Self; 2]) -> [Self; 2] {
         (f64x2::new(to) - f64x2::new(from)).to_array()

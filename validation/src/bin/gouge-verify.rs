@@ -3,6 +3,7 @@
 use clap::Parser;
 use gouge_runner::error::Error;
 use gouge_runner::machine::{CallingThread, start_pool};
+use gouge_validation::report::Figures;
 use gouge_validation::verify::verify;
 use mimalloc::MiMalloc;
 use std::path::PathBuf;
@@ -22,11 +23,19 @@ struct Arguments {
     /// Folder for the reports
     #[arg(long, default_value = "out/verify")]
     out: PathBuf,
+    /// Write big figures to a folder beside the page: for the copy in docs/report
+    #[arg(long)]
+    figures_apart: bool,
 }
 
 fn execute(arguments: &Arguments) -> Result<(), Error> {
     start_pool(CallingThread::StaysOutside)?;
-    verify(arguments.only.as_deref(), &arguments.out)
+    let figures = if arguments.figures_apart {
+        Figures::Apart
+    } else {
+        Figures::Inside
+    };
+    verify(arguments.only.as_deref(), &arguments.out, figures)
 }
 
 fn main() -> ExitCode {

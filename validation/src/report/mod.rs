@@ -1,5 +1,6 @@
 //! What `gouge verify` leaves: one page for people, one file for programs.
 
+mod apart;
 mod machine;
 mod page;
 mod pictures;
@@ -32,6 +33,15 @@ struct Report<'a> {
     checks: Vec<&'a Record>,
 }
 
+/// Where the figures of the page are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Figures {
+    /// In the page, which then needs no other file.
+    Inside,
+    /// Big ones in a folder `figures` beside the page.
+    Apart,
+}
+
 /// Write `report.json` and `report.html`.
 ///
 /// # Errors
@@ -41,6 +51,7 @@ pub fn write(
     topics: &[Topic],
     entries: &[Entry],
     pictures: &[Picture],
+    figures: Figures,
 ) -> Result<(), Error> {
     let report = Report {
         version: env!("CARGO_PKG_VERSION"),
@@ -52,5 +63,18 @@ pub fn write(
         .map_err(|error| Error::file("write", &path, std::io::Error::other(error)))?;
     write_whole(&path, (text + "\n").as_bytes())?;
     let page = page::page(topics, entries, pictures, &report.machine).into_string();
-    write_whole(&folder.join("report.html"), page.as_bytes())
+    match figures {
+        Figures::Inside => write_whole(&folder.join("report.html"), page.as_bytes()),
+        Figures::Apart => write_apart(folder, &page),
+    }
+}
+
+fn write_apart(folder: &Path, page: &str) -> Result<(), Error> {
+    let split = apart::split(page);
+    let place = folder.join("figures");
+    std::fs::create_dir_all(&place).map_err(|error| Error::file("create", &place, error))?;
+    for (name, text) in &split.figures {
+        write_whole(&place.join(name), text.as_bytes())?;
+    }
+    write_whole(&folder.join("report.html"), split.page.as_bytes())
 }

@@ -98,6 +98,9 @@ impl<S: Lanes> Block<S> {
         prefetch: impl Fn(usize),
     ) {
         let now = &pairs[positions.clone()];
+        if !S::IS_WIDE {
+            return self.inputs.gather_out_of_line(columns, now, reads);
+        }
         let Some(sums) = sums else {
             return self.inputs.gather(columns, now, reads, |_| {});
         };
@@ -119,7 +122,12 @@ impl<S: Lanes> Block<S> {
         metric: M,
         number: usize,
     ) -> (&Inputs<S>, &Frames<S>, &mut Outputs<S>) {
-        self.frames.compute(metric, &self.inputs, number);
+        if S::IS_WIDE {
+            self.frames.compute(metric, &self.inputs, number);
+        } else {
+            self.frames
+                .compute_out_of_line(metric, &self.inputs, number);
+        }
         (&self.inputs, &self.frames, &mut self.outputs)
     }
 }
@@ -203,6 +211,11 @@ impl<S: Lanes> Inputs<S> {
             self.gather_two(twos.len(), columns, [last; 2], reads);
         }
     }
+    /// The same without anything beside, as one function for all laws.
+    #[inline(never)]
+    fn gather_out_of_line(&mut self, columns: Columns<S>, pairs: &[Pair], reads: Reads) {
+        self.gather(columns, pairs, reads, |_| {});
+    }
     /// Gather the particle data of two pairs into two lanes.
     #[inline(always)]
     fn gather_two(&mut self, two: usize, columns: Columns<S>, pairs: [Pair; 2], reads: Reads) {
@@ -251,6 +264,11 @@ impl<S: Lanes> Frames<S> {
             let distances = [frame.distance, frame.inverse_distance];
             set(&mut self.distances, lane, distances);
         }
+    }
+    /// The same, as one function for all laws.
+    #[inline(never)]
+    fn compute_out_of_line<M: Metric>(&mut self, metric: M, inputs: &Inputs<S>, number: usize) {
+        self.compute(metric, inputs, number);
     }
     #[inline(always)]
     pub fn at(&self, lane: usize) -> PairFrame<S> {
