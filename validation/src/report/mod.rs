@@ -1,6 +1,7 @@
 //! What `gouge verify` leaves: one page for people, one file for programs.
 
 mod machine;
+mod original;
 mod page;
 mod pictures;
 mod plot;
