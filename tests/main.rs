@@ -4,6 +4,7 @@
 mod bad_input;
 mod collisions;
 mod machine;
+mod measurements;
 mod integrators;
 mod links;
 mod nothing_lost;

@@ -4,6 +4,7 @@ mod by_hand;
 mod counts;
 mod folder;
 mod growth;
+mod inertia;
 mod lammps;
 mod limits;
 mod machine;
@@ -45,6 +46,12 @@ struct Arguments {
 enum Command {
     #[command(flatten)]
     Measure(Measurement),
+    /// Friction of the small fault with the moment of inertia of spheres and with that of the thesis's author, as CSV
+    Inertia {
+        /// Number of seeds
+        #[arg(long, default_value_t = 16)]
+        seeds: u64,
+    },
     #[command(flatten)]
     Errand(Errand),
 }
@@ -109,6 +116,7 @@ struct Run {
 fn execute(arguments: Arguments) -> Result<(), Error> {
     let measurement = match arguments.command {
         Command::Measure(measurement) => measurement,
+        Command::Inertia { seeds } => return inertia::measure(seeds),
         Command::Errand(errand) => return errand.run(),
     };
     let rounds = arguments.rounds;

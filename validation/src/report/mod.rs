@@ -2,6 +2,7 @@
 
 mod apart;
 mod machine;
+mod original;
 mod page;
 mod pictures;
 mod plot;

@@ -1,6 +1,6 @@
 //! The page for people.
 
-use super::{Entry, Picture, Record, pictures, plot, speed};
+use super::{Entry, Picture, Record, original, pictures, plot, speed};
 use crate::checks::{Exhibit, Table, Topic};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -28,6 +28,7 @@ pub fn page(topics: &[Topic], entries: &[Entry], drawn: &[Picture], machine: &st
                 (how_to_read())
                 @for (topic, entries) in &shown { (chapter(topic, entries)) }
                 @if !drawn.is_empty() {
+                    (original::chapter())
                     (speed::chapter())
                     (pictures::chapter(drawn))
                 }

@@ -1,0 +1,73 @@
+//! What the moment of inertia of the thesis's author does to friction: the small fault, seed by seed.
+
+use gouge_dem::World;
+use gouge_dem::estimators::{friction_feedback, friction_load};
+use gouge_dem::model::Reading;
+use gouge_runner::error::Error;
+use gouge_runner::run::{advance, prepared};
+use gouge_runner::scene::{Scene, builtin};
+use std::io::Write;
+use std::path::Path;
+
+/// The scene.
+const SCENE: &str = "granite-fault-small";
+/// Time in s from which on it counts as sliding: a way of 5 mm, past the peak of friction.
+const SLIDING: f64 = 2.5e-3;
+
+/// Run every seed with the moment of inertia of spheres and with the author's, and print one row a run as
+/// CSV: means of both coefficients of friction over all samples while it slides, and broken bonds.
+///
+/// # Errors
+/// States that become senseless, output that cannot be written.
+pub fn measure(seeds: u64) -> Result<(), Error> {
+    let mut out = std::io::stdout().lock();
+    let mut say = |row: String| {
+        let said = writeln!(out, "{row}").and_then(|()| out.flush());
+        said.map_err(|error| Error::file("write", Path::new("standard output"), error))
+    };
+    say("seed,inertia_factor,samples,friction_load,friction_feedback,bonds_broken".to_owned())?;
+    for seed in 0..seeds {
+        for reading in [Reading::Corrected, Reading::Thesis] {
+            say(row(seed, reading.inertia_factor())?)?;
+        }
+    }
+    Ok(())
+}
+
+/// The scene with a seed and an inertia factor.
+fn scene(seed: u64, factor: f64) -> Result<Scene, Error> {
+    let text = builtin::text(SCENE).unwrap_or_default();
+    let text = text
+        .replace("\nseed = 0\n", &format!("\nseed = {seed}\n"))
+        .replace(
+            "[material]\n",
+            &format!("[material]\ninertia_factor = {factor:?}\n"),
+        );
+    Ok(Scene::parse(SCENE, text.as_bytes(), Path::new("."))?)
+}
+
+/// A run and its row.
+fn row(seed: u64, factor: f64) -> Result<String, Error> {
+    let scene = scene(seed, factor)?;
+    let mut world = prepared(&scene)?;
+    let bonds = |world: &World| world.bonds().map_or(0, |bonds| bonds.len());
+    let began = bonds(&world);
+    let (interval, whole) = (
+        (scene.output.interval / scene.step).round() as u64,
+        scene.steps(),
+    );
+    let (mut samples, mut sums) = (0_u32, [0.0; 2]);
+    for _ in 0..whole / interval {
+        advance(&mut world, interval, "run")?;
+        if world.time() > SLIDING - 0.5 * scene.step {
+            samples += 1;
+            sums[0] += friction_load(world.drive());
+            sums[1] += friction_feedback(world.drive());
+        }
+    }
+    let [load, feedback] = sums.map(|sum| sum / f64::from(samples));
+    let broken = began - bonds(&world);
+    Ok(format!(
+        "{seed},{factor},{samples},{load:?},{feedback:?},{broken}"
+    ))
+}
