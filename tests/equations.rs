@@ -338,7 +338,7 @@ fn checks_cite_only_what_the_tables_hold() {
 #[test]
 fn stored_cases_cite_as_checks_do() {
     for path in gouge_runner::references::paths() {
-        let case = gouge_runner::references::case(path).expect("a case");
+        let case = gouge_validation::references::case(&path).expect("a case");
         let read = Evidence::parse(&case.equations).map(|evidence| evidence.to_string());
         assert_eq!(read.as_deref(), Some(case.equations.as_str()), "{path}");
     }

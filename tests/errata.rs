@@ -11,7 +11,7 @@ use gouge_dem::geometry::{contact_half_length, overlap_factor};
 use gouge_dem::laws::{ZhangEckert, dissipative_constant, dissipative_constant_printed};
 use gouge_dem::material::{Elastic, GRANITE};
 use gouge_dem::particles::{SPHERE_INERTIA_FACTOR, moment_of_inertia, sphere_mass};
-use gouge_runner::run::prepared;
+use gouge_runner::run::run_setup;
 use std::f64::consts::PI;
 
 // --- Material and normal forces -------------------------------------------------------------
@@ -185,7 +185,7 @@ fn inertia_follows_the_reading_and_the_scene() {
     for (reading, key, expected) in cases {
         for (particles, density) in [(listed.as_str(), 1000.0), (made, 2700.0)] {
             let text = reading.to_owned() + &head("euler", 1e-9) + key + particles;
-            let world = prepared(&scene(&text)).expect("the kernel takes the scene");
+            let world = run_setup(&scene(&text)).expect("the kernel takes the scene");
             let found = world.particles().moment_of_inertia[0];
             let whole = sphere_mass(density, r) * r * r;
             assert!(

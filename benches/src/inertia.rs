@@ -4,8 +4,8 @@ use gouge_dem::World;
 use gouge_dem::estimators::{friction_feedback, friction_load};
 use gouge_dem::model::Reading;
 use gouge_runner::error::Error;
-use gouge_runner::run::{advance, prepared};
-use gouge_runner::scene::{Scene, builtin};
+use gouge_runner::run::{advance, run_setup};
+use gouge_runner::scene::{Overrides, Scene};
 use std::io::Write;
 use std::path::Path;
 
@@ -36,20 +36,17 @@ pub fn measure(seeds: u64) -> Result<(), Error> {
 
 /// The scene with a seed and an inertia factor.
 fn scene(seed: u64, factor: f64) -> Result<Scene, Error> {
-    let text = builtin::text(SCENE).unwrap_or_default();
-    let text = text
-        .replace("\nseed = 0\n", &format!("\nseed = {seed}\n"))
-        .replace(
-            "[material]\n",
-            &format!("[material]\ninertia_factor = {factor:?}\n"),
-        );
-    Ok(Scene::parse(SCENE, text.as_bytes(), Path::new("."))?)
+    let keys = [
+        format!("setup.seed={seed}"),
+        format!("material.inertia_factor={factor:?}"),
+    ];
+    Scene::load_with(SCENE, &Overrides::parse(&keys)?)
 }
 
 /// A run and its row.
 fn row(seed: u64, factor: f64) -> Result<String, Error> {
     let scene = scene(seed, factor)?;
-    let mut world = prepared(&scene)?;
+    let mut world = run_setup(&scene)?;
     let bonds = |world: &World| world.bonds().map_or(0, |bonds| bonds.len());
     let began = bonds(&world);
     let (interval, whole) = (
