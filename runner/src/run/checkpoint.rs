@@ -11,6 +11,7 @@ use crate::machine::with_chosen_execution;
 use crate::scene::{Place, Scene};
 use gouge_common::record::{Column, Record, Shape};
 use gouge_dem::World;
+use gouge_dem::particles::SPHERE_INERTIA_FACTOR;
 use sha2::{Digest, Sha256};
 use std::path::Path;
 
@@ -51,6 +52,28 @@ pub struct Checkpoint {
 
 /// The fingerprint of a scene.
 pub fn fingerprint(scene: &Scene) -> Fingerprint {
+    digest(&content(scene))
+}
+
+/// The fingerprint that version 3 gave to a scene; it knew no other particles than spheres.
+fn unnamed_fingerprint(scene: &Scene) -> Fingerprint {
+    let material = format!("material: {:?}", scene.material);
+    let density = format!("density: {:?}", scene.material.density);
+    let inertia = format!(", inertia_factor: {SPHERE_INERTIA_FACTOR:?}");
+    digest(
+        &content(scene)
+            .replace(&material, &density)
+            .replace(&inertia, ""),
+    )
+}
+
+fn digest(content: &str) -> Fingerprint {
+    let text = format!("{content} {}", env!("CARGO_PKG_VERSION"));
+    Sha256::digest(text.as_bytes()).into()
+}
+
+/// Everything in a scene that decides on the bits of a run, as text.
+fn content(scene: &Scene) -> String {
     let mut anonymous = Scene {
         file: String::new(),
         files: Vec::new(),
@@ -69,8 +92,7 @@ pub fn fingerprint(scene: &Scene) -> Fingerprint {
     for (_, place) in &mut anonymous.contacts {
         place.clone_from(&nowhere);
     }
-    let text = format!("{anonymous:?} {}", env!("CARGO_PKG_VERSION"));
-    Sha256::digest(text.as_bytes()).into()
+    format!("{anonymous:?}")
 }
 
 impl Checkpoint {
@@ -115,9 +137,6 @@ impl Checkpoint {
         if Sha256::digest(content)[..] != *digest {
             return Err("it is damaged: its checksum does not match its content");
         }
-        if content[MAGIC.len()..PREFIX] != fingerprint(scene) {
-            return Err("it belongs to another scene, or to another version of the program");
-        }
         let mut rest = Reader(&content[PREFIX..]);
         let head = rest.words(HEAD as u64).unwrap_or_default();
         let [
@@ -133,6 +152,13 @@ impl Checkpoint {
         else {
             return Err("it is damaged: its beginning is missing");
         };
+        let expected = match version {
+            UNNAMED => unnamed_fingerprint(scene),
+            _ => fingerprint(scene),
+        };
+        if content[MAGIC.len()..PREFIX] != expected {
+            return Err("it belongs to another scene, or to another version of the program");
+        }
         let state = match version {
             VERSION => rest.record().filter(|_| rest.0.is_empty()),
             UNNAMED => World::record_of_words(scene.integrator, &words_of_bytes(rest.0)),
