@@ -60,15 +60,16 @@ impl Compared {
     }
 }
 
-/// What an interval says of a change, beside the margin within which it would not matter.
+/// What an interval says of a change, beside the margin within which it would not matter, if there is one.
 fn verdict([low, high]: [f64; 2], margin: Option<f64>) -> &'static str {
     let is_shown = low > 0.0 || high < 0.0;
-    let is_small = margin.is_some_and(|margin| low > -margin && high < margin);
+    let is_small = margin.map(|margin| low > -margin && high < margin);
     match (is_shown, is_small) {
-        (true, true) => "a change, but below 0.05",
-        (true, false) => "a change",
-        (false, true) => "no change shown; it is below 0.05",
-        (false, false) => "no change shown, a small one not excluded",
+        (true, Some(true)) => "a change, but below 0.05",
+        (true, _) => "a change",
+        (false, Some(true)) => "no change shown; it is below 0.05",
+        (false, Some(false)) => "no change shown, but one of 0.05 is not excluded",
+        (false, None) => "no change shown",
     }
 }
 
