@@ -5,7 +5,7 @@ use crate::error::SceneError;
 use sha2::{Digest, Sha256};
 use std::fmt;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
@@ -165,7 +165,7 @@ impl Override {
     fn toml(&self) -> Result<Spanned<DeValue<'_>>> {
         DeValue::parse(&self.value).map_err(|problem| {
             let accepted = if is_word(&self.value) {
-                let (key, value) = (self.names.join("."), &self.value);
+                let (key, value) = (self.names.join("."), shortened(&self.value));
                 format!("a text needs quotes: --set '{key}=\"{value}\"'")
             } else {
                 format!("must be a TOML value: {}", problem.message())
@@ -210,6 +210,9 @@ impl Override {
                     let array = path_of(&self.names[..=depth]);
                     return Err(self.error(&format!("the scene has no array {array}")));
                 }
+                if depth + 2 == self.names.len() && !matches!(value.get_ref(), DeValue::Table(_)) {
+                    claim_array(table, name, key());
+                }
                 let new = DeValue::Table(DeTable::new());
                 table.entry(key()).or_insert(Spanned::new(at..at, new))
             }
@@ -234,6 +237,18 @@ impl Override {
             }
         };
         self.set(inner.get_mut(), depth + 1, at, value)
+    }
+}
+
+/// Put the key of an array, if there is one, where the override of one of its items stands: a plain item has
+/// no key of its own that an error could name.
+fn claim_array<'a>(table: &mut DeTable<'a>, name: &str, key: Spanned<DeString<'a>>) {
+    if matches!(
+        table.get(name).map(Spanned::get_ref),
+        Some(DeValue::Array(_))
+    ) && let Some(array) = table.remove(name)
+    {
+        table.insert(key, array);
     }
 }
 
