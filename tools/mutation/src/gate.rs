@@ -35,6 +35,17 @@ const SKIPPED: [&str; 14] = [
 /// How much longer than unperturbed tests may take.
 const PATIENCE: f64 = 20.0;
 
+/// Runs a program with at most 8 GiB of memory: a fault may ask for any amount.
+const LIMITED: &str = "ulimit -v 8388608; exec \"$@\"";
+
+/// Random tests draw the same cases for each fault, and change no file where they fail.
+const FIXED: [(&str, &str); 4] = [
+    ("PROPTEST_RNG_SEED", "1"),
+    ("PROPTEST_MAX_SHRINK_ITERS", "0"),
+    ("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "1"),
+    ("INSTA_UPDATE", "no"),
+];
+
 /// A test: its program and its name.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Test {
@@ -42,9 +53,9 @@ pub struct Test {
     program: usize,
     /// Name of the test.
     name: String,
-    /// How long it takes in s, with notes of the sites.
+    /// How long it takes in s, with notes of the switches.
     seconds: f64,
-    /// The sites it uses.
+    /// The switches it meets.
     uses: Vec<usize>,
 }
 
@@ -62,23 +73,23 @@ pub struct Gate {
 enum End {
     Passed,
     Failed(String),
+    Late,
 }
 
 impl Gate {
-    /// Build the gate of the copied workspace.
+    /// Build the gate of the copied workspace with a profile of cargo.
     ///
     /// # Errors
     /// A workspace that does not compile.
-    pub fn build(copy: &Path) -> Outcome<Self> {
-        let output = Command::new(env!("CARGO"))
+    pub fn build(copy: &Path, profile: &str) -> Outcome<Self> {
+        let output = cargo(copy)
             .args(["test", "--no-run", "--message-format=json"])
-            .args(["-p", "gouge", "--test", "gate"])
-            .current_dir(copy)
+            .args(["--profile", profile, "-p", "gouge", "--test", "gate"])
             .stderr(Stdio::inherit())
             .output()?;
         let text = String::from_utf8_lossy(&output.stdout);
         if !output.status.success() {
-            return Err(errors(&text).into());
+            return Err(complaint(&errors(&text)).into());
         }
         let mut programs: Vec<PathBuf> = text.lines().filter_map(program).collect();
         programs.sort();
@@ -97,7 +108,7 @@ impl Gate {
         self.programs.iter().map(of).collect::<Vec<_>>().join(" ")
     }
 
-    /// Which sites each test uses, as found before or by running each test once.
+    /// Which switches each test meets, as found before or by running each test once.
     ///
     /// # Errors
     /// Tests that fail as they are.
@@ -105,14 +116,14 @@ impl Gate {
         &self,
         folder: &Path,
         jobs: usize,
-        sites: usize,
+        switches: usize,
         results: &mut Results,
     ) -> Outcome<Tests> {
         if let Some(tests) = results.tests() {
             return Ok(tests);
         }
         let names = self.names()?;
-        println!("{} tests, {sites} sites", names.len());
+        println!("{} tests, {switches} switches", names.len());
         for program in 0..self.programs.len() {
             let own: Vec<&str> = names
                 .iter()
@@ -152,11 +163,11 @@ impl Gate {
         Ok(tests)
     }
 
-    /// Run one test and see which sites it uses. Notes cost memory, so that a test of that may fail.
+    /// Run one test and see which switches it meets. Notes cost memory, so that a test of that may fail.
     fn observe(&self, program: usize, name: &str, log: &Path) -> Outcome<Test> {
         let _ = fs::remove_file(log);
         let start = Instant::now();
-        let variable = ("GOUGE_SITES_USED", log.to_string_lossy().into_owned());
+        let variable = ("GOUGE_FAULTS_MET", log.to_string_lossy().into_owned());
         self.run(program, &[name], &[variable], None)?;
         let seconds = start.elapsed().as_secs_f64();
         let text = fs::read_to_string(log).unwrap_or_default();
@@ -186,16 +197,17 @@ impl Gate {
         Ok(names)
     }
 
-    /// Scale a site and run the tests that use it until one fails.
+    /// Switch on a fault and run the tests that meet its switch until one fails.
     ///
     /// # Errors
     /// Programs that cannot be run.
-    pub fn try_site(&self, site: usize, tests: &Tests) -> Outcome<Fate> {
-        let users: Vec<&Test> = tests.0.iter().filter(|t| t.uses.contains(&site)).collect();
+    pub fn try_fault(&self, switch: usize, tests: &Tests) -> Outcome<Fate> {
+        let meets = |test: &&Test| test.uses.contains(&switch);
+        let users: Vec<&Test> = tests.0.iter().filter(meets).collect();
         if users.is_empty() {
             return Ok(Fate::Unused);
         }
-        let variable = [("GOUGE_SITE", site.to_string())];
+        let variable = [("GOUGE_FAULT", switch.to_string())];
         // Few tests at first, more and more of them while nothing fails.
         let (mut from, mut size) = (0, 8);
         while from < users.len() {
@@ -208,8 +220,10 @@ impl Gate {
             }
             for (program, (names, seconds)) in by_program {
                 let limit = Duration::from_secs_f64(10.0 + PATIENCE * seconds);
-                if let End::Failed(test) = self.run(program, &names, &variable, Some(limit))? {
-                    return Ok(Fate::Caught(test));
+                match self.run(program, &names, &variable, Some(limit))? {
+                    End::Passed => {}
+                    End::Failed(test) => return Ok(Fate::Caught(test)),
+                    End::Late => return Ok(Fate::Endless),
                 }
             }
             from += size;
@@ -229,8 +243,11 @@ impl Gate {
         if names.is_empty() {
             return Ok(End::Passed);
         }
-        let mut child = Command::new(&self.programs[program])
+        let mut child = Command::new("sh")
+            .args(["-c", LIMITED, "sh"])
+            .arg(&self.programs[program])
             .args(["--exact", "--test-threads=1"])
+            .envs(FIXED)
             .args(names)
             .envs(variables.iter().map(|(name, value)| (*name, value)))
             .current_dir(&self.folder)
@@ -246,6 +263,13 @@ impl Gate {
             None => Ok(End::Failed(format!("one of {}", names.join(", ")))),
         }
     }
+}
+
+/// Cargo in the copied workspace, with a target folder of its own.
+pub fn cargo(copy: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO"));
+    command.current_dir(copy).env_remove("CARGO_TARGET_DIR");
+    command
 }
 
 /// Read what a program says until a test fails or time is up; nothing where it says no more.
@@ -269,7 +293,7 @@ fn watch(child: &mut Child, limit: Option<Duration>) -> Option<End> {
                     Ok(line) => line,
                     Err(mpsc::RecvTimeoutError::Disconnected) => return None,
                     Err(mpsc::RecvTimeoutError::Timeout) => {
-                        return Some(End::Failed("the clock: it did not end".to_owned()));
+                        return Some(End::Late);
                     }
                 }
             }
@@ -292,14 +316,19 @@ fn program(line: &str) -> Option<PathBuf> {
     wanted.then(|| message["executable"].as_str().map(PathBuf::from))?
 }
 
-/// What the compiler complains about.
-fn errors(text: &str) -> String {
-    let rendered = |line: &str| {
+/// The errors among the messages of cargo.
+pub fn errors(text: &str) -> Vec<serde_json::Value> {
+    let error = |line: &str| {
         let message: serde_json::Value = serde_json::from_str(line).ok()?;
         let message = &message["message"];
-        let is_error = message["level"].as_str()? == "error";
-        is_error.then(|| message["rendered"].as_str().map(str::to_owned))?
+        (message["level"].as_str()? == "error").then(|| message.clone())
     };
-    let all: Vec<String> = text.lines().filter_map(rendered).collect();
+    text.lines().filter_map(error).collect()
+}
+
+/// What the compiler complains about.
+pub fn complaint(errors: &[serde_json::Value]) -> String {
+    let rendered = errors.iter().filter_map(|one| one["rendered"].as_str());
+    let all: Vec<&str> = rendered.collect();
     format!("the copy does not compile\n{}", all.join("\n"))
 }

@@ -1,8 +1,7 @@
-//! What became of each site, on paper, so that a campaign can be interrupted.
+//! What became of each fault, on paper, so that a campaign can be interrupted.
 
 use crate::Outcome;
 use crate::gate::{Gate, Tests};
-use crate::site::Site;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fmt;
@@ -10,31 +9,48 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// What became of a site.
+/// What became of a fault.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
     /// This test failed first.
     Caught(String),
-    /// All tests that use it passed.
+    /// Tests did not end in time.
+    Endless,
+    /// All tests that use its place passed.
     Survived,
-    /// No test uses it.
+    /// No test uses its place.
     Unused,
+}
+
+impl Fate {
+    /// Whether the gate noticed.
+    pub fn is_detected(&self) -> bool {
+        matches!(self, Self::Caught(_) | Self::Endless)
+    }
 }
 
 impl fmt::Display for Fate {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Caught(test) => write!(out, "caught by {test}"),
+            Self::Endless => out.write_str("caught by the clock"),
             Self::Survived => out.write_str("SURVIVED"),
             Self::Unused => out.write_str("SURVIVED, for no test uses it"),
         }
     }
 }
 
+/// A deliberate fault with a switch of its own; prints as a line that tells where and what it is.
+pub trait Fault: fmt::Display + Sync {
+    /// Number of its switch.
+    fn switch(&self) -> usize;
+}
+
 #[derive(Serialize, Deserialize)]
 struct Entry {
-    site: Site,
+    switch: usize,
+    fault: String,
     fate: Fate,
 }
 
@@ -42,18 +58,18 @@ struct Entry {
 pub struct Results {
     lines: PathBuf,
     tests: PathBuf,
-    fates: HashMap<usize, Entry>,
+    fates: HashMap<usize, Fate>,
 }
 
 impl Results {
-    /// Take up the results in a folder; results of another gate or another kernel are dropped.
+    /// Take up the results in a folder; results of another gate are dropped.
     ///
     /// # Errors
     /// Files that cannot be read or written.
-    pub fn open(folder: &Path, gate: &Gate, sites: &[Site]) -> Outcome<Self> {
+    pub fn open(folder: &Path, gate: &Gate, switches: usize) -> Outcome<Self> {
         let [lines, tests, mark] =
             ["results.jsonl", "tests.json", "gate"].map(|name| folder.join(name));
-        let name = format!("{} {}", gate.name(), sites.len());
+        let name = format!("{} {switches}", gate.name());
         if fs::read_to_string(&mark).ok().as_ref() != Some(&name) {
             for old in [&lines, &tests] {
                 if old.exists() {
@@ -66,7 +82,7 @@ impl Results {
         let mut fates = HashMap::new();
         for line in text.lines() {
             let entry: Entry = serde_json::from_str(line)?;
-            fates.insert(entry.site.id, entry);
+            fates.insert(entry.switch, entry.fate);
         }
         Ok(Self {
             lines,
@@ -90,27 +106,27 @@ impl Results {
 
     /// Drop those that survived.
     pub fn forget_survivors(&mut self) {
-        self.fates
-            .retain(|_, entry| matches!(entry.fate, Fate::Caught(_)));
+        self.fates.retain(|_, fate| fate.is_detected());
     }
 
-    /// Whether a site has been tried.
-    pub fn has(&self, site: &Site) -> bool {
-        self.fates.contains_key(&site.id)
+    /// Whether a fault has been tried.
+    pub fn has(&self, fault: &impl Fault) -> bool {
+        self.fates.contains_key(&fault.switch())
     }
 
-    /// What became of a site.
-    pub fn fate(&self, site: &Site) -> Option<&Fate> {
-        self.fates.get(&site.id).map(|entry| &entry.fate)
+    /// What became of a fault.
+    pub fn fate(&self, fault: &impl Fault) -> Option<&Fate> {
+        self.fates.get(&fault.switch())
     }
 
-    /// Note what became of a site.
+    /// Note what became of a fault.
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn add(&mut self, site: &Site, fate: Fate) -> Outcome<()> {
+    pub fn add(&mut self, fault: &impl Fault, fate: Fate) -> Outcome<()> {
         let entry = Entry {
-            site: site.clone(),
+            switch: fault.switch(),
+            fault: fault.to_string(),
             fate,
         };
         let mut file = fs::OpenOptions::new()
@@ -118,7 +134,7 @@ impl Results {
             .append(true)
             .open(&self.lines)?;
         writeln!(file, "{}", serde_json::to_string(&entry)?)?;
-        self.fates.insert(site.id, entry);
+        self.fates.insert(entry.switch, entry.fate);
         Ok(())
     }
 }

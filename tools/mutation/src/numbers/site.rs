@@ -1,12 +1,11 @@
 //! What a site is.
 
-use serde::{Deserialize, Serialize};
+use crate::results::Fault;
 use std::fmt;
 use std::ops::Range;
 
 /// What kind of number enters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A literal.
     Literal,
@@ -19,7 +18,7 @@ pub enum Kind {
 }
 
 /// A place where a number enters a formula.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Site {
     /// Number of the site, by which it is switched on.
     pub id: usize,
@@ -36,10 +35,8 @@ pub struct Site {
     /// What kind of number it is.
     pub kind: Kind,
     /// Where it stands, in bytes.
-    #[serde(skip)]
     pub range: Range<usize>,
     /// Name to be repeated where a structure is filled by shorthand.
-    #[serde(skip)]
     pub shorthand: bool,
 }
 
@@ -62,6 +59,12 @@ pub enum Side {
     Kernel,
     /// A user of the kernel: only constants that the kernel exports count.
     User,
+}
+
+impl Fault for Site {
+    fn switch(&self) -> usize {
+        self.id
+    }
 }
 
 impl fmt::Display for Site {

@@ -1,7 +1,7 @@
 //! What names mean at a place of the code, and so which expressions are numbers of a formula.
 
-use crate::declared::{Declared, Shape};
-use crate::site::{Kind, Side};
+use super::declared::{Declared, Shape};
+use super::site::{Kind, Side};
 use std::collections::HashMap;
 use syn::{Expr, ExprLit, Lit, Member, Pat};
 

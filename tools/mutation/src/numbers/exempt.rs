@@ -1,6 +1,6 @@
 //! Numbers that steer an algorithm and stand in no formula: changing one by a millionth changes no result.
 
-use crate::site::Site;
+use super::site::Site;
 
 /// Sites that are left out, with the reason.
 struct Exemption {

@@ -1,8 +1,8 @@
 //! Finds the places of a file where a number enters a formula.
 
-use crate::declared::{Declared, Shape};
-use crate::names::Names;
-use crate::site::{Findings, Kind, Side, Site};
+use super::declared::{Declared, Shape};
+use super::names::Names;
+use super::site::{Findings, Kind, Side, Site};
 use std::ops::Range;
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
@@ -305,9 +305,9 @@ fn holds_number(tokens: proc_macro2::TokenStream) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::declared::Declared;
+    use super::super::site::Side;
     use super::find;
-    use crate::declared::Declared;
-    use crate::site::Side;
 
     const SNIPPET: &str = r#"
         const LIMIT: f64 = 2.0;
