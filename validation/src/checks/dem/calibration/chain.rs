@@ -1,4 +1,4 @@
-//! Values and uncertainties of the chain.
+//! Values and uncertainties of the calibration chain.
 
 use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, Table};
 use crate::oracles::head_on::series;
@@ -9,16 +9,17 @@ use gouge_dem::material::{Elastic, GRANITE, Measured};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// Radius of grains and of the spheres that were measured, in m, and their speed in m/s.
+/// Radius of the grains and of the spheres in the rebound experiment, in m, and their speed in m/s.
 const GRAIN: f64 = 1e-3;
 const BALL: f64 = 0.5;
 const SPEED: f64 = 1.0;
-/// Stiffness that the thesis settles on, in kg/s^2.
+/// Stiffness chosen in the thesis, in kg/s^2.
 const STIFFNESS: f64 = 1e7;
 const DRAWS: usize = 200_000;
 
-/// What the thesis prints in sections 4.1 and 4.3: density, Young's modulus, Poisson's ratio, strength,
-/// restitution, then friction, axial ratio, Weibull modulus and viscosity of air, in SI units.
+/// Values and uncertainties printed in sections 4.1 and 4.3 of the thesis, in SI units: density,
+/// Young's modulus, Poisson's ratio, strength, restitution, friction, axial ratio, Weibull modulus and
+/// viscosity of air.
 const PRINTED: [[f64; 2]; 9] = [
     [2.7e3, 0.1e3],
     [50e9, 20e9],
@@ -39,7 +40,7 @@ struct Row {
     name: &'static str,
     printed: &'static str,
     kernel: fn(&Inputs) -> f64,
-    /// The central value, computed otherwise.
+    /// The central value, computed independently of the kernel.
     value: f64,
     /// Exponents of density, modulus, 1 - nu^2, strength and 1 - restitution.
     powers: [f64; 5],
@@ -101,7 +102,7 @@ fn spheres(x: &Inputs, radius: f64) -> Spheres {
     }
 }
 
-/// All quantities, their central values from fields in the spheres.
+/// All quantities, with central values from the stress fields in the spheres.
 fn rows() -> Vec<Row> {
     let x = measured().map(|one| one.value);
     let force = force_on_disc(x[3], GRAIN);
@@ -135,7 +136,7 @@ fn rows() -> Vec<Row> {
     rows
 }
 
-/// Quantities of the damping, for a stiffness.
+/// Quantities of the damping, for a given stiffness.
 fn damping_rows(x: &Inputs, k: f64) -> [Row; 4] {
     let ball = spheres(x, BALL);
     let kappa = 2.0 * ball.prefactor() / ball.mass(x[0]);
@@ -175,7 +176,7 @@ fn damping_rows(x: &Inputs, k: f64) -> [Row; 4] {
     ]
 }
 
-/// What the powers are taken of, and its derivative, for each input.
+/// The base of each power and its derivative with respect to the input.
 fn bases(x: &Inputs) -> [[f64; 2]; 5] {
     [
         [x[0], 1.0],
@@ -197,7 +198,7 @@ fn propagated(row: &Row) -> f64 {
     row.value * (0..5).map(share).sum::<f64>().sqrt()
 }
 
-/// The same from central differences of the kernel.
+/// The same uncertainty from central differences of the kernel.
 fn differenced(row: &Row) -> f64 {
     let inputs = measured();
     let centre = inputs.map(|one| one.value);
@@ -230,7 +231,7 @@ pub fn uncertainty() -> Outcome {
     Ok(Measurement::worst(all).into())
 }
 
-/// The inputs as random variables with a meaning.
+/// The inputs as random variables, truncated to their admissible ranges.
 fn variables() -> [Truncated; 5] {
     let intervals = [
         [0.0, f64::INFINITY],
@@ -298,12 +299,12 @@ pub fn monte_carlo() -> Outcome {
     let centre = measured().map(|one| one.value);
     let mut all = Vec::new();
     let mut table = Table::new(
-        "The chain recomputed: first-order standard uncertainties, and medians with 68 % intervals of drawn inputs",
+        "The recomputed chain: first-order standard uncertainties, and medians with 68 % intervals of random inputs",
         &[
             "quantity",
             "printed",
             "value and first-order uncertainty",
-            "median of draws",
+            "median of samples",
             "68 % interval",
             "kernel",
         ],
@@ -335,7 +336,7 @@ pub fn monte_carlo() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "Drawn inputs put the bound (97) at 0.8e3 to 1.8e3 kg/s, a factor of 39 below the one that follows from the printed constant".to_owned(),
+        title: "Sampled inputs put the bound (97) at 0.8e3 to 1.8e3 kg/s, a factor of 39 below the bound that follows from the printed constant".to_owned(),
         x: Axis::logarithmic("bound of the damping in kg/s"),
         y: Axis::linear("cumulative probability"),
         curves: bounds,

@@ -1,4 +1,4 @@
-//! Each function of the calibration, one by one.
+//! Each function of the calibration against an independent solution.
 
 use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot};
 use crate::oracles::flow::Flow;
@@ -19,7 +19,7 @@ fn relative(expected: f64, measured: f64) -> Measurement {
     Measurement::relative(expected, measured, TOLERANCE)
 }
 
-/// Overlaps at break, stiffness and bound, for solids, sizes and strengths of several kinds.
+/// Overlaps at break, stiffness and damping bound, for several solids, sizes and strengths.
 fn breaking(all: &mut Vec<Measurement>) {
     let cases = [
         (50e9, 0.22, 1e-3, 280e6, 1.0),
@@ -55,7 +55,7 @@ fn breaking(all: &mut Vec<Measurement>) {
     }
 }
 
-/// Dissipative constants: the dissipation b they give, and the fifth power that (93) prints.
+/// Dissipative constants: the dissipation b that they give, and the fifth power in the printed (93).
 fn dissipative(all: &mut Vec<Measurement>) {
     let [first, _] = series();
     for (restitution, modulus, ratio, density, radius, speed) in [
@@ -82,7 +82,7 @@ fn dissipative(all: &mut Vec<Measurement>) {
     }
 }
 
-/// Truncated collisions, integrated.
+/// Truncated Kelvin-Voigt collisions, integrated.
 fn truncated(all: &mut Vec<Measurement>) {
     for zeta in [0.0, 0.02, 0.3, 0.7, 0.71, 0.999, 1.0, 1.001, 2.0, 10.0] {
         let found = spring(zeta, 1e-14);
@@ -95,7 +95,7 @@ fn truncated(all: &mut Vec<Measurement>) {
     }
 }
 
-/// The decay of friction: a straight rise, then the solution of mu' = -D2 (mu - D1).
+/// The decay of friction: a linear rise, then the solution of mu' = -D2 (mu - D1).
 fn friction(all: &mut Vec<Measurement>) {
     let decay = FrictionDecay {
         peak_time: 3e-3,
@@ -135,7 +135,7 @@ pub fn first_order() -> Outcome {
     let range = |most: f64| (1..=60).map(move |k| most * f64::from(k) / 60.0);
     let exact = range(1.0).map(|b| [b, viscoelastic(b, 1e-10).restitution]);
     let plot = Plot {
-        title: "The first-order term of (93) loses too much beyond b = 0.1; a restitution of 0.83 needs b = 0.1667, where it promises 0.81".to_owned(),
+        title: "The first-order term of (93) overestimates the loss beyond b = 0.1; a restitution of 0.83 needs b = 0.1667, where the term predicts 0.81".to_owned(),
         x: Axis::linear("dissipation b = Lambda kappa^(2/5) v^(1/5)"),
         y: Axis::linear("restitution"),
         curves: vec![

@@ -1,4 +1,4 @@
-//! What calibrated parameters do in collisions.
+//! Collisions with calibrated parameters.
 
 use crate::checks::dem::pairs::collision::{Collision, Refinement, Sample};
 use crate::checks::{Exhibit, Failure, Measurement, Outcome, Table};
@@ -13,7 +13,7 @@ use gouge_dem::setup::SizeRange;
 /// Parameters of the thesis: stiffness in kg/s^2 and damping in kg/s.
 const STIFFNESS: f64 = 1e7;
 const DAMPING: f64 = 10.0;
-/// Packing fraction whose inverse raises the density of grains in a block.
+/// Packing fraction; its inverse raises the density of the grains in a block.
 const PACKING: f64 = 0.84;
 
 /// Restitution of Kelvin-Voigt grains in the kernel.
@@ -35,7 +35,7 @@ pub fn damping() -> Outcome {
     let ratio = root(0.0, 1.0, |zeta| truncated_restitution(zeta) - wanted);
     let sizes = SizeRange::around(1e-3);
     let (small, large) = (sizes.minimum, sizes.maximum);
-    // Mass grows with the cube of the radius: the same as a larger grain of the same density.
+    // The mass grows with the cube of the radius, so a larger grain of the same density is equivalent.
     let heavy = 1e-3 * PACKING.cbrt().recip();
     let mut all = Vec::new();
     let mut table = Table::new(
@@ -108,7 +108,7 @@ pub fn constant() -> Outcome {
     let first = dissipative_constant_from_restitution(wanted, elastic, density, radius, speed);
     let mut all = Vec::new();
     let mut table = Table::new(
-        "Restitution of granite spheres at 1 m/s for the dissipative constants in question: one that suits spheres of 1 m stops grains of 1 mm",
+        "Restitution of granite spheres at 1 m/s for the candidate dissipative constants: the constant that suits spheres of 1 m stops grains of 1 mm",
         &[
             "constant",
             "in s",

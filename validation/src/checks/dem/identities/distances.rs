@@ -1,4 +1,4 @@
-//! The focal point and the distances, areas and volumes of a contact.
+//! The focal point, and the distances, areas and volumes of a contact.
 
 use super::{Spheres, identity, worst};
 use crate::checks::random::Random;
@@ -23,10 +23,10 @@ pub(super) fn checks() -> Vec<Check> {
 fn length_checks() -> Vec<Check> {
     vec![
         Check {
-            reason: "Both factors come from the same rounded asymmetry with opposite signs; each is rounded once, and so is their sum: one unit of the larger",
+            reason: "Both factors come from the same rounded asymmetry with opposite signs. Each is rounded once, and so is their sum: one unit of the larger",
             ..identity(
                 "identities.overlap-factor",
-                "The overlap factors of both sides add up to one.",
+                "The overlap factors of the two sides add up to one.",
                 thesis("(4)"),
                 overlap_factors,
             )
@@ -41,20 +41,20 @@ fn length_checks() -> Vec<Check> {
             )
         },
         Check {
-            reason: "Two factors, a product and a root, each rounded once",
+            reason: "Two factors, a product and a square root, each rounded once",
             ..identity(
                 "identities.half-length",
-                "Focal distance and half-length of the contact are the legs of a triangle on the radius.",
+                "The focal distance and the half-length of the contact are the legs of a right triangle whose hypotenuse is the radius.",
                 thesis("(112), (113)"),
                 half_lengths,
             )
         },
         Check {
-            reason: "Rounding of the elementary function and of six operations on terms of one sign: four units, plus the cancellation in r / |y| - 1 near touch, which moves u by at most a third of a unit of r",
+            reason: "Rounding of the elementary function and of six operations on terms of one sign: four units. Near touch, the cancellation in r / |y| - 1 adds at most a third of a unit of r",
             oracle: "The integral in its logarithmic form, (r z + y^2 log((r + z) / |y|)) / (2 z), in double-double",
             ..identity(
                 "identities.mean-distance",
-                "The mean distance to the contact is the average of sqrt(s^2 + y^2) over its length.",
+                "The mean distance to the contact is the average of sqrt(s^2 + y^2) over the length of the contact.",
                 thesis("(114)"),
                 mean_distances,
             )
@@ -66,23 +66,23 @@ fn length_checks() -> Vec<Check> {
 fn volume_checks() -> Vec<Check> {
     vec![
         Check {
-            reason: "A dozen roundings of the two caps, and a rounding of the focal distances, which moves the wall between the caps, of area pi z^2 or, where that is less, what one rounding of the distance encloses",
+            reason: "A dozen roundings of the two caps, and one rounding of the focal distances. The latter moves the wall between the caps, whose area is pi z^2, or the area that one rounding of the distance encloses if that is less",
             oracle: "Volume of the lens of two spheres from radii and distance alone, pi (R + r - D)^2 (D^2 + 2 D (R + r) - 3 (R - r)^2) / (12 D), in double-double",
-            norm: "Largest error in units of rounding of both caps and of the area of the contact times the larger focal distance",
+            norm: "Largest error, in units of rounding of the volumes of both caps and of the area of the contact times the larger focal distance",
             ..identity(
                 "identities.sphere-volume",
-                "The displaced volume of two spheres is that of their lens.",
+                "The displaced volume of two spheres is the volume of their lens.",
                 thesis("(117)"),
                 volumes,
             )
         },
         Check {
-            reason: "A dozen roundings of the two segments; the inverse cosine amplifies that of y / r by r / z, and that of the focal distance moves the chord of length 2 z",
-            oracle: "Area of the lens of two circles by angles from two-argument arctangents, in double-double",
-            norm: "Largest error in units of rounding of both sectors with that amplification",
+            reason: "A dozen roundings of the two segments. The inverse cosine amplifies the rounding of y / r by r / z; the rounding of the focal distance moves the chord of length 2 z",
+            oracle: "Area of the lens of two circles, with angles from two-argument arctangents, in double-double",
+            norm: "Largest error, in units of rounding of the areas of both sectors, with that amplification",
             ..identity(
                 "identities.cylinder-volume",
-                "The displaced volume of two cylinders is that of the lens of their circles.",
+                "The displaced volume of two cylinders is the area of the lens of their circles times their length.",
                 thesis("(118)-(120)"),
                 areas,
             )
@@ -145,13 +145,14 @@ fn mean_distances() -> Outcome {
     })
 }
 
-/// Spheres that cross, or of which one contains the other, often just so.
+/// Spheres that intersect, or of which one contains the other, often only just; the flag is true if one
+/// contains the other.
 fn meeting(random: &mut Random) -> (Spheres, bool) {
     let one = Spheres::crossing(random);
     let inside = (one.radii[0] - one.radii[1]).abs();
     let distance = inside * (1.0 + random.signed(1e-9, 9e-7));
     let [i, j] = one.radii;
-    // A lens that is cut off is seen only where it is large beside the smaller sphere.
+    // A vanishing lens shows a wrongly chosen branch only if the smaller sphere is much smaller.
     if random.below(4) > 0 || i.min(j) > 0.3 * i.max(j) {
         return (one, false);
     }

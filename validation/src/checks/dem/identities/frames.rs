@@ -1,4 +1,4 @@
-//! Frames, angles and images.
+//! Frames, angles and periodic images.
 
 use super::{identity, vector, worst};
 use crate::checks::random::Random;
@@ -22,19 +22,19 @@ pub(super) fn checks() -> Vec<Check> {
 fn frame_checks() -> Vec<Check> {
     vec![
         Check {
-            reason: "A root, an inverse and a product, each rounded once, squared: four units of one",
+            reason: "A square root, an inverse and a product, each rounded once, then squared: four units of one",
             ..identity(
                 "identities.frames",
-                "Pair frames are of unit length, right-handed, and opposite from the other side, bit for bit.",
+                "Pair frames have unit vectors and are right-handed. Seen from the other particle, they are exactly opposite.",
                 thesis("(5), (110), (111)"),
                 frames,
             )
         },
         Check {
-            reason: "One rounding each of the factor, of the product and of the sum, of positions and of the way between them",
+            reason: "One rounding each of the factor, the product and the sum, relative to the positions and the vector between them",
             ..identity(
                 "identities.focal-point",
-                "Both sides see one focal point.",
+                "Both sides of a contact compute the same focal point.",
                 thesis("(3), (4)"),
                 focal_points,
             )
@@ -49,30 +49,30 @@ fn angle_checks() -> Vec<Check> {
             reason: "Rounding of an arctangent and of pi",
             ..identity(
                 "identities.angles",
-                "The angle of the opposite vector is the reversed angle, and a turn is the angle between two directions.",
+                "Reversing an angle gives the angle of the opposite vector, and a turn is the angle between two directions.",
                 thesis("(106)-(109)"),
                 angles,
             )
         },
         Check {
-            scene: "Vectors along the negative x axis whose other component is zero of either sign, and turns from one direction to its opposite",
+            scene: "Vectors along the negative x axis whose y component is zero of either sign, and turns from one direction to the opposite one",
             oracle: "pi",
-            norm: "Number of other angles",
-            reason: "None may differ",
+            norm: "Number of angles other than pi",
+            reason: "The result must be exact",
             ..identity(
                 "identities.half-turn",
-                "Half a turn is +pi, whatever the sign of zero.",
+                "Half a turn is +pi for both signs of zero.",
                 thesis("(107)"),
                 half_turns,
             )
         },
         Check {
-            scene: "100 000 odd multiples of pi up to 201 pi of either sign, and angles up to a ten-millionth beside them",
-            oracle: "The angle itself: its representative is in [-pi, pi) and whole turns away",
-            reason: "One rounding of the angle, one of two pi times the number of turns",
+            scene: "100 000 odd multiples of pi up to 201 pi in absolute value, and angles within a relative 1e-7 of them",
+            oracle: "The representative lies in [-pi, pi) and differs from the angle by whole turns",
+            reason: "One rounding of the angle, and one of 2 pi times the number of turns",
             ..identity(
                 "identities.wrapped",
-                "The representative of an angle is in [-pi, pi) and whole turns away, also next to the seam.",
+                "The representative of an angle lies in [-pi, pi) and differs from it by whole turns, also near odd multiples of pi.",
                 thesis("(106)"),
                 representatives,
             )
@@ -81,10 +81,10 @@ fn angle_checks() -> Vec<Check> {
             scene: "The polynomial at one, far beyond the small sines for which it is used",
             oracle: "The sum of the coefficients by their recurrence c_(k+1) = c_k (2 k + 1)^2 / ((2 k + 2) (2 k + 3))",
             norm: "Difference in units of rounding",
-            reason: "Nine terms of one sign",
+            reason: "Rounding of a sum of terms of one sign",
             ..identity(
                 "identities.arcsine",
-                "The polynomial for the turn of a frame is the series of the arcsine to the seventeenth power.",
+                "The polynomial for the rotation of a frame has the sum of coefficients of the arcsine series.",
                 thesis("(106)"),
                 arcsine,
             )
@@ -96,21 +96,21 @@ fn angle_checks() -> Vec<Check> {
 fn motion_checks() -> Vec<Check> {
     vec![
         Check {
-            oracle: "All images, in double-double",
-            reason: "A rounding, 2^-53, of each difference and two of the norm: half a unit of the width and three halves of the distance; a representative carries eight of up to eight widths",
+            oracle: "The nearest of five images, in double-double",
+            reason: "One rounding, 2^-53, of each difference and two of the norm: half a unit of the width and three halves of the distance. A representative has eight roundings of up to eight widths",
             ..identity(
                 "identities.minimum-image",
-                "The displacement in a periodic box is that of the nearest image, and opposite from the other side.",
+                "The displacement in a periodic box points to the nearest image; seen from the other particle it is exactly opposite.",
                 thesis("(63), (64)"),
                 images,
             )
         },
         Check {
-            reason: "Two products and a sum, each rounded once, of the sizes of their terms",
-            oracle: "The rate of the distance and of the direction from the scalar and vector product, in double-double",
+            reason: "Two products and a sum, each rounded once, relative to the size of their terms",
+            oracle: "The rates of the distance and of the direction from the scalar and vector products, in double-double",
             ..identity(
                 "identities.pair-motion",
-                "Normal velocity, shear velocity and turning of the frame are those of the relative velocity.",
+                "Normal velocity, shear velocity and rotation rate of the frame follow from the relative velocity.",
                 thesis("(34), (110)"),
                 motion,
             )
@@ -191,7 +191,7 @@ fn images() -> Outcome {
             |random: &mut Random| Vec2::new(length * random.between(0.0, 1.0), vector(random).y);
         let (from, mut to) = (point(random), point(random));
         if random.below(4) == 0 {
-            // Next to half a period away, on either side.
+            // Close to half a period apart, on either side.
             let half = 0.5 * (1.0 + random.signed(1e-10, 5e-7));
             to.x = from.x + if from.x < 0.5 * length { half } else { -half } * length;
         }
@@ -213,8 +213,8 @@ fn images() -> Outcome {
     })
 }
 
-/// How far the representative of a point is from where it was before so many periods were added, in units
-/// of rounding; undefined if it is outside of the box, next to whose edges every other point is put.
+/// Error of the representative of a point that was shifted by whole periods, in units of rounding;
+/// undefined if it lies outside the box. Every other point is next to an edge of the box.
 fn strays(random: &mut Random, metric: PeriodicX, point: Vec2) -> f64 {
     let length = metric.length;
     let x = match random.below(2) {

@@ -1,4 +1,4 @@
-//! Third law and angular momentum of contacts.
+//! Newton's third law and angular momentum of contacts.
 
 use super::{PAIRS, identity};
 use crate::checks::dem::scenes::{empty_model, sphere};
@@ -23,30 +23,30 @@ const ARMS: [ContactDistance; 4] = [
 ];
 
 pub(super) fn checks() -> Vec<Check> {
-    let scene = "Random rubbing contacts with each contact distance and in both readings: radii over two decades, overlaps up to half, any speed and spin";
+    let scene = "Random contacts with friction, with each contact distance and in both readings: radii over two decades, overlaps of up to half the sum of radii, any speed and spin";
     vec![
         Check {
             scene,
-            oracle: "The sum of the forces on both",
-            norm: "Contacts whose forces do not cancel bit for bit",
-            reason: "The same number with opposite signs is added to both: nothing may be left",
+            oracle: "The sum of the forces on the two particles",
+            norm: "Number of contacts whose forces do not cancel exactly",
+            reason: "The same number is added to both particles with opposite signs, so the sum must be zero",
             effort: Effort::Thorough,
             ..identity(
                 "identities.third-law",
-                "The forces of two particles on each other cancel to the last bit.",
+                "The forces of two particles on each other cancel exactly.",
                 thesis("(6)"),
                 || third_law(PAIRS),
             )
         },
         Check {
             scene,
-            oracle: "The total torque about the centre of i: zero as corrected; (d_ij + d_ji - D) F as printed and with the arms of another program, which is zero for focal distances only",
-            norm: "Largest difference in units of rounding of the torques",
-            reason: "Torques of both ends, and a moment of force that is their sum divided by the distance and multiplied by it: eight roundings",
+            oracle: "The total torque about the centre of i. It is zero in the corrected reading. As printed, and with separate lever arms for torque and motion as in another program, it is (d_ij + d_ji - D) F, which vanishes only for focal distances",
+            norm: "Largest error, in units of rounding of the torques",
+            reason: "Torques on both particles, and the moment of a force that is their sum divided by the distance and multiplied by it: eight roundings",
             effort: Effort::Thorough,
             ..identity(
                 "identities.angular-momentum",
-                "A contact changes no angular momentum as corrected, and as printed or with the arms of another program just by the stated defect.",
+                "A contact conserves angular momentum in the corrected reading. As printed, or with the lever arms of another program, it violates conservation by exactly the stated defect.",
                 thesis("(6), (7), E10"),
                 || angular_momentum(PAIRS),
             )
@@ -54,7 +54,7 @@ pub(super) fn checks() -> Vec<Check> {
     ]
 }
 
-/// A contact with its forces evaluated, and the radii and lever arms that it has.
+/// A contact with its forces evaluated, and its radii, reading and lever arms.
 struct Rubbing {
     world: World,
     radii: [f64; 2],
@@ -119,7 +119,7 @@ fn angular_momentum(contacts: usize) -> Outcome {
     Ok(Measurement::worst(measured).into())
 }
 
-/// Total torque about the centre of i against the defect of the reading.
+/// Compares the total torque about the centre of i with the defect of the reading.
 fn torque_balance(rubbing: &Rubbing) -> Measurement {
     let (world, forces) = (&rubbing.world, rubbing.world.forces());
     let way = world.particles().position[1] - world.particles().position[0];

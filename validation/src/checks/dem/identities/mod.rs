@@ -1,4 +1,4 @@
-//! Identities of geometry: what must hold for every pair, to rounding.
+//! Geometric identities that hold for every pair up to rounding.
 
 mod distances;
 mod frames;
@@ -13,7 +13,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "identities",
         title: "Identities of geometry",
-        about: "Overlap factor, focal point, frames, images and moments: what must hold for every pair, to rounding.",
+        about: "Overlap factor, focal point, frames, periodic images and moments: identities that hold for every pair up to rounding.",
         checks: [distances::checks(), frames::checks(), links::checks()]
             .into_iter()
             .flatten()
@@ -21,10 +21,10 @@ pub fn topic() -> Topic {
     }
 }
 
-/// Number of random pairs behind each identity.
+/// Number of random pairs per identity.
 const PAIRS: usize = 100_000;
 
-/// Two spheres: radii that differ by up to four decades, from far apart through touch to nearly coincident.
+/// Two spheres with radii over four decades, from far apart through touch to nearly coincident.
 struct Spheres {
     radii: [f64; 2],
     distance: f64,
@@ -42,7 +42,7 @@ impl Spheres {
         };
         Self { radii, distance }
     }
-    /// Spheres whose surfaces cross.
+    /// Spheres whose surfaces intersect.
     fn crossing(random: &mut Random) -> Self {
         loop {
             let one = Self::random(random);
@@ -54,7 +54,7 @@ impl Spheres {
     }
 }
 
-/// A vector of any direction and of a magnitude over ten decades.
+/// A vector of any direction, with a magnitude over ten decades.
 fn vector(random: &mut Random) -> Vec2 {
     let (length, angle) = (
         random.magnitude(1e-6, 1e4),
@@ -63,7 +63,7 @@ fn vector(random: &mut Random) -> Vec2 {
     Vec2::new(length * libm::cos(angle), length * libm::sin(angle))
 }
 
-/// The worst of an error, in units of rounding, over random inputs; undefined where a law fails outright.
+/// The largest error over random inputs, in units of rounding; undefined if an identity fails outright.
 fn worst(seed: u64, tolerance: f64, error: impl Fn(&mut Random) -> f64) -> Outcome {
     let mut random = Random::new(seed);
     let unit = f64::EPSILON;
@@ -72,7 +72,7 @@ fn worst(seed: u64, tolerance: f64, error: impl Fn(&mut Random) -> f64) -> Outco
     Ok(Measurement::worst(measured).into())
 }
 
-/// An exact, quick check of this topic.
+/// A quick check of this topic whose tolerance is rounding alone.
 fn identity(
     id: &'static str,
     claim: &'static str,
@@ -83,9 +83,9 @@ fn identity(
         id,
         claim,
         equations,
-        scene: "100 000 random pairs: radii over four decades, from nearly coincident through containment and touch to far apart",
-        oracle: "The identity itself, evaluated in double-double where it would round",
-        norm: "Largest error in the stated unit of rounding",
+        scene: "100 000 random pairs with radii over four decades: nearly coincident, one containing the other, touching and far apart",
+        oracle: "The identity itself, evaluated in double-double where double precision would round",
+        norm: "Largest error in the unit of rounding given under the tolerance",
         origin: Origin::Exact,
         reason: "",
         effort: Effort::Quick,

@@ -1,4 +1,5 @@
-//! A handful of grains with everything that a scene may hold: bonds, rubbing contacts, drag, gravity.
+//! A cluster of eight grains that exercises every part of a scene: bonds, contacts with friction, drag
+//! and gravity.
 
 use crate::checks::Failure;
 use crate::checks::dem::scenes::empty_model;
@@ -16,7 +17,7 @@ use gouge_dem::model::{
 use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::{Number, Start, World};
 
-/// Factors by which the units of length, time and mass are smaller.
+/// Factors by which the units of length, time and mass are smaller than the SI units.
 #[derive(Clone, Copy)]
 pub struct Units {
     pub length: f64,
@@ -31,14 +32,14 @@ pub const SI: Units = Units {
     mass: 1.0,
 };
 
-/// How contacts rub.
+/// Friction law of the contacts.
 #[derive(Clone, Copy)]
 pub enum Rubbing {
     Viscous,
     Spring,
 }
 
-/// What the cluster is made of.
+/// Model, grains and bonds of the cluster.
 #[derive(Clone)]
 pub struct Cluster {
     pub model: Model,
@@ -47,7 +48,7 @@ pub struct Cluster {
 }
 
 impl Cluster {
-    /// Eight grains, six of them bonded, two thrown at the others.
+    /// Eight grains: six are bonded, and two are thrown at the others.
     pub fn new(rubbing: Rubbing, damped: bool, units: Units) -> Self {
         let Units { length, time, mass } = units;
         let (k, c) = (mass / (time * time), if damped { mass / time } else { 0.0 });
@@ -103,7 +104,7 @@ impl Cluster {
         }
     }
 
-    /// Its world at t = 0, in any number type.
+    /// The world of this cluster at t = 0, in any number type.
     pub fn world<S: Number>(&self) -> Result<World<S>, Failure> {
         let particles: Particles<S> = self.grains.iter().copied().collect();
         let start = Start {

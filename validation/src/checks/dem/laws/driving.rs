@@ -7,11 +7,11 @@ use gouge_dem::World;
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "laws.exact-speed",
-        claim: "The exact controller brings driven grains to their speed in one step of the Euler and Taylor methods, and by a factor of (7 + sqrt(17)) / 16 a step of velocity Verlet; under Beeman the error follows its own rule.",
+        claim: "The exact controller brings driven grains to the required speed within one step of the two Euler methods and of Taylor's. With velocity Verlet the speed error shrinks, after the first steps, by a factor of (7 + sqrt(17)) / 16 per step; with Beeman it follows the recurrence of that method.",
         equations: thesis("(22), (51)-(58)"),
-        scene: "Two driven grains of 1 and 1.7 mm that begin at 0.4 m/s and shall move at 1 m/s; twelve steps",
-        oracle: "e' = e - (e + e1)/8 for velocity Verlet, solved by the roots (7 -+ sqrt(17)) / 16, and e' = e - (2 e + 5 e1 - e2)/24 for Beeman, e1 and e2 one and two steps earlier: what each method makes of an acceleration of a quarter of the error over the step",
-        norm: "Difference of the mean speed in m/s",
+        scene: "Two driven grains of radius 1 and 1.7 mm that start at 0.4 m/s and are to move at 1 m/s; twelve steps",
+        oracle: "Recurrences for the speed error e, with e1 and e2 the errors one and two steps earlier: e' = e - (e + e1)/8 for velocity Verlet, solved by the roots (7 -+ sqrt(17)) / 16, and e' = e - (2 e + 5 e1 - e2)/24 for Beeman. They follow from an acceleration of a quarter of the error per time step",
+        norm: "Largest error of the mean speed in m/s",
         origin: Origin::Exact,
         reason: "A few roundings of numbers below one in each of twelve steps",
         effort: Effort::Quick,
@@ -43,7 +43,7 @@ fn speeds(integrator: &str) -> Result<[f64; STEPS], Failure> {
 fn verlet() -> [f64; STEPS] {
     let root = 17.0_f64.sqrt();
     let [fast, slow] = [(7.0 - root) / 16.0, (7.0 + root) / 16.0];
-    // Both earlier errors are one: fast^n and slow^n are weighted so that n = -1 and n = 0 give one.
+    // The errors at n = -1 and n = 0 are both one, which fixes the weights of fast^n and slow^n.
     let weight = fast * (1.0 - slow) / (fast - slow);
     let error = |n: i32| weight * fast.powi(n) + (1.0 - weight) * slow.powi(n);
     std::array::from_fn(|n| error(n as i32 + 1))

@@ -1,4 +1,4 @@
-//! The moment of inertia, by what friction makes of it.
+//! The moment of inertia, measured by the spin that friction causes.
 
 use crate::checks::dem::scenes::{head, particle, world_in};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
@@ -9,13 +9,13 @@ use std::f64::consts::PI;
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "laws.inertia",
-        claim: "With J = c m r^2 an impact on a plane changes c r w by as much as the velocity along the plane, and by mu (1 + e) V_n where it slides from first to last; c is 2/5, in the reading thesis 3/5, or what the scene says.",
+        claim: "With J = c m r^2, an impact on a plane changes c r w by as much as the velocity along the plane. If the sphere slides throughout the impact, both change by mu (1 + e) V_n. The factor c is 2/5 by default, 3/5 in the reading \"thesis\", or the value given in the scene.",
         equations: thesis("(6)-(7), (51)-(53)"),
-        scene: "A sphere of 1 mm at 1 m/s against a plane, along it at 20 m/s, where it slides, or 0.3 m/s, where it holds; Kelvin-Voigt and two laws of friction, 150 steps a collision; c = 2/5, 1/2, 3/5, and no c in either reading",
-        oracle: "Balance of momentum and angular momentum, with the normal restitution that the run shows",
-        norm: "Largest error of velocity along the plane and of c r w, in units of the normal speed before",
+        scene: "A sphere of 1 mm hits a plane at a normal speed of 1 m/s. Its velocity along the plane is 20 m/s, so that it slides, or 0.3 m/s, so that it sticks. Kelvin-Voigt with two friction laws, 150 steps per collision; c = 2/5, 1/2, 3/5, and c not given, in both readings",
+        oracle: "Balance of momentum and of angular momentum, with the normal restitution taken from the run",
+        norm: "Largest error of the change of velocity along the plane and of the change of c r w, in units of the initial normal speed",
         origin: Origin::Exact,
-        reason: "All impulses are sums of the same steps, so that the step does not matter; a hundred units of rounding of the larger velocity, and the tilt of a plane that is a sphere 1e12 times as large, 1e-12 of the way in radii, on both velocities",
+        reason: "All impulses are sums over the same steps, so the time step does not matter. The tolerance is a hundred units of rounding of the largest velocity, plus the tilt of the plane: it is a sphere 1e12 times as large, which tilts by 1e-12 per radius travelled",
         effort: Effort::Quick,
         measure,
     }]
@@ -24,30 +24,30 @@ pub(super) fn checks() -> Vec<Check> {
 const RADIUS: f64 = 1e-3;
 const STIFFNESS: f64 = 1e7;
 const FRICTION: f64 = 0.3;
-/// Radius of the sphere that is the plane, in radii of the other.
+/// Radius of the sphere that represents the plane, in radii of the other sphere.
 const FLATNESS: f64 = 1e12;
 
-/// A sphere that hits a plane.
+/// An impact of a sphere on a plane.
 struct Impact {
-    /// What the scene says of reading and inertia.
+    /// Lines of the scene that set the reading and the inertia factor.
     reading: &'static str,
     key: &'static str,
-    /// The inertia factor that this means.
+    /// The inertia factor that these lines imply.
     factor: f64,
     /// Tangential law.
     law: &'static str,
-    /// Velocity along the plane before in m/s; towards it, it is 1 m/s.
+    /// Initial velocity along the plane in m/s; the initial normal speed is 1 m/s.
     along: f64,
 }
 
-/// Velocities after an impact along the plane and away from it in m/s, angular velocity in rad/s.
+/// Velocities after the impact: along the plane and away from it in m/s, angular velocity in rad/s.
 struct After {
     along: f64,
     away: f64,
     spin: f64,
 }
 
-/// Reading, inertia and the factor that they mean.
+/// Lines that set the reading and the inertia factor, and the factor that they imply.
 const BODIES: [(&str, &str, f64); 5] = [
     ("", "", 2.0 / 5.0),
     ("", "inertia_factor = 0.4\n", 2.0 / 5.0),
@@ -56,7 +56,7 @@ const BODIES: [(&str, &str, f64); 5] = [
     ("reading = \"thesis\"\n", "", 3.0 / 5.0),
 ];
 
-/// Tangential law and velocity along the plane: one impact slides to the end, the other holds.
+/// Tangential law and velocity along the plane: the first impact slides throughout, the second sticks.
 const MOTIONS: [(&str, f64); 2] = [
     ("law = \"haff-werner\"\ndamping = 1e3\n", 20.0),
     ("law = \"cundall-strack-truncated\"\nstiffness = 4e6\n", 0.3),
@@ -98,7 +98,8 @@ impl Impact {
         self.along > 1.0
     }
 
-    /// Errors of the velocity along the plane, if it slides, and of c r w.
+    /// Compares the changes of c r w and of the velocity along the plane with each other and, for a
+    /// sliding impact, with the friction impulse.
     fn errors(&self, after: &After) -> Vec<Measurement> {
         let fast = 1.0 + self.along;
         let way = self.along * Self::duration() / RADIUS;
@@ -118,13 +119,13 @@ impl Impact {
 fn measure() -> Outcome {
     let mut all = Vec::new();
     let mut table = Table::new(
-        "What friction makes of the spin: a sliding impact, and what sliding leaves of a velocity when it has become rolling",
+        "Spin after a sliding impact, and the fraction of the velocity that is left once sliding has become rolling",
         &[
             "scene",
             "J in m r^2",
             "spin in rad/s: mu (1 + e) V_n / (c r)",
             "kernel",
-            "left by rolling, 1 / (1 + c)",
+            "fraction left when rolling, 1 / (1 + c)",
         ],
     );
     for (reading, key, factor) in BODIES {

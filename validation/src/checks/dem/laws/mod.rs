@@ -15,7 +15,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "laws",
         title: "Laws and symmetries",
-        about: "Forces are minus the slopes of stored energies, dissipation is never negative, and nothing depends on the observer or on the units.",
+        about: "Forces are minus the gradients of stored energies, dissipation is never negative, and nothing depends on the observer or on the units.",
         checks: [
             driving::checks(),
             energy::checks(),

@@ -1,4 +1,5 @@
-//! Laws in double against the same laws in double-double: their rounding error alone.
+//! Laws in double precision against the same laws in double-double precision: their rounding error
+//! alone.
 
 use crate::checks::random::Random;
 use crate::checks::{Check, Effort, Measurement, Origin, Outcome, thesis};
@@ -14,13 +15,13 @@ use gouge_dem::laws::{
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "laws.rounding",
-        claim: "Every law rounds to a few units: in double it agrees with itself in double-double.",
+        claim: "The force laws of contacts, bonds and drag accumulate only a few units of rounding: their double-precision values agree with their double-double values.",
         equations: thesis("(11)-(19), (35)-(45)"),
-        scene: "Each law by itself, at 100 000 random states over many decades",
-        oracle: "The same expression in double-double, which has no rounding error of that size",
-        norm: "Largest difference in units of rounding of the terms of the force",
+        scene: "Kelvin-Voigt, BSHP, adjusted Kelvin-Voigt, Euler-Bernoulli, Haff-Werner, truncated Cundall-Strack and the two drag laws, each alone in 100 000 random states over many decades",
+        oracle: "The same expression in double-double precision, whose rounding is negligible here",
+        norm: "Largest error of a force, in units of rounding of its terms",
         origin: Origin::Exact,
-        reason: "At most eight operations, each rounded once; for sums of two terms the unit is that of the larger",
+        reason: "At most eight operations, each rounded once; for a sum of two terms the unit is that of the larger term",
         effort: Effort::Quick,
         measure: rounding,
     }]

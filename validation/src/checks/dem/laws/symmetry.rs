@@ -1,4 +1,4 @@
-//! Nothing depends on the observer, on the order of particles, on the direction of time or on the units.
+//! Nothing depends on the observer, the order of particles, the direction of time or the units.
 
 use super::cluster::{Cluster, Rubbing, SI, Units};
 use crate::checks::dem::scenes::advance;
@@ -10,13 +10,13 @@ use gouge_dem::particles::Particles;
 use gouge_dem::{Start, World};
 
 pub(super) fn checks() -> Vec<Check> {
-    let scene = "Eight grains, six of them bonded, two thrown at the others: rubbing contacts, breaking bonds, drag and gravity, 3000 steps";
+    let scene = "Eight grains, six of them bonded, two thrown at the others: contacts with friction, breaking bonds, drag and gravity, 3000 steps";
     let check = |id, claim, norm, reason, measure| Check {
         id,
         claim,
         equations: thesis("(3)-(58)"),
         scene,
-        oracle: "The same scene seen by the other observer",
+        oracle: "The same scene, transformed",
         norm,
         origin: Origin::Exact,
         reason,
@@ -26,40 +26,40 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         check(
             "laws.units",
-            "Metre, second and kilogram may be scaled by powers of two: the motion has the same bits.",
-            "Numbers of the state that differ in any bit",
-            "Scaling by a power of two commutes with every rounding; square roots see even powers",
+            "If metre, second and kilogram are scaled by powers of two, the motion is the same to the last bit.",
+            "Number of state variables that differ in any bit",
+            "Scaling by a power of two commutes with every rounding; only even powers occur under square roots",
             units,
         ),
         check(
             "laws.mirror",
-            "The mirror image of a scene moves as the mirror image, bit for bit.",
-            "Numbers of the state that differ in any bit",
+            "The mirror image of a scene moves as the mirror image of the motion, bit for bit.",
+            "Number of state variables that differ in any bit",
             "Changing the sign of a coordinate commutes with every rounding",
             mirror,
         ),
         check(
             "laws.relabelling",
             "The order in which particles are listed changes the motion by rounding only.",
-            "Largest distance of positions after 3000 steps in double-double over sixteen roundings a step",
-            "In double-double a rounding is 1e-31 m, so that nothing hides behind it: a few roundings of positions and forces a step, which stiff modes carry on but do not amplify",
+            "Largest difference of positions after 3000 steps in double-double precision, in units of sixteen roundings per step",
+            "A rounding in double-double precision is 1e-31 m, so that any larger dependence on the order shows. Positions and forces are rounded a few times per step; stiff modes carry these errors on but do not amplify them",
             relabelling,
         ),
         check(
             "laws.observer",
             "A translation, a rotation and a boost of the observer change the motion by rounding only.",
-            "Largest distance of positions after 3000 steps in double-double over sixteen roundings a step",
-            "As for laws.relabelling, of places 1.2 m from the origin; drag and gravity, which belong to the laboratory, are left out",
+            "Largest difference of positions after 3000 steps in double-double precision, in units of sixteen roundings per step",
+            "As for laws.relabelling, with positions 1.2 m from the origin. Drag and gravity are left out because they distinguish the laboratory frame",
             observer,
         ),
         Check {
-            scene: "The same grains without damping, sliding, drag, gravity and breaking: 2000 steps of velocity Verlet forth and as many back",
+            scene: "The same grains without damping, friction, drag, gravity and breaking: 2000 steps of velocity Verlet forward and 2000 back",
             oracle: "The initial state",
             ..check(
                 "laws.time-reversal",
-                "Elastic motion runs back to its beginning when all velocities are reversed.",
-                "Largest distance from the initial positions over the spacing of numbers at the extent of the scene and the root of the number of steps",
-                "A rounding of the position each step, which the stiff modes do not amplify; sixteen of them for a margin over a random walk",
+                "Elastic motion returns to its initial state when all velocities are reversed.",
+                "Largest distance from the initial positions, in units of the spacing of numbers at the size of the cluster times the square root of the number of steps",
+                "The position is rounded once per step, and stiff modes do not amplify the error; the tolerance is sixteen times a random walk of roundings",
                 time_reversal,
             )
         },
@@ -134,16 +134,16 @@ fn mirror() -> Outcome {
     Ok(Measurement::count(different).into())
 }
 
-/// Spacing of numbers at the extent of the cluster in m.
+/// Spacing of numbers at the size of the cluster, in m.
 const SPACING: f64 = 8e-3 * f64::EPSILON;
 const STEPS: u64 = 3000;
-/// Roundings in double-double of a place this far from the origin in m, sixteen a step.
+/// Sixteen double-double roundings per step of a position this far from the origin, in m.
 const FAR: f64 = 1.2;
 const ROUNDINGS: f64 = 16.0 * STEPS as f64 * FAR / (1u128 << 104) as f64;
 
 type Place = Vec2<DoubleDouble>;
 
-/// The run in double-double of a cluster whose particles are seen otherwise.
+/// Runs a cluster in double-double precision after a transformation of its particles.
 fn seen(
     cluster: &Cluster,
     see: impl Fn(&mut Particles<DoubleDouble>),
@@ -180,7 +180,7 @@ fn relabelling() -> Outcome {
     Ok(Measurement::worst(worst).into())
 }
 
-/// An observer elsewhere, turned by the larger angle of the triangle of 3, 4 and 5, who moves.
+/// An observer who moves, is displaced, and is turned by the larger acute angle of the 3-4-5 triangle.
 struct Observer {
     cosine: DoubleDouble,
     sine: DoubleDouble,
@@ -214,7 +214,7 @@ fn observer() -> Outcome {
     let mut worst = Vec::new();
     for rubbing in [Rubbing::Viscous, Rubbing::Spring] {
         let mut cluster = Cluster::new(rubbing, true, SI);
-        // Drag and gravity belong to the laboratory.
+        // Drag and gravity distinguish the laboratory frame.
         (cluster.model.ambient, cluster.model.external) = (None, None);
         let there = seen(&cluster, |_| ())?;
         let here = seen(&cluster, |p| {
@@ -256,8 +256,8 @@ fn time_reversal() -> Outcome {
     Ok(Measurement::worst(far).into())
 }
 
-/// The cluster in the state of a world with all velocities reversed; bonds are measured from their
-/// beginning in the cluster.
+/// The cluster in the state of a world, with all velocities reversed; bonds keep the reference lengths
+/// and angles of the initial cluster.
 fn reversed(cluster: &Cluster, there: &World) -> Cluster {
     let mut back = cluster.clone();
     let p = there.particles();

@@ -1,4 +1,4 @@
-//! Where something begins or ends: a state just before and one just after.
+//! Thresholds: the state just below and the state just above each.
 
 use crate::checks::dem::scenes::{empty_model, head, particle, sphere, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
@@ -20,23 +20,23 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "laws.thresholds",
-            claim: "What a comparison decides is decided where it should be: sliding with its stored energy, the moves of the rate-limited controller, and what is refused: narrow boxes, long bonds, inertias without an inverse, flights beyond a diameter and beyond all numbers.",
+            claim: "Every threshold switches at the right value: the friction limit with its stored energy, both directions of the rate-limited controller, and the rejection of narrow boxes, long bonds, masses without a finite inverse, and bonded grains that move by more than a diameter per step. Two spheres that just touch have no contact. Motion that overflows is stopped.",
             equations: thesis("(22), (42), (64), (76), (98)"),
-            scene: "For each, a state a ten-millionth before the threshold and one as far beyond it; a contact that is said to have begun before the spheres overlap",
-            oracle: "Which side the state is on",
+            scene: "For each threshold, a state 1e-7 below it and a state 1e-7 above it, relative to the threshold; spheres that just touch, with and without a stored contact; grains at 1e308 m/s and rad/s",
+            oracle: "The side of the threshold on which the state lies",
             norm: "Number of states on the wrong side",
             origin: Origin::Exact,
-            reason: "A ten-millionth is far above rounding: none may be wrong",
+            reason: "1e-7 is far above rounding, so no state may be on the wrong side",
             effort: Effort::Quick,
             measure: thresholds,
         },
         Check {
             id: "laws.letting-go",
-            claim: "A spring of friction that begins to slide turns what it stored at the limit into heat, F^2 / 2k, and takes it back where it sticks again.",
+            claim: "The printed Cundall-Strack spring releases its stored energy F^2 / 2k as heat when it starts to slide; when it sticks again, the energy that it then stores is booked as negative heat.",
             equations: thesis("(42), (78), E15"),
-            scene: "A printed Cundall-Strack spring of 2^20 kg/s^2, moved to its limit of 2^9 N and back",
-            oracle: "2^18 / 2^21 J",
-            norm: "Absolute difference in J",
+            scene: "A printed Cundall-Strack spring of 2^20 kg/s^2 with a friction limit of 2^9 N, moved to half its limiting displacement, to the limit, to twice the limit and back to half of it",
+            oracle: "2^18 / 2^21 J at the limit, minus a quarter of that on the return, and zero otherwise",
+            norm: "Largest absolute error in J",
             origin: Origin::Exact,
             reason: "All numbers are powers of two",
             effort: Effort::Quick,
@@ -97,7 +97,7 @@ fn sticky() -> ContactLaws {
     }
 }
 
-/// Contacts of spheres that just touch.
+/// Number of contacts of two spheres that just touch.
 fn contacts_at_touch() -> Result<usize, Failure> {
     let model = Model {
         contact: Some(sticky()),
@@ -107,7 +107,7 @@ fn contacts_at_touch() -> Result<usize, Failure> {
     Ok(world.number_of_contacts())
 }
 
-/// Whether a scene may not say of spheres that just touch how their contact began.
+/// Whether a scene is refused that declares a contact between two spheres that just touch.
 fn is_refused_at_touch() -> Result<bool, Failure> {
     let start = Start {
         contacts: vec![ContactStart {
@@ -127,8 +127,8 @@ fn is_refused_at_touch() -> Result<bool, Failure> {
     }
 }
 
-/// Whether a contact with an overlap of 0.5 m, sheared by a multiple of what friction holds, stores
-/// nothing in shear.
+/// Whether a contact with an overlap of 0.5 m, sheared by a multiple of the displacement at the
+/// friction limit, stores no energy in shear.
 fn slides(radii: [f64; 2], multiple: f64) -> Result<bool, Failure> {
     let shear = 0.25 * 0.5 * multiple;
     let turn = shear / (radii[0] + radii[1]);
@@ -148,8 +148,8 @@ fn slides(radii: [f64; 2], multiple: f64) -> Result<bool, Failure> {
     Ok(world.energy().contact < pressed + 0.25 * STIFFNESS * shear * shear)
 }
 
-/// Change of the driving force in 0.5 s, at most 8 N/s, where the mean speed is a multiple of the 3 m/s
-/// asked for and the reaction one of the load of 10 N.
+/// Change of the driving force in 0.5 s at a maximum rate of 8 N/s. The mean speed is the given
+/// multiple of the required 3 m/s, and the reaction is the same multiple of the load of 10 N.
 fn change(multiple: f64) -> [f64; 2] {
     let law = Driving {
         controller: Controller::RateLimited { force_rate: 8.0 },
@@ -178,7 +178,7 @@ fn pushes_and_lowers(multiple: f64) -> bool {
     change(multiple) == [4.0, -4.0]
 }
 
-/// Whether a periodic box of a multiple of two cells is accepted.
+/// Whether a periodic box is accepted whose width is the given multiple of two cells.
 fn is_wide(multiple: f64) -> Result<bool, Failure> {
     let model = Model {
         contact: Some(sticky()),
@@ -196,8 +196,8 @@ fn is_wide(multiple: f64) -> Result<bool, Failure> {
     }
 }
 
-/// Whether a bond with a length of a multiple of half the period is refused. It is slanted, since along
-/// the period alone none could be longer.
+/// Whether a bond is refused whose length is the given multiple of half the period. The bond is
+/// oblique, because the displacement along x never exceeds half the period.
 fn is_long(multiple: f64) -> Result<bool, Failure> {
     let width = 40.0;
     let (length, x) = (0.5 * width * multiple, 12.0);
@@ -237,7 +237,7 @@ fn is_long(multiple: f64) -> Result<bool, Failure> {
     }
 }
 
-/// Whether a mass of a multiple of the least that has a finite inverse is accepted.
+/// Whether a mass is accepted that is the given multiple of the smallest mass with a finite inverse.
 fn is_heavy(multiple: f64) -> Result<bool, Failure> {
     let mut particles = pair([1.0, 1.0], 3.0);
     particles.mass[1] = multiple / f64::MAX;
@@ -249,7 +249,8 @@ fn is_heavy(multiple: f64) -> Result<bool, Failure> {
     }
 }
 
-/// Whether a bonded grain that flies a multiple of the largest diameter in a step is stopped.
+/// Whether a bonded grain that moves by the given multiple of the largest diameter in one step is
+/// stopped.
 fn flies(multiple: f64) -> Result<bool, Failure> {
     let (step, radius) = (1e-6, 1.5e-3);
     let text = head("euler", step)
@@ -265,8 +266,7 @@ fn flies(multiple: f64) -> Result<bool, Failure> {
     }
 }
 
-/// Whether a grain that leaves all numbers in one step, along x, along y or by turning, is stopped, also
-/// in a periodic box.
+/// Whether a grain whose x, y or angle overflows in one step is stopped, in open and in periodic boxes.
 fn stops_beyond_numbers(axis: usize, periodic: bool) -> Result<bool, Failure> {
     let mut rates = [0.0; 3];
     rates[axis] = 1e308;

@@ -1,4 +1,4 @@
-//! Order through events: what a kink or a jump of a force leaves of it.
+//! Order through events: the effect of a kink or a jump of the force.
 
 use super::slope;
 use crate::checks::dem::scenes::{advance, head, particle, world};
@@ -12,15 +12,15 @@ use std::f64::consts::PI;
 
 /// The checks of this file.
 pub fn checks() -> Vec<Check> {
-    let reason = "Through an event at a random moment of a step the velocity misses a jump of the force times a part of the step, order one, or a kink of it times a part of its square, order two; over 32 phases and five halvings the mean square leaves a scatter of the fitted slope below 0.1";
+    let reason = "If an event falls at a random moment of a step, the velocity error is the jump of the force times a fraction of the step (order one), or the kink times a fraction of its square (order two). Over 32 phases and five halvings, the root mean square leaves a scatter of the fitted slope below 0.1";
     vec![
         Check {
             id: "order.events",
-            claim: "Every integrator keeps its order where a force only bends, as when contacts without damping begin and end, damped ones end, springs begin and cease to slip and viscous friction meets its limit; where a force jumps, as when a damped contact begins or a printed Cundall-Strack contact reverses, the orders of two fall to one. Symplectic Euler gains an order where an undamped bounce begins and ends without force.",
+            claim: "Every integrator keeps its order if the force only has a kink: undamped contacts begin and end, damped contacts end, friction springs begin and cease to slip, viscous friction falls below its limit. If the force jumps (a damped contact begins, a printed Cundall-Strack contact reverses), methods of order two fall to order one. Symplectic Euler gains an order in an undamped bounce, because no force acts at the start and at the end.",
             equations: thesis("(36), (41), (42), (55)-(58)"),
-            scene: "Head-on pairs and a grain spinning between two fixed ones, through six kinds of events at 32 phases of the step, 40 to 1280 steps",
-            oracle: "Closed forms with the event in them; orders predicted from the smoothness of the force",
-            norm: "Largest distance of the order fitted to the root of the mean squared error over all phases from the predicted one",
+            scene: "Head-on pairs, and a grain spinning between two fixed ones, through six kinds of events at 32 phases of the step, 40 to 1280 steps",
+            oracle: "Closed forms that include the event; orders predicted from the smoothness of the force",
+            norm: "Largest distance from the predicted order of the order fitted to the root-mean-square error over all phases",
             origin: Origin::Convergent,
             reason,
             effort: Effort::Thorough,
@@ -28,20 +28,20 @@ pub fn checks() -> Vec<Check> {
         },
         Check {
             id: "order.restart",
-            claim: "Begun at the event itself, with the damped force already there, a damped contact gives every integrator its full order again.",
+            claim: "If the run starts at the moment of touch, with the damping force already acting, every integrator has its full order for a damped contact.",
             equations: thesis("(36), (55)-(58)"),
-            scene: "The head-on pair with damping, from an overlap of one rounding",
+            scene: "The head-on pair with damping, starting from an overlap of 1e-12 of the unit of length",
             oracle: "Closed form of the damped oscillator",
-            norm: "Largest distance of the order between 1280 and 2560 steps from that of theory",
+            norm: "Largest distance of the order observed between 1280 and 2560 steps from the theoretical order",
             origin: Origin::Convergent,
-            reason: "The next term of the error is smaller by about the step, 1e-3 of the time scale, with a factor of some units",
+            reason: "The next term of the error is smaller by about the time step, 1e-3 of the time scale, with a factor of a few units",
             effort: Effort::Quick,
             measure: restarted,
         },
     ]
 }
 
-/// What happens on the way.
+/// The event during the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Event {
     /// A contact without damping begins and ends.
@@ -52,7 +52,7 @@ enum Event {
     Leaving,
     /// A truncated Cundall-Strack contact slips and sticks again.
     Slipping,
-    /// A Cundall-Strack contact as printed slips and reverses.
+    /// A printed Cundall-Strack contact slips and reverses.
     Reversing,
     /// Haff-Werner friction falls below its limit.
     Easing,
@@ -71,14 +71,14 @@ const RADIUS: f64 = 1e-3;
 const STIFFNESS: f64 = 1e7;
 /// Damping ratio of the damped contacts.
 const ZETA: f64 = 0.3;
-/// Speed of a pair in m/s: it overlaps by less than a thousandth of a radius.
+/// Speed of a pair in m/s; the overlap stays below a thousandth of the radius.
 const SPEED: f64 = 1.0;
 
 fn mass() -> f64 {
     4.0 / 3.0 * PI * 2700.0 * RADIUS.powi(3)
 }
 
-/// Distance of the centres of fixed neighbours from the grain that spins between them, in m.
+/// Distance of the fixed neighbours from the grain that spins between them, centre to centre, in m.
 const GAP: f64 = 1.999 * RADIUS;
 const FRICTION: f64 = 0.5;
 
@@ -87,8 +87,8 @@ fn pair_rate() -> f64 {
     (2.0 * STIFFNESS / mass()).sqrt()
 }
 
-/// Rate in 1/s of a grain that spins between two others with springs, or with dashpots of their stiffness
-/// times a microsecond.
+/// Rate in 1/s of a grain that spins between two others, held by springs or by dashpots whose damping
+/// is that stiffness times one microsecond.
 fn spin_rate(event: Event) -> f64 {
     match event {
         Event::Easing => 5.0 * STIFFNESS * 1e-6 / mass(),
@@ -96,7 +96,8 @@ fn spin_rate(event: Event) -> f64 {
     }
 }
 
-/// Stretch of a spring at the limit in m; for dashpots the same times their rate is the speed there.
+/// Stretch of a spring at the friction limit in m; for dashpots, this times their rate is the speed at
+/// the limit.
 fn stretch(event: Event) -> f64 {
     let limit = FRICTION * STIFFNESS * (2.0 * RADIUS - GAP);
     match event {
@@ -117,15 +118,15 @@ impl Event {
         }
     }
 
-    /// Whether the force jumps; otherwise it bends.
+    /// Whether the force jumps; otherwise it has a kink.
     fn jumps(self) -> bool {
         matches!(self, Self::Meeting | Self::Reversing)
     }
 
-    /// Order of the integrator of the given position in the list.
+    /// Expected order of an integrator, given by its position in the list.
     ///
-    /// Symplectic Euler is velocity Verlet seen half a kick apart while forces do not depend on velocities;
-    /// where there is no force at the start nor at the end, as before and after a bounce, both agree.
+    /// While forces do not depend on velocities, symplectic Euler is velocity Verlet shifted by half a
+    /// kick. Both agree if no force acts at the start and at the end, as before and after a bounce.
     fn order(self, integrator: usize) -> f64 {
         match self {
             Self::Bounce if integrator == 1 => 2.0,
@@ -134,7 +135,7 @@ impl Event {
         }
     }
 
-    /// Time between start and end, in units of the rate.
+    /// Time between start and end, in units of the inverse rate.
     fn duration(self) -> f64 {
         match self {
             Self::Bounce | Self::Slipping | Self::Reversing => 4.0,
@@ -143,8 +144,8 @@ impl Event {
         }
     }
 
-    /// The run from a start that moves with the phase; position and velocity at the end, by the kernel and
-    /// in closed form, both in units of the motion.
+    /// Runs the event from a start that depends on the phase. Returns position and velocity at the end,
+    /// from the kernel and in closed form, in units of the motion.
     fn run(self, integrator: &str, steps: u64, phase: f64) -> Result<[[f64; 2]; 2], Failure> {
         match self {
             Self::Bounce => self.pair(integrator, steps, -0.3 - 0.3 * phase, 0.0),
@@ -155,7 +156,7 @@ impl Event {
         }
     }
 
-    /// A head-on pair from a time before or after it meets, in units of its rate.
+    /// A head-on pair that starts the given time before or after touch, in units of the inverse rate.
     fn pair(
         self,
         integrator: &str,
@@ -188,7 +189,8 @@ impl Event {
         Ok([[overlap / unit, closing / SPEED], bounced(end, zeta)])
     }
 
-    /// A grain between two fixed ones from a speed in units of that of the limit.
+    /// A grain between two fixed ones that starts with the given speed, in units of the speed at the
+    /// limit.
     fn spin(self, integrator: &str, steps: u64, speed: f64) -> Result<[[f64; 2]; 2], Failure> {
         let (w, unit) = (spin_rate(self), stretch(self));
         let law = match self {
@@ -229,14 +231,14 @@ impl Event {
     }
 }
 
-/// Phases that fill the interval from zero to one evenly however many there are: multiples of the golden
-/// ratio.
+/// Phases that fill the interval from zero to one evenly for any number of them: multiples of the
+/// golden ratio.
 fn phases() -> Vec<f64> {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     (1..=32).map(|n| (golden * f64::from(n)).fract()).collect()
 }
 
-/// Step in units of the rate, and root of the mean squared error over all phases.
+/// Time step in units of the inverse rate, and root-mean-square error over all phases.
 fn curve(event: Event, integrator: &str) -> Result<Vec<[f64; 2]>, Failure> {
     let phases = phases();
     let mean = |steps: u64| {
@@ -266,15 +268,15 @@ fn all_phases() -> Outcome {
         .map(|&(event, n)| curve(event, INTEGRATORS[n].0))
         .collect::<Result<Vec<_>, Failure>>()?;
     let mut table = Table::new(
-        "Orders through events: predicted from the smoothness of the force, and found",
-        &["event", "force", "integrator", "predicted", "found"],
+        "Orders through events: predicted from the smoothness of the force, and observed",
+        &["event", "force", "integrator", "predicted", "observed"],
     );
     let (mut all, mut verlet) = (Vec::new(), Vec::new());
     for (&(event, n), points) in cases.iter().zip(curves) {
         let predicted = event.order(n);
         let found = slope(&points);
         all.push(Measurement::absolute(predicted, found, 0.1));
-        let force = if event.jumps() { "jumps" } else { "bends" };
+        let force = if event.jumps() { "jumps" } else { "has a kink" };
         table.push([
             event.name().to_owned(),
             force.to_owned(),
@@ -287,10 +289,10 @@ fn all_phases() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "Jumps of a force take velocity Verlet's error from the second to the first order"
+        title: "A jump of the force reduces the order of velocity Verlet from two to one"
             .to_owned(),
-        x: Axis::logarithmic("step in units of the rate"),
-        y: Axis::logarithmic("error at the end, root mean square over phases"),
+        x: Axis::logarithmic("time step in units of the inverse rate"),
+        y: Axis::logarithmic("root-mean-square error at the end over all phases"),
         curves: verlet,
     };
     Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))

@@ -19,13 +19,13 @@ pub fn topic() -> Topic {
         about: "Observed orders of the integrators, on smooth motion and through events.",
         checks: [vec![Check {
             id: "order.smooth",
-            claim: "On a damped oscillator the error of each integrator falls with the order of theory: one for both Euler methods and Taylor, two for velocity Verlet and Beeman.",
+            claim: "On a damped oscillator the error of each integrator falls with its theoretical order: one for both Euler methods and Taylor, two for velocity Verlet and Beeman.",
             equations: thesis("(54)-(58)"),
-            scene: "A sphere of 1 kg in a harmonic well of angular frequency one, with creeping drag of damping ratio 0.3, released at one",
+            scene: "A sphere of 1 kg in a harmonic well of angular frequency 1/s, with creeping drag of damping ratio 0.3, released from rest at 1 m",
             oracle: "Closed form of the damped oscillator",
-            norm: "Largest distance of an observed order, from errors with 3200 and 6400 steps, to that of theory",
+            norm: "Largest distance of an order, observed between 3200 and 6400 steps, from the theoretical order",
             origin: Origin::Convergent,
-            reason: "The next term of the error is smaller by about the step, 1e-3 of the time scale",
+            reason: "The next term of the error is smaller by about the time step, 1e-3 of the time scale",
             effort: Effort::Quick,
             measure: smooth,
         }], rotating::checks(), events::checks()]
@@ -35,7 +35,7 @@ pub fn topic() -> Topic {
     }
 }
 
-/// Slope of a line through points in logarithms of both, by least squares.
+/// Least-squares slope of a line through points, with both axes logarithmic.
 fn slope(points: &[[f64; 2]]) -> f64 {
     let number = points.len() as f64;
     let logs: Vec<[f64; 2]> = points.iter().map(|point| point.map(f64::ln)).collect();
@@ -87,8 +87,8 @@ fn smooth() -> Outcome {
         curves.push(Curve::marked_line(name, points));
     }
     let plot = Plot {
-        title: "Error at the end against the step".to_owned(),
-        x: Axis::logarithmic("step in units of 1/w"),
+        title: "Error at the end against the time step".to_owned(),
+        x: Axis::logarithmic("time step in units of 1/w"),
         y: Axis::logarithmic("error in units of the amplitude"),
         curves,
     };

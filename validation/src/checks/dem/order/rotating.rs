@@ -1,4 +1,4 @@
-//! Order on a bonded pair that stretches, bends and turns.
+//! Order on a bonded pair that stretches, bends and rotates.
 
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{
@@ -13,13 +13,13 @@ use std::f64::consts::PI;
 pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "order.rotating",
-        claim: "On a bonded pair that turns by a radian and a half while it stretches, shears and bends, with and without damping, the errors of all five integrators have the orders and, extrapolated, the limit of theory.",
+        claim: "On a bonded pair that rotates by one and a half radians while it stretches, shears and bends, with and without damping, the errors of all five integrators fall with the theoretical orders; extrapolated to zero time step, the results agree with theory.",
         equations: thesis("(29)-(34), (43)-(45), (54)-(58)"),
-        scene: "Two grains of 1 mm, granite's bond, stretched by a twentieth, with bending 0.8 times as stiff as stretching; four units of the time scale of stretching",
+        scene: "Two grains of 1 mm with granite's bond, stretched by a twentieth, with a bending stiffness of 0.8 times the normal stiffness; duration four times sqrt(m/k)",
         oracle: "Lagrange's equations of the pair in polar coordinates, by extrapolated midpoint steps to 1e-13",
-        norm: "Largest distance of an order, from errors with 3200 and 6400 steps, to that of theory; error left by two extrapolations, in radii and rad, over 1e-3 of the error with 6400 steps plus 1e-11",
+        norm: "Largest distance of an order, observed between 3200 and 6400 steps, from the theoretical order; error left after two extrapolations, in radii and rad, over 1e-3 of the error with 6400 steps plus 1e-11",
         origin: Origin::Convergent,
-        reason: "The next term of the error is smaller by about the step, 6e-4 of the time scale, with a factor of some units; the term after the next by its square",
+        reason: "The next term of the error is smaller by about the time step, 6e-4 of the time scale, with a factor of a few units; the term after it is smaller by the square of that",
         effort: Effort::Quick,
         measure: rotating,
     }]
@@ -28,25 +28,26 @@ pub fn checks() -> Vec<Check> {
 const RADIUS: f64 = 1e-3;
 const STIFFNESS: f64 = 1e7;
 const BENDING: f64 = 0.8;
-/// Length of the bond at rest in radii: it begins stretched.
+/// Length of the bond at rest in radii; the bond is initially stretched.
 const REST: f64 = 1.9;
 const END: f64 = 4.0;
-/// Angle of the line to begin with: bonds do not know the axes.
+/// Initial angle of the line of centres, so that the bond is not aligned with an axis.
 const TILT: f64 = 0.3;
-/// Rates of distance, line and spheres to begin with, in radii and rad a unit of time.
+/// Initial rates of the distance, the line of centres and both spheres, in radii and rad per unit of
+/// time.
 const RATES: [f64; 4] = [0.2, 0.4, 0.1, -0.3];
 
-/// Unit of time in s: mass over stiffness, rooted.
+/// Unit of time in s: sqrt(m/k).
 fn unit() -> f64 {
     (4.0 / 3.0 * PI * 2700.0 * RADIUS.powi(3) / STIFFNESS).sqrt()
 }
 
-/// Distance, angle of the line and angles of both spheres at the end, by the kernel.
+/// Distance, angle of the line of centres and angles of both spheres at the end, from the kernel.
 fn end(integrator: &str, beam: Beam, steps: u64) -> Result<[f64; 4], Failure> {
     let time = unit();
     let [stretching, turning, spin, other] = RATES;
     let (sine, cosine) = TILT.sin_cos();
-    // Half the distance is a radius; radial and transversal halves of the relative velocity.
+    // The centres are one radius from the origin; the relative velocity is split in halves.
     let (radial, transversal) = (0.5 * stretching * RADIUS / time, turning * RADIUS / time);
     let velocity = [
         radial * cosine - transversal * sine,
@@ -78,7 +79,7 @@ fn end(integrator: &str, beam: Beam, steps: u64) -> Result<[f64; 4], Failure> {
     ])
 }
 
-/// The same by Lagrange's equations.
+/// The same from Lagrange's equations.
 fn expected(beam: Beam) -> [f64; 4] {
     let [a, b, c, d] = RATES;
     let start: State = [2.0, 0.0, 0.0, 0.0, a, b, c, d];
@@ -94,7 +95,8 @@ fn distance(a: [f64; 4], b: [f64; 4]) -> f64 {
     (0..4).map(|n| (a[n] - b[n]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// What results with half the step become without their error of the given order.
+/// Richardson extrapolation of results whose steps differ by a factor of two and whose error has the
+/// given order.
 fn extrapolated(order: f64, coarse: [f64; 4], fine: [f64; 4]) -> [f64; 4] {
     let weight = 1.0 / (2.0_f64.powf(order) - 1.0);
     std::array::from_fn(|n| fine[n] + weight * (fine[n] - coarse[n]))
@@ -137,8 +139,8 @@ fn rotating() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "Errors of a turning bonded pair fall with the order of each integrator".to_owned(),
-        x: Axis::logarithmic("step in units of the root of m/k"),
+        title: "Errors of a rotating bonded pair fall with the order of each integrator".to_owned(),
+        x: Axis::logarithmic("time step in units of sqrt(m/k)"),
         y: Axis::logarithmic("error at the end in radii and rad"),
         curves,
     };

@@ -1,4 +1,4 @@
-//! A head-on collision in the kernel, its events located between the steps.
+//! A head-on collision in the kernel, with its events located between the steps.
 
 use crate::checks::Failure;
 use crate::checks::dem::scenes::{advance, head, particle, world};
@@ -6,13 +6,13 @@ use crate::oracles::quadrature::limit;
 use gouge_dem::World;
 use std::f64::consts::PI;
 
-/// Density of all spheres in kg/m^3, that of [`head`].
+/// Density of all spheres in kg/m^3, as set by [`head`].
 pub const DENSITY: f64 = 2700.0;
 
-/// Nodes of an interpolation.
+/// Number of interpolation nodes.
 const NODES: usize = 6;
 
-/// Two spheres about to collide head on, their centre of mass at rest.
+/// Two spheres about to collide head on, with their centre of mass at rest.
 #[derive(Clone, Debug)]
 pub struct Collision {
     /// Table `contact.normal` of the scene.
@@ -21,20 +21,20 @@ pub struct Collision {
     pub radii: [f64; 2],
     /// Relative speed in m/s.
     pub speed: f64,
-    /// Way to go before they touch, in m.
+    /// Distance between the surfaces at the start, in m.
     pub gap: f64,
 }
 
-/// How the steps of a collision are refined.
+/// How the time steps of a collision are refined.
 #[derive(Clone, Copy, Debug)]
 pub struct Refinement<'a> {
-    /// Steps of the coarsest run; each further one has twice as many.
+    /// Steps of the coarsest run; each further run has twice as many.
     pub steps: f64,
-    /// Powers of the step in the error, one fewer than there are runs.
+    /// Powers of the time step in the error, one fewer than there are runs.
     pub powers: &'a [f64],
 }
 
-/// What a step left: in m, m/s, N.
+/// The state of the pair after a step, in m, m/s and N.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// Time in s.
@@ -47,16 +47,16 @@ pub struct Sample {
     pub force: f64,
 }
 
-/// A collision as the kernel computed it, up to the last step with a force, and the state after it.
+/// A collision computed by the kernel, up to the last step with a force, and the state after it.
 #[derive(Clone, Debug)]
 pub struct Track {
     /// Relative speed before the collision in m/s.
     pub speed: f64,
-    /// States from the beginning to the last one with a force.
+    /// States from the start to the last one with a force.
     pub samples: Vec<Sample>,
     /// The first state without a force.
     pub free: Sample,
-    /// The world then.
+    /// The world in that state.
     pub world: World,
 }
 
@@ -75,7 +75,8 @@ impl Collision {
             gap: 0.0,
         }
     }
-    /// Viscoelastic spheres of an elastic solid, (Pa, 1), and a dissipative constant in s.
+    /// Viscoelastic spheres, from Young's modulus in Pa, Poisson's ratio and the dissipative constant
+    /// in s.
     pub fn viscoelastic(solid: [f64; 2], constant: f64, radii: [f64; 2], speed: f64) -> Self {
         Self {
             law: format!(
@@ -98,11 +99,11 @@ impl Collision {
         a * b / (a + b)
     }
 
-    /// Let them collide; without a gap from an overlap of the last digits of their distance, so that
-    /// the force acts at once.
+    /// Follows the collision in steps of the given length. Without a gap, the run starts from an
+    /// overlap of a few units in the last place of the distance, so that the force acts at once.
     ///
     /// # Errors
-    /// A collision that does not end within so many steps.
+    /// Fails if the collision does not end within the given number of steps.
     pub fn follow(&self, step: f64, most: usize) -> Result<Track, Failure> {
         let [a, b] = self.masses();
         let shares = [b / (a + b), a / (a + b)].map(|share| share * self.speed);
@@ -133,7 +134,8 @@ impl Collision {
         Err(Failure::Oracle("the collision does not end".to_owned()))
     }
 
-    /// Figures at each refinement, the coarsest first, for about the given duration in s.
+    /// Figures at each refinement, the coarsest first, for a collision of about the given duration in
+    /// s.
     ///
     /// # Errors
     /// As [`follow`](Self::follow).
@@ -145,7 +147,7 @@ impl Collision {
     ) -> Result<Vec<Figures>, Failure> {
         (0..=refinement.powers.len())
             .map(|level| {
-                // The end must not fall onto a step.
+                // The end of the collision must not coincide with the end of a step.
                 let steps = refinement.steps * (1_u32 << level) as f64 + 0.37;
                 let track = self.follow(duration / steps, 2 * steps as usize)?;
                 Ok(track.figures(signal))
@@ -153,7 +155,7 @@ impl Collision {
             .collect()
     }
 
-    /// Figures in the limit of no step.
+    /// Figures extrapolated to zero time step.
     ///
     /// # Errors
     /// As [`follow`](Self::follow).
@@ -181,9 +183,9 @@ impl Collision {
 }
 
 impl Track {
-    /// The figures of the collision, with both events located between the steps: the turning point
-    /// where the rate vanishes, the end where the given signal does, extrapolated from the last states
-    /// with a force. A signal is smooth and has a simple zero at the end.
+    /// The figures of the collision, with both events located between the steps: the turning point is
+    /// where the rate vanishes; the end is where the given signal vanishes, extrapolated from the last
+    /// states with a force. The signal must be smooth with a simple zero at the end.
     pub fn figures(&self, signal: impl Fn(&Sample) -> f64) -> Figures {
         let all = &self.samples;
         let turn = all.partition_point(|sample| sample.rate > 0.0);
@@ -203,7 +205,7 @@ impl Track {
     }
 }
 
-/// Value of a quantity where another vanishes: inverse interpolation by Neville's scheme.
+/// Value of a quantity where another one vanishes: inverse interpolation by Neville's scheme.
 fn at_zero(
     samples: &[Sample],
     node: impl Fn(&Sample) -> f64,

@@ -8,10 +8,10 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use xprec::Df64;
 
 const STIFFNESS: f64 = 1e7;
-/// Damping ratio of the thesis's grains of 1 mm, 10 kg/s.
+/// Damping ratio of the thesis's grains: radius 1 mm, damping 10 kg/s.
 const THESIS: f64 = 0.664_903_801;
 
-/// Damping ratios: dense, on both sides of where branches change.
+/// Damping ratios, including values on both sides of the points where the formula changes its branch.
 fn ratios() -> Vec<f64> {
     let mut all: Vec<f64> = (0..=24).map(|k| 0.05 * f64::from(k)).collect();
     all.extend([0.01, 0.061_616_358, THESIS]);
@@ -23,7 +23,7 @@ fn ratios() -> Vec<f64> {
     all
 }
 
-/// Spheres of a damping ratio, fast enough to overlap by a tenth of the smaller radius.
+/// Spheres with the given damping ratio, fast enough to overlap by about a tenth of the smaller radius.
 fn spheres(zeta: f64, radii: [f64; 2]) -> Collision {
     let mass = Collision::kelvin_voigt(STIFFNESS, 0.0, radii, 0.0).reduced_mass();
     let depth: f64 = truncated_restitution(0.5 * zeta.min(1.0));
@@ -39,7 +39,7 @@ fn frequency(spheres: &Collision) -> f64 {
 pub fn closed_form() -> Outcome {
     let mut all = Vec::new();
     let mut table = Table::new(
-        "Restitution and duration of a truncated Kelvin-Voigt collision, two derivations agreeing to all digits shown",
+        "Restitution and duration of a truncated Kelvin-Voigt collision; two derivations agree to all digits shown",
         &[
             "damping ratio",
             "restitution",
@@ -72,7 +72,7 @@ pub fn closed_form() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
 }
 
-/// Results for a damping ratio and those expected.
+/// The expected and the measured figures for a damping ratio.
 fn compared(zeta: f64, radii: [f64; 2]) -> Result<[[f64; 4]; 2], Failure> {
     let spheres = spheres(zeta, radii);
     let w = frequency(&spheres);
@@ -113,13 +113,13 @@ pub fn curve() -> Outcome {
             restitution,
         ),
         against(
-            "Duration has its maximum without damping and shrinks as the force ends earlier",
+            "The duration is longest without damping and shrinks as the force ends earlier",
             "duration in units of 1/w",
             truncated_duration,
             duration,
         ),
         Exhibit::Plot(Plot {
-            title: "Error of the kernel, worst of restitution, duration, depth and force, extrapolated to a step of no length".to_owned(),
+            title: "Error of the kernel (largest of restitution, duration, depth and force), extrapolated to zero time step".to_owned(),
             x: Axis::linear("damping ratio"),
             y: Axis::logarithmic("relative error"),
             curves: vec![Curve::marks("velocity Verlet", errors)],
@@ -127,7 +127,7 @@ pub fn curve() -> Outcome {
     ]))
 }
 
-/// A figure with the closed form as a line and the kernel as marks.
+/// A figure with the closed form as a line and the results of the kernel as marks.
 fn against(title: &str, label: &str, form: fn(f64) -> f64, marks: Vec<[f64; 2]>) -> Exhibit {
     let line = (0..=200).map(|k| 20.0 * (f64::from(k) / 200.0).powi(2));
     Exhibit::Plot(Plot {
@@ -168,8 +168,8 @@ pub fn truncation() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "At the damping of the thesis the step in which the force ends costs a phase-dependent part of the second-order error".to_owned(),
-        x: Axis::logarithmic("step in s"),
+        title: "At the thesis's damping, the step in which the force ends adds a second-order error that depends on the phase".to_owned(),
+        x: Axis::logarithmic("time step in s"),
         y: Axis::logarithmic("relative error of the restitution"),
         curves: vec![
             Curve::marks("speed after the last step", raw),
@@ -209,11 +209,11 @@ pub fn arrival() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "How far inside a step a damped contact begins decides the sign and size of the first-order error".to_owned(),
-        x: Axis::linear("fraction of the step before the touch"),
-        y: Axis::linear("relative error of the restitution over 2 zeta w dt"),
+        title: "The position within the step at which a damped contact begins determines sign and size of the first-order error".to_owned(),
+        x: Axis::linear("fraction of the step before touch"),
+        y: Axis::linear("relative error of the restitution / (2 zeta w dt)"),
         curves: vec![
-            Curve::line("trapezoidal rule across a jump", line),
+            Curve::line("trapezoidal rule across the jump", line),
             Curve::marks("kernel", late),
         ],
     };

@@ -10,12 +10,13 @@ use statrs::function::beta::beta;
 const SOLID: [f64; 2] = [50e9, 0.22];
 const RADII: [f64; 2] = [10e-3, 17e-3];
 const SPEEDS: [f64; 5] = [0.01, 0.1, 1.0, 10.0, 100.0];
-/// Dissipation b at 1 m/s.
+/// Values of the dissipation b at 1 m/s.
 const DISSIPATIONS: [f64; 3] = [0.05, 0.25, 1.2];
 /// The value of Riemann's zeta function at -1/2.
 const ZETA_OF_MINUS_HALF: f64 = -0.207_886_224_977_354_57;
 
-/// Hertz: (4/3) E* sqrt(R*), with E* half the modulus over 1 - nu^2 and R* the reduced radius.
+/// Hertz's prefactor (4/3) E* sqrt(R*), with E* half of the modulus over 1 - nu^2 and R* the reduced
+/// radius.
 fn prefactor() -> f64 {
     let [modulus, ratio] = SOLID;
     let [a, b] = RADII;
@@ -26,43 +27,43 @@ fn spheres(constant: f64, speed: f64) -> Collision {
     Collision::viscoelastic(SOLID, constant, RADII, speed)
 }
 
-/// Prefactor over reduced mass, in m^(-1/2) s^-2.
+/// Hertz's prefactor over the reduced mass, in m^(-1/2) s^-2.
 fn kappa() -> f64 {
     prefactor() / spheres(0.0, 1.0).reduced_mass()
 }
 
-/// Dissipative constant in s for which b has a value at a speed.
+/// Dissipative constant in s that gives the dissipation b at the given speed.
 fn constant(b: f64, speed: f64) -> f64 {
     b / (kappa().powf(0.4) * speed.powf(0.2))
 }
 
-/// Unit of length in m at a speed.
+/// Unit of length in m at the given speed.
 fn length(speed: f64) -> f64 {
     (speed * speed / kappa()).powf(0.4)
 }
 
-/// Refinement for a force that begins like the root of time.
+/// Refinement for a force that begins like the square root of time.
 const ROUGH: Refinement = Refinement {
     steps: 100.0,
     powers: &[1.5, 2.0, 2.5, 3.0, 3.5],
 };
-/// Refinement without damping: smooth but for its end.
+/// Refinement without damping: the motion is smooth except at the end of the force.
 const SMOOTH: Refinement = Refinement {
     steps: 100.0,
     powers: &[2.0, 2.5, 3.0, 3.5, 4.0],
 };
 
-/// Force over the root of the overlap: simple zero at the end, smooth in that root.
+/// Force over the square root of the overlap: smooth in that root, with a simple zero at the end.
 fn viscous(one: &Sample) -> f64 {
     one.force / one.overlap.max(f64::MIN_POSITIVE).sqrt()
 }
 
-/// Root of the overlap, where nothing else ends the force.
+/// Square root of the overlap, for elastic contacts, whose force ends where the overlap does.
 fn root(one: &Sample) -> f64 {
     one.overlap.max(0.0).sqrt()
 }
 
-/// Figures in SI units of a rebound without dimensions.
+/// The figures of a dimensionless rebound in SI units.
 fn dimensional(rebound: &Rebound<f64>, speed: f64) -> Figures {
     let depth = rebound.depth * length(speed);
     [
@@ -73,7 +74,7 @@ fn dimensional(rebound: &Rebound<f64>, speed: f64) -> Figures {
     ]
 }
 
-/// Figures of Hertz's theory in closed form.
+/// The figures of Hertz's theory in closed form.
 fn hertzian(speed: f64) -> Figures {
     let depth = 1.25_f64.powf(0.4) * length(speed);
     let duration = 0.8 * beta(0.4, 0.5) * depth / speed;
@@ -98,7 +99,7 @@ pub fn hertz() -> Outcome {
     let mut all = Vec::new();
     let found = elastic_figures()?;
     let mut table = Table::new(
-        "Elastic spheres of 10 and 17 mm: depth, force and duration of the kernel, and exponents between neighbouring speeds",
+        "Elastic spheres of 10 and 17 mm radius: depth, force and duration from the kernel, and exponents between neighbouring speeds",
         &[
             "v in m/s",
             "depth in m",
@@ -165,21 +166,21 @@ pub fn curve() -> Outcome {
         curves.push(Curve::marks("kernel", marks));
     }
     let plot = Plot {
-        title: "Restitution of viscoelastic spheres falls slowly with the speed, over four decades"
+        title: "Restitution of viscoelastic spheres falls slowly with speed over four decades"
             .to_owned(),
-        x: Axis::logarithmic("relative speed of impact in m/s"),
+        x: Axis::logarithmic("relative impact speed in m/s"),
         y: Axis::linear("restitution"),
         curves,
     };
     Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
 }
 
-/// Coefficient of dt^(3/2), without dimensions, in the relative error of the restitution.
+/// Coefficient of dt^(3/2) in the relative error of the restitution, dimensionless.
 fn predicted(b: f64) -> f64 {
     let at = |b: f64| viscoelastic(b, 1e-14).restitution;
     let h = 1e-3 * b;
     let slope = (8.0 * (at(b + h) - at(b - h)) - (at(b + 2.0 * h) - at(b - 2.0 * h))) / (12.0 * h);
-    // An extra speed at touch changes the final speed v e(b), b growing as v^(1/5).
+    // An extra speed at touch changes the final speed v e(b), where b grows as v^(1/5).
     -ZETA_OF_MINUS_HALF * b * (1.0 + 0.2 * b * slope / at(b))
 }
 
@@ -200,12 +201,12 @@ pub fn onset() -> Outcome {
         let [found] = limit(&coefficients, &[0.5, 1.0, 1.5, 2.0, 2.5]);
         all.push(Measurement::relative(predicted(b), found, 1e-3));
         let slope = errors.iter().map(|[h, _]| [*h, predicted(b) * h.powf(1.5)]);
-        curves.push(Curve::line(&format!("first term, b = {b}"), slope));
+        curves.push(Curve::line(&format!("leading term, b = {b}"), slope));
         curves.push(Curve::marks("kernel", errors));
     }
     let plot = Plot {
-        title: "Viscoelastic collisions converge with the power 3/2 of the step, towards the first term of the error".to_owned(),
-        x: Axis::logarithmic("step in units of depth over speed"),
+        title: "Viscoelastic collisions converge with the power 3/2 of the time step, towards the leading term of the error".to_owned(),
+        x: Axis::logarithmic("time step in units of depth over speed"),
         y: Axis::logarithmic("relative error of the restitution"),
         curves,
     };
