@@ -13,25 +13,25 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "beams.breaking-load",
-            claim: "A bond breaks where its load leaves the ellipse of its strengths over the weakest section, in every direction.",
+            claim: "A bond breaks where its load leaves the strength ellipse of its smallest cross-section, in every load direction.",
             equations: thesis("(33), (43)-(50)"),
-            scene: "Bonded pairs in 16 prescribed states of stretch and turn: spheres of 1 mm, of 1 and 0.7 mm, with strength factors 1, 0.9 and 1.1",
+            scene: "Bonded pairs in 16 prescribed states of stretch and rotation: spheres of 1 mm, of 1 and 0.7 mm, with strength factors 1, 0.9 and 1.1",
             oracle: "Semi-axes pi (s r_min)^2 times 280 and 168 MPa: 879.645943 N and 527.787566 N for 1 mm, independent of the stiffness",
-            norm: "Load at which the bond breaks, by bisection, relative to the closed form",
+            norm: "Relative error of the load at which the bond breaks, found by bisection",
             origin: Origin::Exact,
-            reason: "The state loses four digits: a displacement of 0.09 mm is the difference of distances of 2 mm, so 2^-52 x 2 / 0.09, and forces round a few times: 32 units of that",
+            reason: "The state loses four digits, because a displacement of 0.09 mm is the difference of distances of 2 mm: 2^-52 x 2 / 0.09. Forces add a few roundings: 32 units of that",
             effort: Effort::Quick,
             measure: loads,
         },
         Check {
             id: "beams.breaking-time",
-            claim: "A bond pulled apart at constant rates breaks in the first step at whose end its load, viscous part included, is outside the ellipse.",
+            claim: "A bond pulled apart at constant rates breaks in the first step whose final load, including the viscous part, lies outside the ellipse.",
             equations: thesis("(33)-(34), (43)-(50)"),
-            scene: "Two spheres of 1 mm, so heavy that nothing slows them, drift apart and turn in 16 proportions until their bond breaks, with three steps",
-            oracle: "Root of the condition along the prescribed motion, by bisection",
-            norm: "Number of runs that break in another step",
+            scene: "Two spheres of 1 mm, too heavy to be slowed down, move apart and rotate in 16 proportions until their bond breaks, with three time steps",
+            oracle: "Root of the breaking condition along the prescribed motion, by bisection",
+            norm: "Number of runs in which the bond breaks in another step",
             origin: Origin::Exact,
-            reason: "The instant of every run is off a multiple of the step by more than the rounding of its state",
+            reason: "In every run the moment of breaking differs from a multiple of the step by more than the rounding of the state",
             effort: Effort::Quick,
             measure: times,
         },
@@ -46,7 +46,7 @@ const STRENGTHS: [f64; 2] = [280e6, 168e6];
 const DIRECTIONS: usize = 16;
 
 fn direction(number: usize) -> [f64; 2] {
-    // Off the axes by a little, so that no direction is special.
+    // Slightly off the axes, so that no direction is special.
     let (s, c) = (TAU * number as f64 / DIRECTIONS as f64 + 1e-3).sin_cos();
     [c, s]
 }
@@ -64,10 +64,10 @@ fn yielding() -> String {
     )
 }
 
-/// Whether a bond under the given normal and tangential forces in N breaks.
+/// Whether a bond breaks under the given normal and tangential forces in N.
 ///
-/// The forces are set through the state: D = D_0 + F_n / k_n, and both ends turned by the same angle,
-/// F_t = -(r_i^2 + r_j^2) k_t phi / D.
+/// The state sets the forces: D = D_0 + F_n / k_n, and with both ends rotated by the same angle, F_t =
+/// -(r_i^2 + r_j^2) k_t phi / D.
 fn breaks(radii: [f64; 2], factor: f64, load: [f64; 2]) -> Result<bool, Failure> {
     let rest = radii[0] + radii[1];
     let distance = rest + load[0] / SPRINGS.normal;
@@ -139,7 +139,7 @@ fn ellipse(marks: Vec<[f64; 2]>) -> Plot {
         [axes[0] * c, axes[1] * s]
     };
     Plot {
-        title: "Bonds of spheres of 1 mm break on the ellipse of their strengths".to_owned(),
+        title: "Bonds of spheres of 1 mm break on the strength ellipse".to_owned(),
         x: Axis::linear("normal force in N, positive in tension"),
         y: Axis::linear("tangential force in N"),
         curves: vec![
@@ -157,7 +157,7 @@ const DASHPOTS: Springs = Springs {
 /// Time in s in which the elastic load alone would reach the ellipse.
 const DURATION: f64 = 1e-4;
 
-/// Rates of distance in m/s and of both angles in rad/s that load a bond in a direction.
+/// Rates of the distance in m/s and of both angles in rad/s that load a bond in the given direction.
 fn rates(number: usize) -> [f64; 2] {
     let (axes, [c, s]) = (axes([RADIUS; 2], 1.0), direction(number));
     let stretch = axes[0] * c / SPRINGS.normal / DURATION;
@@ -165,7 +165,7 @@ fn rates(number: usize) -> [f64; 2] {
     [stretch, turn]
 }
 
-/// Instant in s at which the load under constant rates leaves the ellipse.
+/// Time in s at which the load under constant rates leaves the ellipse.
 fn instant([stretch, turn]: [f64; 2]) -> f64 {
     let axes = axes([RADIUS; 2], 1.0);
     let outside = |time: f64| {
@@ -186,7 +186,7 @@ fn instant([stretch, turn]: [f64; 2]) -> f64 {
     high
 }
 
-/// The step at whose end the bond has broken.
+/// Number of steps until the bond has broken.
 fn breaking_step([stretch, turn]: [f64; 2], step: f64) -> Result<u64, Failure> {
     const HEAVY: &str = "density = 1e20\n";
     let text = head("velocity-verlet", step)
@@ -228,7 +228,7 @@ fn times() -> Outcome {
     let plot = Plot {
         title: "A bond breaks at most one step after its load has left the ellipse".to_owned(),
         x: Axis::linear("direction of the load in turns"),
-        y: Axis::linear("time from the exact instant to the break in s"),
+        y: Axis::linear("time from the exact moment to breaking in s"),
         curves: late.into_iter().zip(names).map(curve).collect(),
     };
     Ok(Measurement::count(wrong).showing([Exhibit::Plot(plot)]))

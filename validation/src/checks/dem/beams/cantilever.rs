@@ -19,52 +19,52 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "beams.cantilever",
-            claim: "Clamped chains of 4 to 64 bonded particles under small loads at their end or on every particle come to equilibrium where statics says.",
+            claim: "Clamped chains of 4 to 64 bonded particles, under small loads on the last or on every particle, have the equilibrium that statics predicts.",
             equations: thesis("(10), (43)-(45)"),
-            scene: "Chains in a slanted direction for bending, hanging for stretching, radius 1 mm at a distance of 2.1 mm, the first particle fixed, gravity on the last particle or on all; equilibrium by Newton's method on the kernel's forces in double-double, with slopes from dual numbers",
-            oracle: "The statically determinate chain of beams, summed by hand",
-            norm: "Largest relative error of stretch, deflection and turn of the end, the part odd in the load",
+            scene: "Oblique chains for bending and hanging chains for stretching, with radius 1 mm and distance 2.1 mm, the first particle fixed, gravity on the last particle or on all; equilibrium by Newton's method on the kernel's forces in double-double, with derivatives from dual numbers",
+            oracle: "Closed-form sums for the statically determinate chain of beams",
+            norm: "Largest relative error of stretch, deflection and rotation of the end, for the part that is odd in the load",
             origin: Origin::Exact,
-            reason: "Loads are so small that departures of third order are below 1e-16; a round of Newton's method gains eight digits and the last changes the sixteenth; positions up to 0.13 m are doubles, which changes distances by 7e-15; closed forms round a dozen times",
+            reason: "Loads are so small that third-order deviations are below 1e-16. An iteration of Newton's method gains eight digits, and the last one changes the sixteenth. Positions of up to 0.13 m are doubles, which changes distances by 7e-15; the closed forms round a dozen times",
             effort: Effort::Quick,
             measure: statics,
         },
         Check {
             id: "beams.beam-theory",
-            claim: "A clamped chain deflects like a Timoshenko beam of bending stiffness k r^2 D / 2 and shear stiffness 3 k r^2 / D, and tends to the Euler-Bernoulli beam with the second power of its slenderness.",
+            claim: "A clamped chain deflects like a Timoshenko beam with bending stiffness k r^2 D / 2 and shear stiffness 3 k r^2 / D, and tends to the Euler-Bernoulli beam with the square of its slenderness.",
             equations: thesis("(44)-(45)"),
-            scene: "The same chains, loaded at the end and uniformly",
-            oracle: "Beam theory; for an end load the deviation from Euler-Bernoulli is 1 / (2 M^2) exactly, for M beams, for a uniform load, half a weight on the last particle, that from Timoshenko 1 / (3 M^2 + 2)",
-            norm: "Largest error of the relative deviations",
+            scene: "The same chains, loaded at the end or uniformly, the latter with half a weight on the last particle",
+            oracle: "Beam theory for M beams. End load: the relative deviation from Euler-Bernoulli is exactly 1 / (2 M^2), and that from Timoshenko is zero. Uniform load: the deviation from Timoshenko is 1 / (3 M^2 + 2)",
+            norm: "Largest error of a relative deviation",
             origin: Origin::Exact,
-            reason: "The deviations are known exactly; deflections are good to 1e-13",
+            reason: "The deviations are known exactly; deflections are accurate to 1e-13",
             effort: Effort::Quick,
             measure: theory,
         },
     ]
 }
 
-/// Where the weight is.
+/// Where gravity acts.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Load {
     /// On the last particle.
     End,
     /// On every particle.
     All,
-    /// On every particle, half of it on the last.
+    /// On every particle, with half a weight on the last.
     Uniform,
 }
 
-/// Density of particles that shall weigh nothing beside the others.
+/// Density of particles of negligible weight.
 const WEIGHTLESS: f64 = 2700e-30;
 
 /// A clamped chain under gravity.
 pub struct Cantilever {
     /// The chain.
     pub chain: Chain,
-    /// Its direction against the horizontal.
+    /// Its angle to the horizontal.
     pub direction: f64,
-    /// Where the weight is.
+    /// Where gravity acts.
     pub load: Load,
     /// Weight of a particle in N.
     pub weight: f64,
@@ -106,7 +106,7 @@ impl Cantilever {
         Rest::of_text(&text)
     }
 
-    /// Displacement of every coordinate in equilibrium, the clamped ones zero.
+    /// Displacement of every coordinate in equilibrium; those of the clamped particle are zero.
     pub fn equilibrium(&self) -> Result<Vec<DoubleDouble>, Failure> {
         let rest = self.rest()?;
         let free: Vec<usize> = (3..rest.coordinates()).collect();
@@ -135,7 +135,8 @@ impl Cantilever {
         ))
     }
 
-    /// Displacement of the tip along the chain, along the load across it, and its turn.
+    /// Displacement of the tip along the chain and across it in the direction of the load, and its
+    /// rotation.
     fn tip(&self) -> Result<[f64; 3], Failure> {
         let u = self.equilibrium()?;
         let [x, y, turn] = [3, 2, 1].map(|back| u[u.len() - back].to_f64());
@@ -143,8 +144,8 @@ impl Cantilever {
         Ok([-(x * c + y * s), x * s - y * c, -turn])
     }
 
-    /// The part of the tip's displacement that is odd in the load: half the difference to the chain turned
-    /// round, on which the load acts the other way.
+    /// The part of the tip's displacement that is odd in the load: half the difference from the chain
+    /// in the opposite direction, for which the load has the opposite sign.
     fn odd_tip(&self) -> Result<Tip, Failure> {
         let turned = Self {
             direction: self.direction + PI,
@@ -160,8 +161,8 @@ impl Cantilever {
     }
 }
 
-/// Directions against the horizontal: slanted, for bending; hanging, for stretching, which in a slanted chain
-/// is smaller than what the rounding of its positions makes of bending.
+/// Angles to the horizontal: oblique for bending; hanging for stretching, because in an oblique chain
+/// the stretch is smaller than the bending caused by the rounding of positions.
 const SLANTED: f64 = 0.4;
 const HANGING: f64 = -0.5 * PI;
 
@@ -176,7 +177,7 @@ fn cantilever(bodies: usize, load: Load, direction: f64) -> Cantilever {
         radius: 1e-3,
         springs,
     };
-    // A deflection of some 1e-10 of the length: its square is out of sight.
+    // The deflection is about 1e-10 of the length, so that its square is negligible.
     let weight = 1e-10 * chain.bending_stiffness() / (chain.distance * bodies as f64).powi(2);
     Cantilever {
         chain,
@@ -188,7 +189,7 @@ fn cantilever(bodies: usize, load: Load, direction: f64) -> Cantilever {
 
 const SIZES: [usize; 5] = [4, 8, 16, 32, 64];
 
-/// What statics says of the tip.
+/// Displacement of the tip according to statics.
 fn exact(one: &Cantilever) -> Tip {
     let (s, c) = one.direction.sin_cos();
     match one.load {
@@ -244,7 +245,7 @@ fn theory() -> Outcome {
     };
     let plot = Plot {
         title:
-            "Clamped chains tend to the beam of theory with the second power of their slenderness"
+            "Clamped chains tend to beam theory with the square of their slenderness"
                 .to_owned(),
         x: Axis::logarithmic("number of beams M"),
         y: Axis::logarithmic("relative deviation of the deflection"),

@@ -23,8 +23,8 @@ pub fn checks() -> Vec<Check> {
             claim: "All 72 frequencies of a ring of bonded particles lie on the three dispersion curves of a chain.",
             equations: thesis("(43)-(45), (51)-(53), (64)"),
             scene: CHAIN,
-            oracle: "2 sqrt(k/m) abs(sin(q D / 2)) along the chain, the roots of a 2 x 2 matrix across it",
-            norm: "Squared frequencies from the slopes of all forces, in units of the largest",
+            oracle: "2 sqrt(k/m) abs(sin(q D / 2)) for waves along the chain, the roots of a 2 x 2 matrix for waves across it",
+            norm: "Error of the squared frequencies, from the derivatives of all forces, in units of the largest",
             origin: Origin::Exact,
             reason: "Rounding of a symmetric 72 x 72 matrix and of its eigenvalues: below 256 units of 2^-52",
             effort: Effort::Quick,
@@ -32,13 +32,13 @@ pub fn checks() -> Vec<Check> {
         },
         Check {
             id: "beams.chain-waves",
-            claim: "Standing waves of a ring run at the frequencies of the dispersion curves, once the known shift by the step is taken out.",
+            claim: "Standing waves of a ring have the frequencies of the dispersion curves, after correction for the known frequency shift of the time step.",
             equations: thesis("(43)-(45), (51)-(53), (64)"),
             scene: CHAIN,
-            oracle: "The same curves; velocity Verlet turns a mode by theta a step, 2 sin(theta / 2) = w dt",
-            norm: "Relative error of the frequency after 800 steps; where a mode turns by less than half a radian a step, times the square of twice that angle",
+            oracle: "The same curves; velocity Verlet advances the phase of a mode by theta per step, with 2 sin(theta / 2) = w dt",
+            norm: "Relative error of the frequency after 800 steps; if the phase advances by less than half a radian per step, it is multiplied by the square of twice that angle",
             origin: Origin::Exact,
-            reason: "Infinitesimal motion rounds the phase by some 800 x 2^-52 = 2e-13; what rounding of a force adds to a slow mode grows with the squared ratio of the frequencies",
+            reason: "In infinitesimal motion the phase accumulates about 800 x 2^-52 = 2e-13 of rounding. The rounding of a force adds to a slow mode an error that grows with the squared ratio of the frequencies",
             effort: Effort::Quick,
             measure: waves,
         },
@@ -105,7 +105,7 @@ fn spectrum() -> Outcome {
     Ok(Measurement::worst(exact.iter().zip(&squares).map(compare)).into())
 }
 
-/// Steps of a run, and the longest turn of the fastest mode a step.
+/// Number of steps of a run, and the largest phase advance per step of the mode, in rad.
 const STEPS: usize = 800;
 const FASTEST: f64 = 0.5;
 
@@ -146,7 +146,7 @@ fn waves() -> Outcome {
                 rates
             };
             let rates: Vec<f64> = (0..BODIES).flat_map(rate).collect();
-            // Slow modes take the longest step that the fastest mode allows.
+            // Slow modes use the longest step that the fastest mode allows.
             let step = (FASTEST / wave.frequency).min(1.0 / fast.frequency.max(along.frequency));
             let value = frequency(&rest, &rates, step)?;
             let share = (wave.frequency * step / FASTEST).powi(2);
@@ -179,10 +179,10 @@ fn curves(lattice: &Lattice, found: [Vec<[f64; 2]>; 3]) -> Plot {
                 phases().map(|q| [q, lattice.chain_longitudinal(q)]),
             ),
             Curve::line("bending, closed form", transverse(0)),
-            Curve::line("turning, closed form", transverse(1)),
+            Curve::line("rotation, closed form", transverse(1)),
             Curve::marks("along the chain, kernel", along),
             Curve::marks("bending, kernel", slow),
-            Curve::marks("turning, kernel", fast),
+            Curve::marks("rotation, kernel", fast),
         ],
     }
 }

@@ -12,13 +12,13 @@ use rand_pcg::Pcg64;
 pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.conservation",
-        claim: "Bonds, damped or not, change neither momentum nor angular momentum.",
+        claim: "Damped and undamped bonds conserve momentum and angular momentum.",
         equations: thesis("(7), (26)-(27), (43)-(45)"),
-        scene: "A cluster of 16 bonded particles of random radii, thrown with random velocities and spins that bend it by large angles, damped and undamped, 20000 steps of velocity Verlet",
-        oracle: "Both stay as they are",
-        norm: "Change in units of the sums of all absolute contributions",
+        scene: "A cluster of 16 bonded particles of random radii with random velocities and spins that bend it by large angles, damped and undamped, 20000 steps of velocity Verlet",
+        oracle: "The initial momentum and angular momentum",
+        norm: "Change in units of the sum of all absolute contributions",
         origin: Origin::Exact,
-        reason: "Every step rounds each contribution a few times; errors that all add up would give 20000 x 4 x 2^-52 = 2e-11, those of random sign 1e-13; the tolerance is 1e-12",
+        reason: "Every step rounds each contribution a few times; errors of the same sign would add up to 20000 x 4 x 2^-52 = 2e-11, errors of random sign to 1e-13; the tolerance is 1e-12",
         effort: Effort::Quick,
         measure: cluster,
     }]

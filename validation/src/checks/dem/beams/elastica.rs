@@ -14,13 +14,13 @@ use gouge_common::scalar::Real;
 pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.elastica",
-        claim: "Where deflections become large, clamped chains leave linear theory as the elastica does: by -4/35 (P L^2 / E I)^2.",
+        claim: "At large deflections, clamped chains deviate from linear theory like the elastica: by -4/35 (P L^2 / E I)^2.",
         equations: thesis("(5), (33)-(34), (43)-(45)"),
-        scene: "Horizontal chains of 8, 16, 32 and 64 beams, radius 1 mm in touch, first particle fixed, weight on the last; equilibrium in double-double under a load and its double",
+        scene: "Horizontal chains of 8, 16, 32 and 64 beams of touching spheres of 1 mm, the first particle fixed, the weight on the last; equilibrium in double-double under a load and under twice that load",
         oracle: "Expansion of the elastica to third order",
-        norm: "Relative error of the coefficient, extrapolated to a thin beam",
+        norm: "Relative error of the coefficient, extrapolated to a slender beam",
         origin: Origin::Convergent,
-        reason: "The coefficient of a chain deviates in even powers of 1 / M; those up to the sixth are extrapolated away, the next is 4e-15 times its factor, and the fourth order in the load adds 1e-8",
+        reason: "The coefficient of a chain deviates in even powers of 1 / M. Extrapolation removes those up to the sixth; the next is 4e-15 times its factor, and the fourth order in the load adds 1e-8",
         effort: Effort::Quick,
         measure: departure,
     }]
@@ -52,7 +52,7 @@ fn deflection(beams: usize, load: f64) -> Result<DoubleDouble, Failure> {
     Ok(-displacement[displacement.len() - 2])
 }
 
-/// Coefficient of the departure from a deflection proportional to the load.
+/// Coefficient of the deviation from a deflection proportional to the load.
 fn coefficient(beams: usize, load: f64) -> Result<f64, Failure> {
     let ratio = deflection(beams, 2.0 * load)? / (deflection(beams, load)? * 2.0);
     let excess = ratio - DoubleDouble::from_f64(1.0);
@@ -74,11 +74,11 @@ fn departure() -> Outcome {
     let last = deviations[3];
     let slope = sizes.map(|m| [m as f64, last[1] * (last[0] / m as f64).powi(2)]);
     let plot = Plot {
-        title: "The departure of clamped chains from linear theory tends to that of the elastica, with the second power of their slenderness".to_owned(),
+        title: "The deviation of clamped chains from linear theory tends to that of the elastica with the square of their slenderness".to_owned(),
         x: Axis::logarithmic("number of beams M"),
         y: Axis::logarithmic("relative deviation of the coefficient from -4/35"),
         curves: vec![
-            Curve::line("second power", slope),
+            Curve::line("slope of -2", slope),
             Curve::marks("kernel", deviations),
         ],
     };

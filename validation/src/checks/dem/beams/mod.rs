@@ -1,4 +1,4 @@
-//! Beams.
+//! Bonded particles as beams.
 
 mod breaking;
 mod cantilever;
@@ -30,7 +30,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "beams",
         title: "Beams",
-        about: "Modes, statics, waves and breaking of bonded particles, against linear networks solved on their own, lattice elasticity and beam theory.",
+        about: "Modes, statics, waves and breaking of bonded particles, compared with independently solved linear networks, lattice elasticity and beam theory.",
         checks: parts.into_iter().flatten().collect(),
     }
 }

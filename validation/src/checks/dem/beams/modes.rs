@@ -12,15 +12,15 @@ use std::f64::consts::TAU;
 
 /// The checks.
 pub fn checks() -> Vec<Check> {
-    const PAIRS: &str = "Three bonded pairs: equal spheres of 1 mm in touch; spheres of 1 and 0.5 mm apart; spheres of 0.4 and 1.1 mm in overlap; all slanted, with unequal constants";
+    const PAIRS: &str = "Three bonded pairs: touching equal spheres of 1 mm; separated spheres of 1 and 0.5 mm; overlapping spheres of 0.4 and 1.1 mm; all oblique, with unequal stiffness and damping for stretching and bending except in the first";
     vec![
         Check {
             id: "beams.pair-matrix",
-            claim: "The force slopes of a bond have three rigid modes and those of stretching, counter-rotation and shear, at the frequencies and decay rates of hand calculation.",
+            claim: "The derivatives of a bond's forces have three rigid modes and the modes of stretching, counter-rotation and shear, with the frequencies and decay rates calculated by hand.",
             equations: thesis("(33)-(34), (43)-(45), (51)-(53)"),
             scene: PAIRS,
-            oracle: "Closed form for any radii and distance; sqrt(2k/m), sqrt(5k/2m), sqrt(7k/2m) for equal spheres in touch",
-            norm: "Eigenvalues of stiffness and damping over inertia, in units of the largest",
+            oracle: "Closed form for any radii and distance; sqrt(2k/m), sqrt(5k/2m), sqrt(7k/2m) for touching equal spheres",
+            norm: "Error of the eigenvalues of stiffness and damping over inertia, in units of the largest",
             origin: Origin::Exact,
             reason: "An eigenvalue moves by at most the norm of the rounding of a 6 x 6 matrix: 64 units of 2^-52",
             effort: Effort::Quick,
@@ -28,37 +28,37 @@ pub fn checks() -> Vec<Check> {
         },
         Check {
             id: "beams.pair-run",
-            claim: "Small undamped oscillations of a bond run at the frequencies of its modes, once the known shift by the step is taken out.",
+            claim: "Small undamped oscillations of a bond have the frequencies of its modes, after correction for the known frequency shift of the time step.",
             equations: thesis("(43)-(45), (51)-(53)"),
             scene: PAIRS,
-            oracle: "Closed form of the frequencies; velocity Verlet turns a mode by theta a step, 2 sin(theta / 2) = w dt",
+            oracle: "Closed form of the frequencies; velocity Verlet advances the phase of a mode by theta per step, with 2 sin(theta / 2) = w dt",
             norm: "Relative error of the frequency over fifty periods of sixty steps",
             origin: Origin::Exact,
-            reason: "3000 steps round the phase of 300 rad by at most 3000 x 2^-52 a time, 2e-15 of it; some ten operations a step make it 2e-14",
+            reason: "In 3000 steps, roundings of at most 2^-52 per operation accumulate to 2e-15 of the phase of 300 rad; about ten operations per step make it 2e-14",
             effort: Effort::Quick,
             measure: free_run,
         },
         Check {
             id: "beams.pair-swing",
-            claim: "Stretching and counter-rotation of a bond are harmonic at any amplitude: swings of a tenth of a diameter and of half a radian run at the frequencies of infinitesimal ones.",
+            claim: "Stretching and counter-rotation of a bond are harmonic at any amplitude: oscillations of a tenth of a radius per sphere and of half a radian have the frequencies of infinitesimal ones.",
             equations: thesis("(43)-(45), (51)-(53)"),
-            scene: "Two bonded spheres of 1 mm in touch, k = 1e7 kg/s^2, launched apart or against each other's rotation, in double precision",
-            oracle: "sqrt(2k/m) and sqrt(5k/2m); velocity Verlet turns a mode by theta a step, 2 sin(theta / 2) = w dt",
+            scene: "Two touching bonded spheres of 1 mm, k = 1e7 kg/s^2, launched apart or with opposite spins, in double precision",
+            oracle: "sqrt(2k/m) and sqrt(5k/2m); velocity Verlet advances the phase of a mode by theta per step, with 2 sin(theta / 2) = w dt",
             norm: "Relative error of the frequency over fifty periods of sixty steps",
             origin: Origin::Exact,
-            reason: "3000 steps round the phase of 300 rad by at most 3000 x 2^-52 x 10 each of a swing of 0.1 of the distance: 2e-13 of it",
+            reason: "In 3000 steps, roundings of 2^-52 relative to an amplitude of a tenth of the distance accumulate to 2e-13 of the phase of 300 rad",
             effort: Effort::Quick,
             measure: swing,
         },
         Check {
             id: "beams.pair-damped",
-            claim: "Damped small oscillations of a bond decay and turn at the rates of their modes.",
+            claim: "Damped small oscillations of a bond have the decay rates and frequencies of its modes.",
             equations: thesis("(43)-(45), (51)-(53)"),
             scene: PAIRS,
             oracle: "Closed form of the damped modes",
-            norm: "Error of decay rate and frequency in units of the frequency, extrapolated from steps of 1/400 to 1/6400 of a period",
+            norm: "Error of decay rate and frequency in units of the frequency, extrapolated from time steps of 1/400 to 1/6400 of a period",
             origin: Origin::Convergent,
-            reason: "The errors of second to fifth order in the step are extrapolated away; of the sixth (2 pi / 400)^6 / 2^14 = 1e-15 is left, times a factor that strong damping makes some thousand",
+            reason: "Extrapolation removes the errors of second to fifth order. The sixth leaves (2 pi / 400)^6 / 2^14 = 1e-15, times a factor of about a thousand under strong damping",
             effort: Effort::Quick,
             measure: damped_run,
         },
@@ -95,7 +95,7 @@ fn both([normal, tangential]: [f64; 2]) -> Springs {
     Springs { normal, tangential }
 }
 
-/// `[bond]` of a scene with the given constants.
+/// The `[bond]` section of a scene with the given constants.
 pub fn bond(springs: Springs, dashpots: Springs) -> String {
     format!(
         "[bond.normal]\nstiffness = {:e}\ndamping = {:e}\n[bond.tangential]\n\
@@ -117,7 +117,8 @@ impl Pair {
         Rest::of_text(&text)
     }
 
-    /// Squared frequencies for the given constants: three rigid modes, then the others, from the smallest.
+    /// Squared frequencies for the given constants in ascending order; the first three belong to rigid
+    /// modes.
     fn squares(&self, constants: Springs) -> [f64; 6] {
         let [axial, slow, fast] = pair::modes(self.ends, self.distance);
         let t = constants.tangential;
@@ -148,7 +149,7 @@ fn matrix() -> Outcome {
     Ok(Measurement::worst(measured).into())
 }
 
-/// Samples of a mode, in its own direction, of a world launched into it.
+/// Samples of a mode's amplitude in a run started with the velocities of that mode.
 fn samples(rest: &Rest, mode: &[f64], step: f64, steps: usize) -> Result<Vec<f64>, Failure> {
     let inertia = rest.inertia();
     let rates: Vec<Dual> = mode.iter().map(|&rate| Dual::new(0.0, rate)).collect();
@@ -168,7 +169,7 @@ const NAMES: [&str; 3] = ["first", "second", "third"];
 fn free_run() -> Outcome {
     let mut measured = Vec::new();
     let mut table = Table::new(
-        "Angular frequencies of bonded pairs, measured in runs and by hand",
+        "Angular frequencies of bonded pairs, in closed form and measured in runs",
         &[
             "pair",
             "mode",
@@ -207,7 +208,8 @@ fn swing() -> Outcome {
     for (coefficient, turns) in [(2.0, false), (2.5, true)] {
         let frequency = (coefficient * pair.springs.normal / mass).sqrt();
         let step = TAU / (60.0 * frequency);
-        // Speed of each end along the line of centres, or spin, for the amplitude of the claim.
+        // Speed of each sphere along the line of centres, or spin, for the amplitude given in the
+        // claim.
         let (speed, spin) = match turns {
             false => (0.1 * radius * frequency, 0.0),
             true => (0.0, 0.5 * frequency),
@@ -238,7 +240,7 @@ fn swing() -> Outcome {
 fn damped_run() -> Outcome {
     let mut measured = Vec::new();
     let mut table = Table::new(
-        "Decay rates and angular frequencies of damped bonded pairs, measured in runs and by hand",
+        "Decay rates and angular frequencies of damped bonded pairs, in closed form and measured in runs",
         &[
             "pair",
             "decay, closed form, 1/s",
@@ -257,7 +259,8 @@ fn damped_run() -> Outcome {
             let level = |steps: usize| {
                 let step = TAU / (steps as f64 * scale);
                 let samples = samples(&rest, shape, step, steps)?;
-                // Sparse samples, which rounding disturbs less; what the method adds dies out within a few.
+                // Use sparse samples, which are less sensitive to rounding; the spurious modes of the
+                // method die out within the first few.
                 let every = steps / 25;
                 let thinned: Vec<f64> = samples.into_iter().step_by(every).skip(4).collect();
                 let rates = decay_and_turn_a_step(&thinned);

@@ -3,11 +3,11 @@
 use nalgebra::{Matrix2, Vector2};
 use std::f64::consts::PI;
 
-/// Angle by which a step turns a free oscillation q_n = A sin(n theta), from q_0, q_1, ...; none without
-/// a change of sign.
+/// Phase advance per step of a free oscillation q_n = A sin(n theta), from q_0, q_1, ...; none if no
+/// sample changes sign.
 ///
-/// The rule q_{n+1} + q_{n-1} = 2 cos(theta) q_n gives a first value; the phase at the last change of sign,
-/// over the number of steps until then, a sharper one.
+/// The recurrence q_{n+1} + q_{n-1} = 2 cos(theta) q_n gives a first value; the phase at the last
+/// change of sign, divided by the number of steps until then, refines it.
 pub fn turn_a_step(samples: &[f64]) -> Option<f64> {
     let (mut product, mut square) = (0.0, 0.0);
     for window in samples.windows(3) {
@@ -25,8 +25,8 @@ pub fn turn_a_step(samples: &[f64]) -> Option<f64> {
     Some((PI * crossings.len() as f64 + phase) / n as f64)
 }
 
-/// Decay rate and angular frequency, times the step, of a damped oscillation: roots of the rule
-/// q_{n+1} = a q_n - b q_{n-1} of least squares.
+/// Decay rate and angular frequency, times the step, of a damped oscillation, from the roots of the
+/// recurrence q_{n+1} = a q_n - b q_{n-1} fitted by least squares.
 pub fn decay_and_turn_a_step(samples: &[f64]) -> [f64; 2] {
     let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
     for window in samples.windows(3) {

@@ -13,29 +13,29 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// The checks.
 pub fn checks() -> Vec<Check> {
-    const PACKING: &str = "Packings of about 170 grains of 1 mm by the set-up of the granite fault, 25 mm square, settled, bonded, pulled between their lowest and highest 2 mm";
+    const PACKING: &str = "Packings of about 170 grains of 1 mm from the set-up of the granite fault, 25 mm square, settled, bonded, and pulled by their lowest and highest 2 mm";
     vec![
         Check {
             id: "beams.packing-network",
-            claim: "A bonded packing under tension takes the shape of an independently assembled network of beams.",
+            claim: "A bonded packing under tension has the displacements of an independently assembled network of beams.",
             equations: thesis("(33), (43)-(45), (64)"),
             scene: PACKING,
             oracle: "Stiffness matrix assembled beam by beam, solved by sparse Cholesky factors",
-            norm: "Largest difference of a displacement in units of that of the grip",
+            norm: "Largest error of a displacement in units of the grip's displacement",
             origin: Origin::Exact,
-            reason: "Both matrices are exact to rounding, 2^-52; the solution of 500 equations amplifies that by the condition of the matrix, about 1e4",
+            reason: "Both matrices are exact to rounding, 2^-52; solving 500 equations amplifies that by the condition number, about 1e4",
             effort: Effort::Thorough,
             measure: network,
         },
         Check {
             id: "beams.packing-modulus",
-            claim: "Packed blocks bonded with the thesis's k = 1e7 kg/s^2 are softer in tension than an affine deformation would make them, and far softer than the granite that they stand for.",
+            claim: "Packed blocks bonded with the thesis's k = 1e7 kg/s^2 are softer in tension than under affine deformation, and far softer than the granite that they represent.",
             equations: thesis("(33), (43)-(45), (64)"),
             scene: PACKING,
-            oracle: "Granite of the thesis, 50 -+ 20 GPa; for every packing the force of an affine deformation, which by the principle of least energy none can exceed",
-            norm: "Upper limit of confidence, 99.5 % one-sided, of the mean Young's modulus of 12 packings; it has to lie below the lower end for granite, and no packing may be stiffer than affine",
+            oracle: "The thesis's granite, 50 -+ 20 GPa; for every packing the force of an affine deformation, an upper bound by the principle of minimum energy",
+            norm: "Upper confidence limit, 99.5 % one-sided, of the mean Young's modulus of 12 packings, which must lie below the lower end of granite's range; a packing stiffer than affine counts as a failure",
             origin: Origin::Statistical,
-            reason: "The bound is the lower end that the thesis gives for granite, 30 GPa; Student's distribution with 11 degrees of freedom. The table states what was measured, as a slice of the mean diameter and taken as isotropic; the energy bound is exact",
+            reason: "The bound is the lower end of the thesis's range for granite, 30 GPa. The confidence limit uses Student's distribution with 11 degrees of freedom. The table shows the measured values for a slice as thick as the mean diameter, assumed isotropic; the energy bound is exact",
             effort: Effort::Thorough,
             measure: modulus,
         },
@@ -80,7 +80,7 @@ fn pulled(rest: &Rest) -> Result<Pulled, Failure> {
     pull(rest, SIDE, [GRIP, SIDE - GRIP])
 }
 
-/// The bonds as beams, nearest images across the period.
+/// The bonds as beams between nearest periodic images.
 fn beams(rest: &Rest) -> Vec<Beam> {
     let p = rest.particles();
     let beam = |[i, j]: [usize; 2]| {
@@ -100,7 +100,7 @@ fn network() -> Outcome {
     let pulled = pulled(&rest)?;
     let loose = || Failure::Oracle("the network is loose".to_owned());
     let exact = settle(&beams(&rest), SPRINGS, &pulled.held).ok_or_else(loose)?;
-    // An angle counts by what it moves at a mean radius.
+    // An angle counts as the displacement that it causes at a mean radius.
     let scale = |n: usize| if n % 3 == 2 { 1e3 } else { 1.0 };
     let compare = |(n, (exact, found)): (usize, (&f64, &f64))| {
         Measurement::scaled(*exact, *found, scale(n), 1e-11)
@@ -123,7 +123,7 @@ fn affine_force(rest: &Rest) -> f64 {
 
 const SEEDS: u64 = 12;
 
-/// Mean and half the width of its two-sided interval of confidence of 99 %.
+/// Mean, and half the width of its two-sided 99 % confidence interval.
 fn interval(values: &[f64]) -> Result<[f64; 2], Failure> {
     let count = values.len() as f64;
     let student = StudentsT::new(0.0, 1.0, count - 1.0);
@@ -135,7 +135,8 @@ fn interval(values: &[f64]) -> Result<[f64; 2], Failure> {
     Ok([mean, quantile * (square / count).sqrt()])
 }
 
-/// Young's modulus and its uncertainty in Pa, and Poisson's ratio and its own, of the thesis's granite.
+/// Young's modulus with its uncertainty in Pa and Poisson's ratio with its uncertainty, of the thesis's
+/// granite.
 const GRANITE: [f64; 4] = [50e9, 20e9, 0.22, 0.12];
 
 fn modulus() -> Outcome {
@@ -159,8 +160,7 @@ fn modulus() -> Outcome {
     let table = table([young, margin, poisson, spread])?;
     let share = shares.iter().sum::<f64>() / shares.len() as f64;
     let text = format!(
-        "Packings resist a pull with {share:.3} of the force of an affine deformation. Stiffness \
-         scales moduli: granite's 50 GPa would take k = {:.1e} kg/s^2.",
+        "Packings resist a pull with {share:.3} of the force of an affine deformation. Moduli are proportional to the stiffness: granite's 50 GPa would need k = {:.1e} kg/s^2.",
         1e7 * GRANITE[0] / young
     );
     let worst = Measurement::worst([below, Measurement::count(stiffer)]);
@@ -169,7 +169,7 @@ fn modulus() -> Outcome {
 
 fn table(packings: [f64; 4]) -> Result<Table, Failure> {
     let mut table = Table::new(
-        "Elastic moduli of blocks bonded with k = 1e7 kg/s^2, as slices of 2 mm, and of granite",
+        "Elastic moduli of granite, and of blocks bonded with k = 1e7 kg/s^2 as slices of 2 mm",
         &["block", "Young's modulus, GPa", "Poisson's ratio"],
     );
     for (name, tangential) in [
@@ -185,7 +185,7 @@ fn table(packings: [f64; 4]) -> Result<Table, Failure> {
     }
     let rows = [
         (
-            format!("{SEEDS} packings, mean with 99 % confidence"),
+            format!("{SEEDS} packings, mean with 99 % confidence interval"),
             packings,
         ),
         ("granite of the thesis".to_owned(), GRANITE),

@@ -1,8 +1,8 @@
-//! What the kernel's bonds resist: forces at displaced states, and their slopes by dual numbers.
+//! Forces of the kernel's bonds in displaced states, and their derivatives by dual numbers.
 //!
-//! A world begins with its bonds unstrained. To reach a displaced state by the kernel's own means, the
-//! particles get the velocity displacement / step and one explicit Euler step moves them. The step is a
-//! power of two, so that this rounds nothing away; it is so short that no acceleration matters.
+//! A world begins with unstrained bonds. To reach a displaced state with the kernel alone, the
+//! particles get the velocity displacement / step, and one explicit Euler step moves them. The step is
+//! a power of two, so that this is exact, and so short that accelerations are negligible.
 
 use crate::checks::Failure;
 use crate::checks::dem::scenes::scene;
@@ -15,10 +15,10 @@ use gouge_dem::particles::Particles;
 use gouge_dem::{Number, Start, World};
 use nalgebra::DMatrix;
 
-/// Step in s: 2^-30.
+/// Time step in s: 2^-30.
 const STEP: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// Bonded particles at rest, their bonds unstrained.
+/// Bonded particles at rest with unstrained bonds.
 pub struct Rest {
     model: Model,
     particles: Particles,
@@ -26,7 +26,7 @@ pub struct Rest {
 }
 
 impl Rest {
-    /// The bonds of a scene's text at t = 0.
+    /// The initial state of the bonds of a scene.
     pub fn of_text(text: &str) -> Result<Self, Failure> {
         Ok(Self::of(&scene(text)?.initial_world()?))
     }
@@ -96,7 +96,7 @@ impl Rest {
         Ok(World::new(model, particles, &self.start)?)
     }
 
-    /// The world, evaluated after a displacement of every coordinate, without damping.
+    /// The undamped world, evaluated after a displacement of every coordinate.
     pub fn displaced<S: Number>(&self, displacement: &[S]) -> Result<World<S>, Failure> {
         let mut model = self.model;
         if let Some(bond) = &mut model.bond {
@@ -112,7 +112,8 @@ impl Rest {
         Ok(world)
     }
 
-    /// The world with a given rate of every coordinate, to be run with the given method and step in s.
+    /// The world with a given rate of every coordinate, to be run with the given integrator and time
+    /// step in s.
     pub fn launched<S: Number>(
         &self,
         rates: &[S],
@@ -127,12 +128,12 @@ impl Rest {
         self.moving(model, rates)
     }
 
-    /// Minus the slopes of all forces in all displacements.
+    /// Minus the derivatives of all forces with respect to all displacements.
     pub fn stiffness(&self) -> Result<DMatrix<f64>, Failure> {
         self.slopes(|seeds| self.displaced(seeds))
     }
 
-    /// Minus the slopes of all forces in all rates.
+    /// Minus the derivatives of all forces with respect to all rates.
     pub fn damping(&self) -> Result<DMatrix<f64>, Failure> {
         self.slopes(|seeds| {
             let mut world = self.moving(self.model, seeds)?;
@@ -179,14 +180,14 @@ pub fn coordinates<S: Number>(world: &World<S>) -> Vec<S> {
     p.position.iter().zip(&p.angle).flat_map(of).collect()
 }
 
-/// The part of a matrix whose rows and columns are kept.
+/// The submatrix of the given rows and columns.
 pub fn inner(matrix: &DMatrix<f64>, kept: &[usize]) -> DMatrix<f64> {
     DMatrix::from_fn(kept.len(), kept.len(), |row, column| {
         matrix[(kept[row], kept[column])]
     })
 }
 
-/// Eigenvalues of M^-1/2 K M^-1/2 from the smallest, with their modes M^-1/2 y as columns in the same order.
+/// Eigenvalues of M^-1/2 K M^-1/2 in ascending order, and the modes M^-1/2 y in the same order.
 pub fn modes(stiffness: &DMatrix<f64>, inertia: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
     let scaled = DMatrix::from_fn(inertia.len(), inertia.len(), |row, column| {
         stiffness[(row, column)] / (inertia[row] * inertia[column]).sqrt()

@@ -1,4 +1,4 @@
-//! Elastic moduli of bonded blocks, measured by pulling.
+//! Elastic moduli of bonded blocks, measured in tension.
 
 use super::modes::bond;
 use super::stiffness::{Rest, forces, inner};
@@ -16,22 +16,22 @@ use nalgebra::DVector;
 pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.lattice-moduli",
-        claim: "A hexagonal block of spheres of 1 mm with k = 1e7 kg/s^2, taken as a slice of 2 mm, has a Young's modulus of 7.423 GPa and a Poisson's ratio of 1/7 with beams, of 5.774 GPa and 1/3 with bars.",
+        claim: "A hexagonal block of spheres of 1 mm with k = 1e7 kg/s^2, as a slice of 2 mm, has a Young's modulus of 7.423 GPa and a Poisson's ratio of 1/7 with beams, and of 5.774 GPa and 1/3 with bars.",
         equations: thesis("(33), (43)-(45), (64)"),
-        scene: "8 columns and 17 rows in a periodic box, the outer rows held, the upper ones pulled; equilibrium by the slopes of all forces, stresses from the forces of the kernel in double-double",
+        scene: "8 columns and 17 rows in a periodic box, the outer rows held and the upper one pulled; equilibrium from the derivatives of all forces, stresses from the kernel's forces in double-double",
         oracle: "Lattice elasticity: C11 = sqrt(3)/4 (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s), k_s = 2 k_t r^2 / D^2",
         norm: "Relative error of Young's modulus and Poisson's ratio",
         origin: Origin::Exact,
-        reason: "Positions of the lattice are rounded by 2^-52 of 30 mm, 2e-15 of D; the solution of 360 equations of condition 1e3 loses three digits more",
+        reason: "Lattice positions are rounded by 2^-52 of 30 mm, 2e-15 of D; solving 360 equations of condition number 1e3 loses three more digits",
         effort: Effort::Quick,
         measure: moduli,
     }]
 }
 
-/// Depth of the slice in m, the mean diameter.
+/// Thickness of the slice in m, the mean diameter.
 pub const DEPTH: f64 = 2e-3;
 
-/// The lattice of the thesis's spheres with its normal stiffness and the given tangential one.
+/// The lattice of the thesis's spheres with its normal stiffness and the given tangential stiffness.
 pub fn thesis_lattice(tangential: f64) -> Lattice {
     Lattice {
         sphere: Sphere {
@@ -46,7 +46,7 @@ pub fn thesis_lattice(tangential: f64) -> Lattice {
     }
 }
 
-/// A block on the hexagonal lattice, bonded, periodic along its rows; of bars if not of beams.
+/// A bonded hexagonal block, periodic along its rows, of beams or of bars.
 pub fn hexagonal(
     lattice: &Lattice,
     columns: usize,
@@ -82,15 +82,15 @@ pub fn hexagonal(
 
 /// What a pulled block shows.
 pub struct Pulled {
-    /// Stress over strain along the pull in N/m, without lateral strain.
+    /// Stress over strain along the pull in N/m, at zero lateral strain.
     pub modulus: f64,
-    /// Lateral stress over that along the pull.
+    /// Lateral stress over stress along the pull.
     pub lateral: f64,
     /// Force in N on the lower grip over the displacement of the upper one in m.
     pub force: f64,
-    /// Which coordinates were held, and where.
+    /// The prescribed displacement of each held coordinate.
     pub held: Vec<Option<f64>>,
-    /// Displacement of every coordinate where the upper grip moves by one.
+    /// Displacement of every coordinate for a unit displacement of the upper grip.
     pub displacement: Vec<f64>,
 }
 
@@ -102,8 +102,8 @@ impl Pulled {
     }
 }
 
-/// Pull a block of the given width apart: particles below the lower height are held, those above the upper
-/// one lifted. Particles without bonds are held too.
+/// Pulls a block of the given width apart: particles below the lower height are held, those above the
+/// upper height are lifted. Particles without bonds are held too.
 pub fn pull(rest: &Rest, width: f64, grips: [f64; 2]) -> Result<Pulled, Failure> {
     let slopes = rest.stiffness()?;
     let heights: Vec<f64> = rest.particles().position.iter().map(|x| x.y).collect();
@@ -139,10 +139,11 @@ pub fn pull(rest: &Rest, width: f64, grips: [f64; 2]) -> Result<Pulled, Failure>
     })
 }
 
-/// Displacement in m of the upper grip: small enough for the quadratic terms to be out of sight.
+/// Displacement in m of the upper grip, small enough for quadratic terms to be negligible.
 const LIFT: f64 = 1e-17;
 
-/// Force on the lower grip and strain of the middle half, both over the lift, and the ratio of stresses.
+/// Force on the lower grip and strain of the middle half, both per unit of lift, and the ratio of
+/// lateral to axial stress.
 fn responses(rest: &Rest, displacement: &[f64], grips: [f64; 2]) -> Result<[f64; 3], Failure> {
     let lifted: Vec<DoubleDouble> = displacement
         .iter()
@@ -172,7 +173,7 @@ fn responses(rest: &Rest, displacement: &[f64], grips: [f64; 2]) -> Result<[f64;
     Ok([force, slope(&points), stress[0] / stress[1]])
 }
 
-/// Slope of the line of least squares.
+/// Slope of the least-squares line.
 fn slope(points: &[[f64; 2]]) -> f64 {
     let count = points.len() as f64;
     let mean = |n: usize| points.iter().map(|point| point[n]).sum::<f64>() / count;

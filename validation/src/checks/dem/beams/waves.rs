@@ -13,23 +13,23 @@ use std::f64::consts::{PI, TAU};
 pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "beams.lattice-waves",
-        claim: "Primary, secondary and turning plane waves in a bonded hexagonal block run at the frequencies of the lattice, and long ones at 2154 and 1411 m/s, the speeds of its moduli.",
+        claim: "Primary, secondary and rotational plane waves in a bonded hexagonal block have the frequencies of the lattice, and long waves the speeds that follow from its moduli, 2154 and 1411 m/s.",
         equations: thesis("(43)-(45), (51)-(53), (64)"),
-        scene: "Blocks of spheres of 1 mm in touch, k = 1e7 kg/s^2, periodic along the rows with 8 to 32 columns, and so high that their edges do not reach the middle row within the run: a step of the method carries news by one row",
+        scene: "Blocks of touching spheres of 1 mm, k = 1e7 kg/s^2, periodic along the rows with 8 to 32 columns, and so high that the edges do not affect the middle row during the run: a step carries information by one row",
         oracle: "Dispersion of the infinite lattice; sqrt(C11 / rho) and sqrt((C11 - C12) / (2 rho)) of its elastic sheet",
-        norm: "Relative error of frequencies, in units of 1e-12; of the speeds extrapolated from five wave lengths, in units of 1e-7",
+        norm: "Relative error of the frequencies, in units of 1e-12; of the speeds extrapolated from five wavelengths, in units of 1e-7",
         origin: Origin::Convergent,
-        reason: "Frequencies are exact to rounding: some hundred steps of 2^-52 and of the positions' rounding. Speeds are even in q D; five lengths leave the term of tenth order, whose factor times the product of all (q D)^2, 7e-5, is below 1e-7",
+        reason: "Frequencies are exact to rounding: about a hundred steps of 2^-52 and the rounding of positions. Speeds are even in q D; five wavelengths leave the term of tenth order, whose factor times the product of all (q D)^2, 7e-5, is below 1e-7",
         effort: Effort::Thorough,
         measure: waves,
     }]
 }
 
-/// Step in units of sqrt(m / k).
+/// Time step in units of sqrt(m / k).
 const STEP: f64 = 0.35;
 
-/// Frequency of a plane wave: amplitudes of displacement along an axis and of turning, and its exact
-/// frequency, from which only the length of the run is taken.
+/// A plane wave: the axis and amplitude of its displacement, the amplitude of its rotation, and its
+/// exact frequency, which only sets the duration of the run.
 struct Launch {
     axis: usize,
     displacement: f64,
@@ -41,7 +41,7 @@ impl Launch {
     fn run(&self, lattice: &Lattice, columns: usize) -> Result<f64, Failure> {
         let step = STEP * (lattice.sphere.mass() / lattice.springs.normal).sqrt();
         let steps = (1.5 * PI / (self.frequency * step)).ceil() as usize + 4;
-        // Edges are felt in the middle after as many steps as there are rows between.
+        // The edges affect the middle after as many steps as there are rows in between.
         let rest = Rest::of(&hexagonal(lattice, columns, 2 * steps + 3, true)?);
         let phase = TAU / columns as f64 / lattice.distance;
         let rates = |x: f64| {
@@ -67,7 +67,7 @@ impl Launch {
     }
 }
 
-/// The three waves with a phase between neighbours in a row.
+/// The three waves with the given phase difference between neighbours in a row.
 fn launches(lattice: &Lattice, phase: f64) -> [Launch; 3] {
     let primary = Launch {
         axis: 0,
@@ -84,12 +84,13 @@ fn launches(lattice: &Lattice, phase: f64) -> [Launch; 3] {
     [primary, slow, fast]
 }
 
-const NAMES: [&str; 3] = ["primary", "secondary", "turning"];
+const NAMES: [&str; 3] = ["primary", "secondary", "rotational"];
 
-/// Columns of the blocks, one wave length each.
+/// Columns of the blocks; each block is one wavelength wide.
 const COLUMNS: [usize; 5] = [8, 12, 16, 24, 32];
 
-/// Limit of long waves: value at zero of the polynomial in (q D)^2 through all speeds, by Neville's rule.
+/// Speed in the limit of long waves: value at zero of the polynomial in (q D)^2 through all speeds, by
+/// Neville's scheme.
 fn long_limit(speeds: &[f64]) -> f64 {
     let squares = COLUMNS.map(|columns| (TAU / columns as f64).powi(2));
     let mut values = speeds.to_vec();
@@ -108,7 +109,7 @@ fn waves() -> Outcome {
         "Plane waves along the rows of a hexagonal lattice of spheres of 1 mm with k = 1e7 kg/s^2",
         &[
             "wave",
-            "wave length / D",
+            "wavelength / D",
             "frequency of the lattice, rad/s",
             "kernel, rad/s",
             "phase speed, kernel, m/s",
@@ -134,7 +135,7 @@ fn waves() -> Outcome {
         }
     }
     let mut limits = Table::new(
-        "Speeds of long waves in a hexagonal lattice of spheres of 1 mm with k = 1e7 kg/s^2; granite of 50 GPa and 0.22 has 4598 m/s",
+        "Speeds of long waves in a hexagonal lattice of spheres of 1 mm with k = 1e7 kg/s^2; in granite of 50 GPa and Poisson's ratio 0.22 they are 4598 m/s (primary)",
         &[
             "wave",
             "bars, elasticity, m/s",

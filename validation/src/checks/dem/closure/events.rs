@@ -1,4 +1,5 @@
-//! What events leave in the balance: a residual of first order, with a coefficient that theory gives.
+//! Events and the energy balance: each leaves a first-order residual whose coefficient follows from
+//! theory.
 
 use super::heat::{FRICTION, HELD, SPIN, SPRING, SQUEEZE, STIFFNESS, held_at};
 use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
@@ -14,56 +15,56 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "closure.order-at-breaking",
-            claim: "A bond that breaks leaves a residual of first order in every method, with the coefficient of theory.",
+            claim: "A bond that breaks leaves a first-order residual with every integrator, with the coefficient of theory.",
             equations: thesis("(48), (54)-(58), (72)"),
-            scene: "Two bonded spheres that fly apart until the undamped bond breaks; five methods, three steps",
-            oracle: "F v / 2 a second of step for velocity Verlet, Beeman and symplectic Euler, with F and v force and speed at breaking from the conservation of energy: the store is lost at the end of a step of which the force has acted half; for Euler w^2 E t, its growth on an oscillator, and for Taylor the mean of both",
-            norm: "Relative error of the residual over the step",
+            scene: "Two bonded spheres that fly apart until the undamped bond breaks; five integrators, three time steps",
+            oracle: "Residual per unit of time step. For velocity Verlet, Beeman and symplectic Euler it is F v / 2, with F and v the force and the speed at breaking from energy conservation: the stored energy is removed at the end of a step during half of which the force acted. For Euler it is w^2 E t, the energy growth of an oscillator, and for Taylor the mean of the two",
+            norm: "Relative error of the residual per time step",
             origin: Origin::Convergent,
-            reason: "The place of breaking is known to a step, which is 2 k v dt / F of the force; the rest is of the same order and smaller",
+            reason: "The moment of breaking is known to one step, which is 2 k v dt / F of the force; other errors are of the same order and smaller",
             effort: Effort::Quick,
             measure: breaking,
         },
         Check {
             id: "closure.order-of-sliding",
-            claim: "Sliding of the truncated law under a changing load leaves a residual of first order even with methods of second order, with the coefficient of theory.",
+            claim: "Sliding of the truncated law under a changing load leaves a first-order residual even with second-order methods, with the coefficient of theory.",
             equations: thesis("(42), (72), (78)"),
-            scene: "Two spheres meet head on, spin alike and slide on each other until they part; velocity Verlet and Beeman, four steps",
-            oracle: "Half the integral of dL/dt over the slip, L the limit of friction, by extrapolated integration of the motion: heat is booked with the limit at the end of each step",
-            norm: "Relative error of the residual over the step",
+            scene: "Two spheres with equal spins collide head on and slide on each other until they part; velocity Verlet and Beeman, four time steps",
+            oracle: "Half the integral of dL/dt over the slip, with L the friction limit, by extrapolated integration of the motion: heat is booked with the limit at the end of each step",
+            norm: "Relative error of the residual per time step",
             origin: Origin::Convergent,
-            reason: "The next term is the square of the step: 10 w dt, w the frequency of the collision",
+            reason: "The next term is of second order in the step: 10 w dt, with w the frequency of the collision",
             effort: Effort::Quick,
             measure: sliding,
         },
         Check {
             id: "closure.order-of-letting-go",
-            claim: "Where the printed spring lets go, the balance gains half the limit times the distance of one step.",
+            claim: "When the printed Cundall-Strack spring starts to slide, the balance gains half the friction limit times the sliding distance of one step.",
             equations: thesis("(42), (76), (78)"),
-            scene: "A sphere that spins between two fixed ones, Cundall-Strack as printed; velocity Verlet and Beeman, two steps",
-            oracle: "L v dt / 2 a contact, v the speed of the surface at the end of the sticking oscillation in closed form",
-            norm: "Relative error of the residual over the step",
+            scene: "A sphere that spins between two fixed ones, with the printed Cundall-Strack law; velocity Verlet and Beeman, two time steps",
+            oracle: "L v dt / 2 per contact, with v the surface speed at the end of the sticking oscillation in closed form",
+            norm: "Relative error of the residual per time step",
             origin: Origin::Convergent,
-            reason: "The moment is known to a step, which is k v dt / L of the limit",
+            reason: "The moment is known to one step, which is k v dt / L of the limit",
             effort: Effort::Quick,
             measure: letting_go,
         },
         Check {
             id: "closure.negative-heat",
-            claim: "The printed Cundall-Strack law makes energy: where a contact that has slid is caught again, half of k zeta^2 appears from nothing, and is booked as negative heat.",
+            claim: "The printed Cundall-Strack law creates energy: when a contact that has slid sticks again, k zeta^2 / 2 appears and is booked as negative heat.",
             equations: thesis("(42), (76), (78)"),
-            scene: "Two spheres meet head on, spin alike, slide until friction has stopped the surfaces, and stick when the load has grown enough; velocity Verlet",
-            oracle: "Slide up to the stop by extrapolated integration of the motion",
-            norm: "Relative error of the largest heat that one step books with a negative sign",
+            scene: "Two spheres with equal spins collide head on, slide until friction has stopped the relative motion of the surfaces, and stick once the load has grown enough; velocity Verlet",
+            oracle: "Slip distance up to the stop, by extrapolated integration of the motion",
+            norm: "Relative error of the largest negative heat booked in one step",
             origin: Origin::Convergent,
-            reason: "10 w dt: the stop is known to a step, and until it is caught the contact trembles within the distance of one",
+            reason: "10 w dt: the moment of the stop is known to one step, and until the contact sticks it oscillates within the slip distance of one step",
             effort: Effort::Quick,
             measure: negative,
         },
     ]
 }
 
-/// Residuals at the end of runs with several steps, against their coefficient.
+/// Residuals at the end of runs with several time steps, compared with the coefficient of theory.
 fn compare(
     steps: &[f64],
     coefficient: f64,
@@ -83,11 +84,11 @@ fn compare(
     Ok((Measurement::worst(all), points))
 }
 
-/// Measured residuals over lines of theory.
+/// A figure of measured residuals and lines of theory.
 fn figure(title: &str, curves: Vec<Curve>) -> Exhibit {
     Exhibit::Plot(Plot {
         title: title.to_owned(),
-        x: Axis::logarithmic("step in s"),
+        x: Axis::logarithmic("time step in s"),
         y: Axis::logarithmic("residual in J"),
         curves,
     })
@@ -126,13 +127,13 @@ fn breaking() -> Outcome {
         curves.push(Curve::marks(integrator, points));
     }
     let plot = figure(
-        "Residual that a breaking bond leaves against the step",
+        "Residual left by a breaking bond against the time step",
         curves,
     );
     Ok(Measurement::worst(all).showing([plot]))
 }
 
-/// Two spheres that meet head on and spin alike.
+/// Two spheres with equal spins that collide head on.
 fn rubbing(of: &Rubbing, law: &str, integrator: &str, step: f64) -> String {
     let just = RADIUS.next_down();
     head(integrator, step)
@@ -177,13 +178,13 @@ fn sliding() -> Outcome {
     }
     let line = steps.map(|step| [step, coefficient.abs() * step]);
     curves.insert(0, Curve::line("theory", line));
-    let title = "Residual that sliding under a changing load leaves against the step";
+    let title = "Residual left by sliding under a changing load against the time step";
     Ok(Measurement::worst(all).showing([figure(title, curves)]))
 }
 
 fn letting_go() -> Outcome {
     let limit = FRICTION * STIFFNESS * SQUEEZE;
-    // Two springs at the arm r turn the sphere: w^2 = 2 k r^2 / J.
+    // Two springs with lever arm r turn the sphere: w^2 = 2 k r^2 / J.
     let rate = HELD * (2.0 * SPRING / inertia(HELD)).sqrt();
     let amplitude = HELD * SPIN / rate;
     let speed = HELD * SPIN * (1.0 - (limit / SPRING / amplitude).powi(2)).sqrt();
@@ -223,13 +224,13 @@ fn negative() -> Outcome {
     }
     let expected = -0.5 * caught.spring * slide * slide;
     let plot = Plot {
-        title: "Heat of a contact with the printed Cundall-Strack law: it makes energy when it is caught"
+        title: "Heat of a contact with the printed Cundall-Strack law: it creates energy when the contact sticks again"
             .to_owned(),
         x: Axis::linear("time in s"),
-        y: Axis::linear("heat of links in J"),
+        y: Axis::linear("heat of contacts and bonds in J"),
         curves: vec![
             Curve::line("booked", heat),
-            Curve::marks("surfaces at rest, theory", [[stop, 0.0]]),
+            Curve::marks("surfaces at relative rest, theory", [[stop, 0.0]]),
         ],
     };
     Ok(Measurement::relative(expected, lowest, 10.0 * rate * step).showing([Exhibit::Plot(plot)]))

@@ -1,4 +1,4 @@
-//! Heat of the medium and work of driving.
+//! Heat of the ambient medium and work of driving.
 
 use super::text::{RADIUS, inertia, mass};
 use crate::checks::dem::scenes::{advance, head, particle, world};
@@ -11,25 +11,25 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "closure.heat-of-drag",
-            claim: "Drag books exactly the kinetic energy, of translation and of spin, that an exact decay loses.",
+            claim: "The heat booked by drag equals the kinetic energy, translational and rotational, lost in an exact decay.",
             equations: thesis("(11)-(19), (74)"),
-            scene: "A free sphere that flies and spins in a medium, creeping and correlation drag, for two time constants in 2e4 steps of velocity Verlet, looked at eight times",
-            oracle: "Exponential decay of speed and spin; for the correlation extrapolated integration of v' = -(a v + b v^(3/2) + c v^2)",
-            norm: "Error of the heat over the kinetic energy at the beginning",
+            scene: "A free sphere that flies and spins in a medium, with creeping and with correlation drag, for two time constants in 2e4 steps of velocity Verlet, sampled eight times",
+            oracle: "Exponential decay of speed and spin; for correlation drag, extrapolated integration of v' = -(a v + b v^(3/2) + c v^2)",
+            norm: "Error of the heat over the initial kinetic energy",
             origin: Origin::Convergent,
-            reason: "h^2, h the step over the time constant: the method decays by the rate 1 - 5 h^2 / 12, so that energies are off by at most 0.31 h^2, and the trapezoidal sum of powers by as much",
+            reason: "h^2, with h the step over the time constant: the method decays at the rate 1 - 5 h^2 / 12, so energies are off by at most 0.31 h^2, and the trapezoidal sum of powers by as much",
             effort: Effort::Quick,
             measure: drag,
         },
         Check {
             id: "closure.work-of-driving",
-            claim: "The driving force books force times path: a constant load, a constant pull against drag, a ramp.",
+            claim: "The work booked by the driving force is force times path: under a constant load, a constant pull against drag, and a linear ramp.",
             equations: thesis("(20)-(22), (79)"),
-            scene: "A driven sphere: pressed down freely; dragged at constant speed through a viscous medium; pulled by a force both components of which grow at a constant rate; 1000 steps of velocity Verlet",
+            scene: "A driven sphere that is pressed down freely, dragged at constant speed through a viscous medium, or pulled by a force whose two components grow at a constant rate; 1000 steps of velocity Verlet",
             oracle: "F^2 t^2 / (2 m); 6 pi eta r v^2 t; R^2 t^4 / (4 m)",
             norm: "Relative error of the work",
             origin: Origin::Convergent,
-            reason: "The first two are exact for the method, 4 N roundings of 2^-53; on the ramp powers are taken at predicted velocities, which lack R dt^2 / (2 m), so that the work lacks 2 / N^2 of itself, and the trapezoidal rule adds 2 / N^2",
+            reason: "The method is exact in the first two cases: 4 N roundings of 2^-53. On the ramp, powers use predicted velocities, which lack R dt^2 / (2 m), so the relative error of the work is 2 / N^2, and the trapezoidal rule adds 2 / N^2",
             effort: Effort::Quick,
             measure: driving,
         },
@@ -41,8 +41,8 @@ const SPEED: f64 = 3.0;
 const SPIN: f64 = 4000.0;
 const FLUID: f64 = 50.0;
 
-/// Look at the heat of the medium over the kinetic energy eight times; the oracle gives the remaining
-/// kinetic energy at a time.
+/// Compares the heat of the medium with the loss of kinetic energy eight times; the oracle gives the
+/// remaining kinetic energy at a time.
 fn decay(medium: &str, time: f64, left: impl Fn(f64) -> f64) -> Result<Measurement, Failure> {
     const STEPS: u32 = 20_000;
     let h = 2.0 / f64::from(STEPS);
@@ -77,7 +77,7 @@ fn drag() -> Outcome {
         0.42 * reynolds * reynolds * unit,
     ];
     let correlation = |t: f64| 0.5 * m * slowed(SPEED, t, terms).powi(2) + spin(t);
-    // The shortest time constants: spin decays 10/3 times as fast as creeping flight.
+    // The shortest time constants: spin decays 10/3 times as fast as velocity under creeping drag.
     let fastest = turning.max(terms[0] + terms[1] * SPEED.sqrt() + terms[2] * SPEED);
     let fluid = format!("law = \"correlation\"\ndensity = {FLUID:e}\n");
     Ok(Measurement::worst([

@@ -12,44 +12,44 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "closure.heat-of-collision",
-            claim: "A damped collision books 1 - e^2 of the kinetic energy as heat of links.",
+            claim: "A damped collision books 1 - e^2 of the kinetic energy as heat.",
             equations: thesis("(36), (72), (78)"),
-            scene: "Two equal spheres head on, truncated Kelvin-Voigt, damping ratios from 0.01 to 3; velocity Verlet, 5000 steps a unit of time or more",
-            oracle: "Closed form of the truncated oscillator's restitution e",
-            norm: "Heat over kinetic energy, less 1 - e^2",
+            scene: "Two equal spheres collide head on, truncated Kelvin-Voigt, damping ratios from 0.01 to 3; velocity Verlet, at least 5000 steps per unit of time",
+            oracle: "Closed form of the restitution e of the truncated oscillator",
+            norm: "Heat over kinetic energy, minus 1 - e^2",
             origin: Origin::Convergent,
-            reason: "h^2, h the step in units of the fastest rate: local errors of h^3/12 of the velocity and h^3/6 of the position over a duration of about two units, and a kink of the force at the end of the same order",
+            reason: "h^2, with h the time step in units of the fastest rate: local errors of h^3/12 in the velocity and h^3/6 in the position over about two units of time, and a kink of the force at the end of the same order",
             effort: Effort::Quick,
             measure: collision,
         },
         Check {
             id: "closure.heat-of-viscoelastic-collision",
-            claim: "A collision of viscoelastic spheres books 1 - e^2 of the kinetic energy as heat of links.",
+            claim: "A collision of viscoelastic spheres books 1 - e^2 of the kinetic energy as heat.",
             equations: thesis("(37), (40), (72), (78)"),
-            scene: "Two equal granite spheres head on, six dissipative constants; velocity Verlet, 1e4 steps a unit of time",
+            scene: "Two equal granite spheres collide head on, six dissipative constants; velocity Verlet, 1e4 steps per unit of time",
             oracle: "Restitution e by extrapolated integration of x'' = -sqrt(x) (x + b x')",
-            norm: "Heat over kinetic energy, less 1 - e^2",
+            norm: "Heat over kinetic energy, minus 1 - e^2",
             origin: Origin::Convergent,
-            reason: "2 |Z(-1/2)| b h^(3/2) + h^2, Z(-1/2) = -0.2079 of Riemann's function: the trapezoidal rule at the onset, where the dissipative force is b sqrt(t), makes an error of Z(-1/2) b h^(3/2) of the velocity, and the heat twice that",
+            reason: "2 |Z(-1/2)| b h^(3/2) + h^2, with Z(-1/2) = -0.2079 from Riemann's zeta function: at the onset the dissipative force is b sqrt(t), and the trapezoidal rule makes a velocity error of Z(-1/2) b h^(3/2), which counts twice in the heat",
             effort: Effort::Quick,
             measure: viscoelastic,
         },
         Check {
             id: "closure.heat-of-sliding",
-            claim: "A sphere that spins between two fixed ones under constant load books the limit of friction times the distance slid.",
+            claim: "A sphere that spins between two fixed ones under constant load books the friction limit times the sliding distance.",
             equations: thesis("(41), (42), (78)"),
-            scene: "A sphere between two fixed ones that press it with 15 mN each, spinning and sliding for 2000 steps of velocity Verlet; Haff-Werner, Cundall-Strack as printed and truncated",
-            oracle: "mu N times the distance: for Haff-Werner that of a constant deceleration, for the truncated law that of the surface less the stretch mu N / k, for the printed law that of the surface less half the stretch, which the spring had stored when it let go, and half a step more, because power is summed by the trapezoidal rule across the switch",
+            scene: "A sphere between two fixed ones that press it with 15 mN each spins and slides for 2000 steps of velocity Verlet; Haff-Werner, printed and truncated Cundall-Strack",
+            oracle: "mu N times the sliding distance. Haff-Werner: the distance under constant deceleration. Truncated law: the path of the surface minus the stretch mu N / k. Printed law: the path minus half the stretch, whose energy is booked when sliding starts, plus half a step, because the power is summed by the trapezoidal rule across the switch",
             norm: "Relative error of the heat",
             origin: Origin::Exact,
-            reason: "A rounding of 2^-53 a step at most in each of two sums, 2000 steps; for the printed law k d^2 / 2 of the store besides, d the distance of the step in which it lets go",
+            reason: "At most one rounding of 2^-53 per step in each of two sums, 2000 steps; for the printed law also k d^2 / 2 of stored energy, with d the path in the step in which sliding starts",
             effort: Effort::Quick,
             measure: sliding,
         },
     ]
 }
 
-/// Heat of links over kinetic energy of a collision, with a step of so many units of time.
+/// Heat of a collision over its kinetic energy, with the given time step.
 fn heat_share(contact: &str, step: f64, speed: f64) -> Result<f64, Failure> {
     let mut world = world(&head_on("velocity-verlet", step, contact, speed))?;
     while world.number_of_contacts() > 0 {
@@ -109,23 +109,23 @@ fn viscoelastic() -> Outcome {
     Ok(Measurement::worst(all).into())
 }
 
-/// Radius, overlap, stiffness and friction of the sphere between two fixed ones; powers of two, so that
-/// lengths and loads are exact.
+/// Radius, overlap, stiffness and friction coefficient of the sphere between two fixed ones; length and
+/// overlap are powers of two, so that lengths and loads are exact.
 pub(super) const HELD: f64 = 0.0009765625;
 pub(super) const SQUEEZE: f64 = 1.52587890625e-5;
 pub(super) const STIFFNESS: f64 = 1e3;
 pub(super) const FRICTION: f64 = 0.5;
 pub(super) const SPIN: f64 = 5000.0;
 const STEP: f64 = 1e-7;
-/// Tangential stiffness of the laws with a spring.
+/// Stiffness of the laws with a tangential spring.
 pub(super) const SPRING: f64 = 1e3;
 
-/// A sphere that spins between two fixed ones, in the given place of the list of particles.
+/// A sphere that spins between two fixed ones; `place` is its position in the list of particles.
 pub(super) fn held(law: &str, place: usize) -> String {
     held_at(law, place, "velocity-verlet", STEP)
 }
 
-/// The same, with an integrator and a step.
+/// The same with a given integrator and time step.
 pub(super) fn held_at(law: &str, place: usize, integrator: &str, step: f64) -> String {
     let reach = 2.0 * HELD - SQUEEZE;
     let parameter = if law == "haff-werner" { 1e3 } else { SPRING };
@@ -151,7 +151,7 @@ fn sliding() -> Outcome {
         let step = HELD * SPIN * STEP;
         let (distance, slack) = match law {
             "haff-werner" => (HELD * (SPIN * time - 0.5 * deceleration * time * time), 0.0),
-            // What the spring stored is booked when it lets go: half of the limit times its stretch.
+            // The stored energy is booked when sliding starts: half the limit times the stretch.
             "cundall-strack" => (
                 surface - 0.5 * limit / SPRING + 0.5 * step,
                 0.5 * SPRING * step * step / (limit * surface),

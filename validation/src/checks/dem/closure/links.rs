@@ -1,4 +1,4 @@
-//! Energy lost with bonds that break and gained with contacts that take their place.
+//! Energy lost with bonds that break, and energy of the contacts that replace them.
 
 use super::text::{RADIUS, kelvin_voigt};
 use crate::checks::dem::scenes::{head, particle, world};
@@ -11,25 +11,25 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "closure.breaking",
-            claim: "A bond breaks on the ellipse of strength and books what it stored there; in tension a 1 mm granite bond books 3.868884925e-2 J.",
+            claim: "A bond breaks on the strength ellipse, and its stored energy is booked; in tension, a 1 mm granite bond books 3.868884925e-2 J.",
             equations: thesis("(43)-(50), (77)"),
-            scene: "Two bonded spheres strained to 1 -+ 1e-9 of the ellipse at 16 angles, two strength factors, and evaluated once; no contacts",
-            oracle: "N^2 / (2 k) + T^2 / k, with N = 280 MPa pi (s r)^2 cos a and T = 168 MPa pi (s r)^2 sin a: the bond breaks outside and holds inside",
-            norm: "Relative error of the energy booked; a bond on the wrong side counts one",
+            scene: "Two bonded spheres strained to 1 -+ 1e-9 of the ellipse at 16 angles, with two strength factors, each evaluated once; no contacts",
+            oracle: "N^2 / (2 k) + T^2 / k, with N = 280 MPa pi (s r)^2 cos a and T = 168 MPa pi (s r)^2 sin a: the bond breaks outside the ellipse and holds inside",
+            norm: "Relative error of the energy booked; a bond that holds outside or breaks inside counts as one",
             origin: Origin::Exact,
-            reason: "The strain is 1e-9 beyond the ellipse, its energy 2e-9; the distance of the centres is rounded to 2^-53 of 2 mm, 3e-12 of the strain of the weakest angle",
+            reason: "The strain is 1e-9 beyond the ellipse, which changes the energy by 2e-9; the distance of the centres is rounded by 2^-53 of 2 mm, 3e-12 of the smallest strain",
             effort: Effort::Quick,
             measure: breaking,
         },
         Check {
             id: "closure.bonding",
-            claim: "A bond that breaks between overlapping grains books the energy of the contact that takes its place, and the balance stays closed to rounding.",
+            claim: "When a bond breaks between overlapping grains, the energy of the contact that replaces it is booked, and the balance stays closed to rounding.",
             equations: thesis("(72), (75), (77)"),
-            scene: "Two bonded spheres of 1 and 1.5 mm that overlap by 37 um, while the bond began 90 um longer; evaluated once; Kelvin-Voigt and viscoelastic contacts",
+            scene: "Two bonded spheres of 1 and 1.5 mm with an overlap of 37 um and a bond whose initial length was 90 um longer, evaluated once; Kelvin-Voigt and viscoelastic contacts",
             oracle: "k xi^2 / 2 and (2/5) (4/3) E* sqrt(R*) xi^(5/2) for the contact, K Xi^2 / 2 for the bond",
-            norm: "Relative error of either booking, and of the residual over the energy booked",
+            norm: "Relative error of both booked energies, and residual over the energy booked",
             origin: Origin::Exact,
-            reason: "Rounding of the distance, 2^-53 of 2.5 mm, is 8e-15 of the overlap and enters five halves times; twenty roundings besides",
+            reason: "The rounding of the distance, 2^-53 of 2.5 mm, is 8e-15 of the overlap, whose power 5/2 enters; twenty more roundings",
             effort: Effort::Quick,
             measure: bonding,
         },
@@ -38,8 +38,8 @@ pub(super) fn checks() -> Vec<Check> {
 
 const BOND: f64 = 1e7;
 
-/// The balance after one evaluation of two bonded spheres of equal radius: stretched by a length, with
-/// both ends turned by an angle.
+/// The balance after one evaluation of two bonded spheres of equal radius, stretched by a length and
+/// with both ends turned by an angle.
 fn strained(stretch: f64, turned: f64, factor: f64) -> Result<Energy, Failure> {
     let text = head("euler", 1e-9)
         + &format!(
@@ -66,7 +66,7 @@ fn breaking() -> Outcome {
     let (mut all, mut table) = (
         Vec::new(),
         Table::new(
-            "Energy booked when a 1 mm granite bond breaks, strength factor one",
+            "Energy booked when a 1 mm granite bond with strength factor one breaks",
             &[
                 "angle on the ellipse in degrees",
                 "expected in J",
@@ -80,7 +80,7 @@ fn breaking() -> Outcome {
             let angle = TAU * f64::from(place) / 16.0;
             let (normal, shear) = (280e6 * area * angle.cos(), 168e6 * area * angle.sin());
             let at = |scale: f64| {
-                // Both ends at zeta shear the bond with 2 K zeta r / D = K zeta.
+                // With both ends turned by zeta / r, the shear force is 2 K zeta r / D = K zeta.
                 let (stretch, zeta) = (scale * normal / BOND, scale * shear / BOND);
                 strained(stretch, zeta / RADIUS, factor)
             };
@@ -144,7 +144,7 @@ fn bonding() -> Outcome {
         world.evaluate_if_pending()?;
         let energy = world.energy();
         let lost = 0.5 * bond * longer * longer;
-        // Roundings of the distance of the centres, in the two displacements.
+        // Roundings of the distance of the centres in the two displacements.
         let unit = 0.5 * f64::EPSILON;
         let slack = 20.0 * unit + 2.5 * 4.0 * unit * distance / overlap;
         all.push(Measurement::relative(lost, energy.breaking, slack));

@@ -1,4 +1,4 @@
-//! The balance of many grains: a pile that collapses, a fault that is sheared and breaks.
+//! The balance of many grains: a collapsing pile, and a fault that is sheared and breaks.
 
 use super::printed::fault;
 use crate::checks::dem::scenes::scene;
@@ -15,23 +15,23 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "closure.pile",
-            claim: "The balance of a pile of grains that collapses closes at least with first order in the step, the lowest order that its contacts leave.",
+            claim: "The balance of a collapsing pile of grains closes at least with first order in the time step, the lowest order that its contacts cause.",
             equations: thesis("(72)-(79)"),
-            scene: "Built-in scene pile, 216 grains on a floor, the first 40 ms, with steps of 4, 2, 1 and 0.5 us; velocity Verlet",
-            oracle: "Order one of sliding contacts, by closure.order-of-sliding, and two of impacts",
-            norm: "What the lowest order between successive steps lacks of one",
+            scene: "Built-in scene pile, 216 grains on a floor, the first 40 ms, with time steps of 4, 2, 1 and 0.5 us; velocity Verlet",
+            oracle: "Order one for sliding contacts, by closure.order-of-sliding, and two for impacts",
+            norm: "Amount by which the lowest order between successive time steps falls below one",
             origin: Origin::Convergent,
-            reason: "Impacts leave residuals of second order and of random sign, sliding those of first order: no mixture falls more slowly",
+            reason: "Impacts leave residuals of second order and random sign, sliding leaves residuals of first order; no mixture decreases more slowly than with first order",
             effort: Effort::Thorough,
             measure: pile,
         },
         Check {
             id: "closure.fault",
-            claim: "The balance of a sheared fault in which bonds break closes with first order in the step, the order that breaking and sliding leave.",
+            claim: "The balance of a sheared fault with breaking bonds closes with first order in the time step, the order that breaking and sliding cause.",
             equations: thesis("(72)-(79)"),
-            scene: "Built-in scene granite-fault-small at 15 mm, set up briefly, with bonds of a hundredth of the strength, for 20 us with steps of 10, 5, 2.5 and 1.25 ns; velocity Verlet",
+            scene: "Built-in scene granite-fault-small at 15 mm, with a short set-up and bonds of a hundredth of the strength, for 20 us with time steps of 10, 5, 2.5 and 1.25 ns; velocity Verlet",
             oracle: "Order one, by closure.order-at-breaking and closure.order-of-sliding",
-            norm: "Distance of the observed order, from the two finest steps, from one",
+            norm: "Distance of the order observed between the two finest time steps from one",
             origin: Origin::Convergent,
             reason: REASON,
             effort: Effort::Thorough,
@@ -40,10 +40,11 @@ pub(super) fn checks() -> Vec<Check> {
     ]
 }
 
-const REASON: &str = "A part of second order as large as that of first order at the coarsest step leaves log2(20 / 9) - 1 = 0.152 between the two finest";
+const REASON: &str = "If the second-order part is as large as the first-order part at the coarsest step, the order between the two finest steps is off by log2(20 / 9) - 1 = 0.152";
 const TOLERANCE: f64 = 0.152;
 
-/// Advance to a time; largest residual, the largest energy turned over, and the terms at the end.
+/// Advances to a time; returns the largest residual, the largest energy exchanged, and the terms of the
+/// balance at the end.
 fn balance(mut world: World, time: f64) -> Result<(f64, f64, Energy), Failure> {
     let steps = (time / world.model().time_step).round() as u64;
     let (mut residual, mut turned) = (0.0_f64, 0.0_f64);
@@ -61,7 +62,7 @@ fn balance(mut world: World, time: f64) -> Result<(f64, f64, Energy), Failure> {
     Ok((residual, turned, world.energy()))
 }
 
-/// Residuals of runs with several steps, and the terms of the finest.
+/// Residuals of runs with several time steps, and the terms of the run with the finest.
 fn converge(
     title: &str,
     time: f64,
@@ -71,7 +72,7 @@ fn converge(
 ) -> Outcome {
     let mut points = Vec::new();
     let mut table = Table::new(
-        &format!("Terms of (72) at the end, finest step: {title}"),
+        &format!("Terms of (72) at the end, finest time step: {title}"),
         &["term", "energy in J"],
     );
     for step in steps {
@@ -87,9 +88,9 @@ fn converge(
     let finest = points[3];
     let line = steps.map(|step| [step, finest[1] * step / finest[0]]);
     let plot = Plot {
-        title: format!("Largest residual against the step: {title}"),
-        x: Axis::logarithmic("step in s"),
-        y: Axis::logarithmic("residual over the energy turned over"),
+        title: format!("Largest residual against the time step: {title}"),
+        x: Axis::logarithmic("time step in s"),
+        y: Axis::logarithmic("residual over the energy exchanged"),
         curves: vec![
             Curve::line("first order", line),
             Curve::marks("kernel", points),
@@ -105,7 +106,7 @@ fn pile() -> Outcome {
         Ok(run_setup(&scene(&text)?)?)
     };
     let steps = [4e-6, 2e-6, 1e-6, 0.5e-6];
-    converge("a pile that collapses", 40e-3, steps, start, |orders| {
+    converge("a collapsing pile", 40e-3, steps, start, |orders| {
         // An undefined order is the lowest.
         let lower = |a: f64, b: f64| if b < a || b.is_nan() { b } else { a };
         let lowest = orders.into_iter().fold(f64::INFINITY, lower);

@@ -1,4 +1,4 @@
-//! Closure.
+//! The energy balance.
 
 mod events;
 mod fields;
@@ -17,9 +17,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "closure",
         title: "Closure",
-        about: "The energy balance (72): every term by itself against an independent value, and the residual \
-                of their sum against the order of the method; momentum and angular momentum; and what the \
-                printed estimators (76)-(79) leave open.",
+        about: "The energy balance (72): each term alone against an independent value, and the residual of their sum against the order of the method; momentum and angular momentum; and the errors of the printed estimators (76)-(79).",
         checks: [
             heat::checks(),
             fields::checks(),

@@ -10,33 +10,33 @@ use std::f64::consts::PI;
 pub(super) fn checks() -> Vec<Check> {
     let check = |id, scene, effort, measure| Check {
         id,
-        claim: "Over a long run velocity Verlet and symplectic Euler keep momentum and angular momentum to rounding; every method keeps momentum.",
+        claim: "Over a long run, velocity Verlet and symplectic Euler conserve momentum and angular momentum to rounding; every integrator conserves momentum.",
         equations: thesis("(26), (27), (45), (54)-(58)"),
         scene,
-        oracle: "The momenta at the beginning: x' cross v' differs from x cross v by a mean of torques in these two methods, exactly",
-        norm: "Largest drift of a component over the sum of the absolute momenta, and of the angular momenta, of all grains at the beginning",
+        oracle: "The initial momenta: with these two integrators, the change of x cross v in a step is exactly a mean of torques",
+        norm: "Largest drift of a momentum component over the initial sum of absolute momenta, and of the angular momentum over the initial sum of absolute angular momenta",
         origin: Origin::Exact,
-        reason: "Ten roundings of 2^-53 a step and grain, added like a random walk: 1e-15 sqrt(N) for momentum; lever arms are rounded as often, and twice as many products, 3e-15 sqrt(N), for angular momentum",
+        reason: "Ten roundings of 2^-53 per step and grain, accumulating like a random walk: 1e-15 sqrt(N) for momentum. Lever arms are rounded as often, and there are twice as many products: 3e-15 sqrt(N) for angular momentum",
         effort,
         measure,
     };
     vec![
         check(
             "closure.momentum",
-            "Six bonded grains in a ring, spinning and swinging, and a seventh that rattles within, with friction: 2e4 steps",
+            "Six bonded grains in a ring, spinning and swinging, and a seventh that rattles inside, with friction: 2e4 steps, other integrators a tenth of that",
             Effort::Quick,
             || long(20_000),
         ),
         check(
             "closure.momentum-long",
-            "Six bonded grains in a ring, spinning and swinging, and a seventh that rattles within, with friction: 1e6 steps",
+            "Six bonded grains in a ring, spinning and swinging, and a seventh that rattles inside, with friction: 1e6 steps, other integrators a tenth of that",
             Effort::Thorough,
             || long(1_000_000),
         ),
     ]
 }
 
-/// A ring of six bonded grains around a smaller one that rattles.
+/// A ring of six bonded grains around a smaller one that rattles inside.
 fn ring(integrator: &str) -> String {
     let mut text = head(integrator, 1e-8)
         + &kelvin_voigt(1e6, 0.0)
@@ -53,7 +53,7 @@ fn ring(integrator: &str) -> String {
     text + &particle([1e-4, -5e-5], [2.0, 0.7], -300.0, 0.7 * RADIUS)
 }
 
-/// Momentum, angular momentum, and the sums of their absolute parts.
+/// Momentum and angular momentum, and the sums of the absolute contributions.
 fn momenta(world: &World) -> ([f64; 3], [f64; 3]) {
     let p = world.particles();
     let (mut sums, mut scales) = ([0.0; 3], [0.0; 3]);
@@ -96,13 +96,13 @@ fn long(steps: u64) -> Outcome {
     let (mut all, mut table) = (
         Vec::new(),
         Table::new(
-            &format!("Drifts over {steps} steps, relative to the absolute momenta"),
+            &format!("Drifts over {steps} steps (a tenth of that for Euler, Taylor and Beeman), relative to the sums of absolute momenta"),
             &["method", "momentum", "angular momentum"],
         ),
     );
     for (integrator, _) in INTEGRATORS {
         let keeps = ["velocity-verlet", "symplectic-euler"].contains(&integrator);
-        // The others are tried over a tenth of the run: undamped, they gain energy.
+        // The other integrators run a tenth as long: undamped, they gain energy.
         let [linear, angular] = drifts(integrator, if keeps { steps } else { steps / 10 })?;
         all.push(Measurement::absolute(0.0, linear, 1e-15 * root));
         if keeps {

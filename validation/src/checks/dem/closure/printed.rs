@@ -1,4 +1,4 @@
-//! What the printed estimators (76), (78) and (79) leave open, and what closes.
+//! Errors of the printed estimators (76), (78) and (79), and the estimators that close the balance.
 
 use super::heat::{FRICTION, HELD, SPIN, SQUEEZE, STIFFNESS, held};
 use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
@@ -13,56 +13,56 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "closure.printed-heat",
-            claim: "With the displacement of one end, (78) counts all, half or none of the heat of one and the same sliding, as the particles are numbered.",
+            claim: "With the displacement of one end only, (78) counts all, half or none of the heat of the same sliding motion, depending on how the particles are numbered.",
             equations: thesis("(78)"),
-            scene: "A sphere that spins between two fixed ones, first, between or last in the list; Haff-Werner at its limit, 2000 steps",
-            oracle: "2, 1 and 0 times mu N over the distance of a constant deceleration; with both ends 2 for every numbering",
-            norm: "Error over the heat",
+            scene: "A sphere that spins between two fixed ones and is first, second or last in the list; Haff-Werner at its limit, 2000 steps",
+            oracle: "2, 1 and 0 times mu N times the distance under constant deceleration; with the displacements of both ends, 2 for every numbering",
+            norm: "Error over the total heat",
             origin: Origin::Exact,
-            reason: "Constant powers of constant forces on a linear speed: a rounding a step in each of two sums, 2000 steps",
+            reason: "Constant forces act on a linearly changing speed: one rounding per step in each of two sums, 2000 steps",
             effort: Effort::Quick,
             measure: numbered,
         },
         Check {
             id: "closure.printed-store",
-            claim: "With the displacement of one end, (76) stores energy in two spheres that roll on each other like gears, where no force has acted along the tangent.",
+            claim: "With the displacement of one end only, (76) stores energy in two spheres that roll on each other like gears, although no tangential force has acted.",
             equations: thesis("(76)"),
             scene: "Two equal spheres of opposite spin that press on each other without sliding; truncated Cundall-Strack",
             oracle: "k (r w t)^2 / 2 from the displacement of one end; zero from the sum of both",
-            norm: "Error over the printed store",
+            norm: "Error over the stored energy as printed",
             origin: Origin::Exact,
-            reason: "Angles are sums of N equal rotations, N roundings of 2^-53, and enter squared",
+            reason: "Angles are sums of N equal rotations, N roundings of 2^-53, and enter as squares",
             effort: Effort::Quick,
             measure: gears,
         },
         Check {
             id: "closure.printed-driving",
-            claim: "By absolute values (79) counts work where none was done: on two driven particles that move against each other.",
+            claim: "Because it sums absolute values, (79) overestimates the work on two driven particles that move against each other.",
             equations: thesis("(79)"),
-            scene: "Two driven spheres without links, of opposite vertical velocities, under a constant load",
-            oracle: "Works of a constant force on a uniformly accelerated mass, each for itself",
+            scene: "Two driven spheres without contacts or bonds, with opposite vertical velocities, under a constant load",
+            oracle: "Work of a constant force on a uniformly accelerated mass, for each sphere",
             norm: "Relative error of either sum",
             origin: Origin::Exact,
-            reason: "Constant acceleration is exact for the method; a rounding a step in each of two sums, 1000 steps, and the cancellation of the works, a factor of ten",
+            reason: "The method is exact for constant acceleration: one rounding per step in each of two sums, 1000 steps, and a factor of ten for the cancellation of the two works",
             effort: Effort::Quick,
             measure: apart,
         },
         Check {
             id: "closure.printed-balance",
-            claim: "On an oblique impact, a rolling contact and a sheared, breaking fault the ledger's signed terms close the balance; the printed ones do not.",
+            claim: "For an oblique impact, a rolling contact and a sheared, breaking fault, the ledger's signed terms close the balance; the printed terms do not.",
             equations: thesis("(72)-(79)"),
             scene: "Built-in scenes oblique, for 8 us, and rolling, for 20 ms; the small granite fault at 15 mm for 20 us, with bonds of a hundredth of the strength",
-            oracle: "Works of all links and of driving from the states of the links along the run, signed and with both ends, by the trapezoidal rule",
-            norm: "Residual of (72) with these works, and that of the ledger, over the work turned over; a printed gap below one per cent counts one",
+            oracle: "Work of all contacts, bonds and driving from their states along the run, signed and with both ends, by the trapezoidal rule",
+            norm: "Residual of (72) with this work, and residual of the ledger, over the energy exchanged; a printed gap below one per cent counts as one",
             origin: Origin::Convergent,
-            reason: "Contacts that begin or end and bonds that break within a step leave a residual of first order, one step over the shortest duration of a collision, 200 steps: 5e-3",
+            reason: "Contacts that begin or end and bonds that break within a step leave a first-order residual: one step over the shortest duration of a collision, 200 steps: 5e-3",
             effort: Effort::Thorough,
             measure: table,
         },
     ]
 }
 
-/// The links of a world as the estimators see them.
+/// Contacts and bonds of a world in the form that the estimators take.
 fn links(world: &World) -> Vec<Link> {
     let p = world.particles();
     let of = |link: &gouge_dem::forces::Interaction| {
@@ -95,7 +95,7 @@ fn driving(world: &World) -> Vec<f64> {
     driven.iter().map(|&i| share.dot(p.velocity[i])).collect()
 }
 
-/// Step a world and keep the accounts.
+/// Steps a world and sums the estimators along the way.
 fn follow(world: &mut World, steps: u64) -> Result<Printed, Failure> {
     let mut printed = Printed::default();
     let step = world.model().time_step;
@@ -108,7 +108,7 @@ fn follow(world: &mut World, steps: u64) -> Result<Printed, Failure> {
     Ok(printed)
 }
 
-/// As printed, the tangential force is that of the law.
+/// In this reading the tangential force is the law's force, as printed.
 const READING: &str = "reading = \"thesis\"\n";
 /// Moment of inertia in that reading, in m r^2.
 const COMPUTED: f64 = 3.0 / 5.0;
@@ -123,11 +123,11 @@ fn numbered() -> Outcome {
     let rounding = 4.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;
     let mut all = Vec::new();
     let mut table = Table::new(
-        "Heat of one sliding contact pair by numbering of the spinning sphere, in J",
+        "Heat of one pair of sliding contacts for each numbering of the spinning sphere, in J",
         &[
             "place in the list",
             "(78) as printed",
-            "both ends",
+            "signed, both ends",
             "ledger",
         ],
     );
@@ -165,7 +165,7 @@ fn gears() -> Outcome {
     let store = |zeta: f64| 0.5 * spring * zeta * zeta;
     let expected = store(RADIUS * spin * f64::from(STEPS) * step);
     let rounding = 2.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;
-    // What the normal spring has taken up is all that there is.
+    // The energy taken up by the normal spring is all the energy exchanged.
     let taken =
         mass(RADIUS) * 0.25 - world.energy().kinetic + 2.0 * 0.5 * inertia(RADIUS) * spin * spin;
     Ok(Measurement::worst([
@@ -203,7 +203,7 @@ fn apart() -> Outcome {
     .into())
 }
 
-/// The small granite fault, so short and so weak that it breaks within 2000 steps, after its set-up.
+/// The small granite fault after its set-up, so small and weak that it breaks within 2000 steps.
 pub(super) fn fault(step: f64) -> Result<World, Failure> {
     let mut text = builtin::text("granite-fault-small")
         .unwrap_or_default()
@@ -223,20 +223,20 @@ pub(super) fn fault(step: f64) -> Result<World, Failure> {
     Ok(gouge_runner::run::run_setup(&scene(&text)?)?)
 }
 
-/// A built-in scene without set-up.
+/// The initial world of a built-in scene.
 fn named(name: &str) -> Result<World, Failure> {
     world(builtin::text(name).unwrap_or_default())
 }
 
 fn table() -> Outcome {
     let mut table = Table::new(
-        "Terms of (72) as printed and signed, in J; gaps also in per cent of the energy turned over",
+        "Terms of (72), printed and signed, in J; gaps also in per cent of the energy exchanged",
         &[
             "scene",
-            "store and heat of links, printed",
+            "energy and heat of contacts and bonds, printed",
             "both ends, signed",
             "work of driving, printed",
-            "signed",
+            "work of driving, signed",
             "gap as printed",
             "gap of the ledger",
         ],
@@ -259,7 +259,7 @@ fn table() -> Outcome {
         all.push(Measurement::scaled(0.0, energy.residual, turned, 5e-3));
         all.push(Measurement::count(usize::from(gap.abs() < 0.01 * turned)));
         let share = |gap: f64| format!("{gap:.2e} ({:.3} %)", 100.0 * gap / turned);
-        // An empty sum is minus zero.
+        // The sum of no terms is minus zero.
         let number = |x: f64| format!("{:.4e}", x + 0.0);
         table.push([
             name.to_owned(),

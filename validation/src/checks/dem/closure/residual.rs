@@ -13,17 +13,17 @@ pub(super) fn checks() -> Vec<Check> {
         id: "closure.order",
         claim: "On smooth motion the residual of the balance falls with the order of the method: two for velocity Verlet and Beeman, one for both Euler methods and Taylor.",
         equations: thesis("(54)-(58), (72)-(79)"),
-        scene: "A swinging beam of unequal grains in gravity and drag; a sphere that bounces on a fixed one without leaving it: Kelvin-Voigt with Haff-Werner friction, viscoelastic with a sticking truncated spring; a driven pair of bonded grains in a well",
+        scene: "A swinging beam of unequal grains with gravity and drag; a sphere that bounces on a fixed one without losing contact, Kelvin-Voigt with Haff-Werner friction or viscoelastic with a sticking truncated spring; a driven pair of bonded grains in a well",
         oracle: "Order of the method",
-        norm: "Largest distance of an observed order, from the largest residual of a run with 1600 and 3200 steps, to that of theory",
+        norm: "Largest distance from the theoretical order of an order observed from the largest residuals with 1600 and 3200 steps",
         origin: Origin::Convergent,
-        reason: "The next term of the error is smaller by the step in units of the fastest rate, 3e-3, times a constant of the order of ten",
+        reason: "The next term of the error is smaller by the time step in units of the fastest rate, 3e-3, times a constant of about ten",
         effort: Effort::Quick,
         measure: smooth,
     }]
 }
 
-/// Largest residual of a run over its largest kinetic energy, looked at a hundred times.
+/// Largest residual of a run over its largest kinetic energy, sampled a hundred times.
 pub(super) fn largest_residual(text: &str, steps: u64) -> Result<f64, Failure> {
     let mut world = world(text)?;
     let (mut residual, mut scale) = (0.0_f64, 0.0_f64);
@@ -53,7 +53,7 @@ fn beam() -> String {
     text
 }
 
-/// A sphere that bounces on a fixed one and never leaves it, pressed by a strong field.
+/// A sphere that bounces on a fixed one without losing contact, pressed by a strong field.
 fn bouncing(contact: &str, viscosity: f64) -> String {
     contact.to_owned()
         + &format!(
@@ -75,7 +75,7 @@ fn driven() -> String {
         + "[[bonds]]\nbetween = [0, 1]\n"
 }
 
-/// Names, laws and particles, and unit of time in s.
+/// Name, laws and particles, and unit of time in s.
 fn scenes() -> [(&'static str, String, f64); 4] {
     let unit = (mass(RADIUS) / 1e6_f64).sqrt();
     let viscous = kelvin_voigt(1e6, 1.0) + &friction("haff-werner", 0.9, 0.5);
@@ -112,8 +112,8 @@ fn smooth() -> Outcome {
             curves.push(Curve::marked_line(integrator, points));
         }
         exhibits.push(Exhibit::Plot(Plot {
-            title: format!("Largest residual of the balance against the step: {name}"),
-            x: Axis::logarithmic("step in units of sqrt(m / k)"),
+            title: format!("Largest residual of the balance against the time step: {name}"),
+            x: Axis::logarithmic("time step in units of sqrt(m / k)"),
             y: Axis::logarithmic("residual over kinetic energy"),
             curves,
         }));

@@ -23,7 +23,7 @@ pub fn kelvin_voigt(stiffness: f64, damping: f64) -> String {
     )
 }
 
-/// Friction of a law with its second parameter.
+/// A friction law with its friction coefficient and its second parameter.
 pub fn friction(law: &str, friction: f64, parameter: f64) -> String {
     let name = if law == "haff-werner" {
         "damping"
@@ -35,7 +35,7 @@ pub fn friction(law: &str, friction: f64, parameter: f64) -> String {
     )
 }
 
-/// A sphere that never moves.
+/// A fixed sphere.
 pub fn fixed(position: [f64; 2], radius: f64) -> String {
     particle(position, [0.0; 2], 0.0, radius) + "role = \"fixed\"\n"
 }

@@ -81,10 +81,10 @@ fn angle_checks() -> Vec<Check> {
             scene: "The polynomial at one, far beyond the small sines for which it is used",
             oracle: "The sum of the coefficients by their recurrence c_(k+1) = c_k (2 k + 1)^2 / ((2 k + 2) (2 k + 3))",
             norm: "Difference in units of rounding",
-            reason: "Rounding of a sum of terms of one sign",
+            reason: "Rounding of a sum of six terms of one sign",
             ..identity(
                 "identities.arcsine",
-                "The polynomial for the rotation of a frame has the sum of coefficients of the arcsine series.",
+                "The polynomial for the rotation of a frame is the arcsine series up to the eleventh power: its coefficients have the right sum.",
                 thesis("(106)"),
                 arcsine,
             )

@@ -1,4 +1,4 @@
-//! Each distribution of the kernel, one by one.
+//! Each distribution of the kernel, compared with an independent calculation.
 
 use crate::checks::{Failure, Measurement, Outcome};
 use crate::oracles::emergent::{Bounded, Join, Joined, Strength};
@@ -16,12 +16,13 @@ use std::f64::consts::{PI, SQRT_2};
 
 const TOLERANCE: f64 = 1e-11;
 
-/// Both laws of the strength of links between granite grains, over that of mean grains.
+/// The two distributions of bond strength between granite grains, relative to the strength of mean
+/// grains.
 #[derive(Clone, Copy, Debug)]
 pub struct Laws {
-    /// That of the thesis: a single radius.
+    /// The thesis's distribution, for a single radius.
     pub single: Power<UniformProduct>,
-    /// That of its criterion: the smaller of two.
+    /// The distribution that follows from the breaking criterion, for the smaller of two radii.
     pub smaller: Power<WeakestProduct>,
 }
 
@@ -50,12 +51,14 @@ impl Laws {
     }
 }
 
-/// The same by integration: radii with a ratio of the root of two and the mean one.
+/// The same distributions by integration: the largest radius is sqrt(2) times the smallest, and the
+/// mean is one.
 pub fn exact() -> [Strength; 2] {
     [1, 2].map(|number| preferring(number, 0.0))
 }
 
-/// Strength of the smallest of so many radii, larger ones more frequent by a preference.
+/// Strength for the smallest of the given number of radii, where a preference makes larger radii more
+/// frequent.
 pub fn preferring(smallest_of: i32, preference: f64) -> Strength {
     let low = 2.0 * (SQRT_2 - 1.0);
     let radius = Bounded {
@@ -66,14 +69,14 @@ pub fn preferring(smallest_of: i32, preference: f64) -> Strength {
     Strength::new(radius, [0.9, 1.1])
 }
 
-/// So many points that cover an interval and a little more, and some just beside its ends.
+/// Points that cover an interval and a little more, and points just beside its ends.
 fn points(low: f64, high: f64) -> impl Iterator<Item = f64> {
     let beside = [1.0 - 4e-7, 1.0 + 4e-7].map(|side| [low * side, high * side]);
     let spread = (-2..=42).map(move |k| low + (high - low) * (f64::from(k) + 0.137) / 40.0);
     spread.chain(beside.into_iter().flatten())
 }
 
-/// Densities in units of their scale, and probabilities, against those expected.
+/// Compares densities, in units of their scale, and probabilities with the expected ones.
 fn compare(
     all: &mut Vec<Measurement>,
     law: &impl Distribution,
@@ -101,7 +104,7 @@ fn uniform([low, high]: [f64; 2]) -> Uniform {
     Uniform { low, high }
 }
 
-/// Sums, products and their powers, in either order of the cases.
+/// Sums, products and their powers, in both orders of the cases.
 fn joined(all: &mut Vec<Measurement>) {
     for (a, b) in [
         ([0.8, 1.3], [0.9, 1.1]),
@@ -139,7 +142,7 @@ fn joined(all: &mut Vec<Measurement>) {
         };
         let product = of(Join::Product, 1);
         let expected = |q: f64| {
-            // Below the support whatever is far enough below it.
+            // Values far below the support are replaced by one that is still below it.
             let x = q.max(1e-3).cbrt();
             [product.density(x) / (3.0 * x * x), product.cumulative(x)]
         };
@@ -147,7 +150,7 @@ fn joined(all: &mut Vec<Measurement>) {
     }
 }
 
-/// The sum of two variables over the same short interval, a triangle, next to its corners.
+/// The sum of two uniform variables over the same short interval, a triangle, near its corners.
 fn triangle(all: &mut Vec<Measurement>) {
     let (low, width) = (1.0, 1e-3);
     let law = UniformSum(uniform([low, low + width]), uniform([low, low + width]));
@@ -156,7 +159,7 @@ fn triangle(all: &mut Vec<Measurement>) {
     for corner in [2.0 * low, 2.0 * low + width, end] {
         for side in [1.0 - 4e-7, 1.0 + 4e-7] {
             let x = corner * side;
-            // Distances from both ends in widths, which lose four digits.
+            // Distances from both ends in units of the width, which lose four digits.
             let [left, right] = [x - 2.0 * low, end - x].map(|d| d / width);
             let density = left.min(right).max(0.0);
             let cumulative = if left < 1.0 {
@@ -171,7 +174,7 @@ fn triangle(all: &mut Vec<Measurement>) {
     }
 }
 
-/// Both laws of strength.
+/// The two distributions of strength.
 fn strengths(all: &mut Vec<Measurement>) {
     let (laws, [one, two]) = (Laws::granite(), exact());
     let ends = |law: &Strength| [law.corners()[0], law.corners()[3]];
@@ -207,12 +210,12 @@ fn uniforms(all: &mut Vec<Measurement>) {
         };
         compare(all, &law, expected, interval);
     }
-    // The bound of ordering is at 0.1, to the last digit.
+    // The threshold of crystallisation is 0.1, to the last digit.
     let wrong = usize::from(!crystallises(0.1_f64.next_down())) + usize::from(crystallises(0.1));
     all.push(Measurement::count(wrong));
 }
 
-/// Weibull variables against another implementation, shifted.
+/// Shifted Weibull variables, compared with another implementation.
 fn weibulls(all: &mut Vec<Measurement>) -> Result<(), Failure> {
     for (location, scale, shape) in [(0.0, 1.1, 5.007), (0.55, 0.4, 1.89), (-1.0, 2.0, 0.7)] {
         let law = Weibull {
@@ -243,7 +246,7 @@ fn weibulls(all: &mut Vec<Measurement>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Packing numbers: one disc a cell of the lattice, one sphere a cell.
+/// Packing numbers: one disc per lattice cell, one sphere per lattice cell.
 fn numbers(all: &mut Vec<Measurement>) {
     let relative = |expected, measured| Measurement::relative(expected, measured, TOLERANCE);
     let (side, radius) = (0.1_f64, 1e-3_f64);

@@ -1,4 +1,4 @@
-//! The best Weibull distributions, and figure 8 of the thesis.
+//! The Weibull distributions closest to the strengths, and figure 8 of the thesis.
 
 use super::distributions::{Laws, exact};
 use super::sampled::independent;
@@ -10,12 +10,12 @@ use gouge_dem::distributions::{Distribution, Weibull};
 use statrs::distribution::{Continuous, ContinuousCDF};
 use statrs::function::gamma::gamma;
 
-/// Strength, weight in an integral, density and probability of a law.
+/// Strength, weight in an integral, density and probability of a distribution.
 type Nodes = Vec<[f64; 4]>;
-/// Density and probability of a Weibull variable of shape, scale and location.
+/// Density and probability of a Weibull variable with the given shape, scale and location.
 type Form = fn(&[f64; 3], f64) -> [f64; 2];
 
-/// A law at the nodes of an integral over its range.
+/// A distribution at the nodes of an integral over its range.
 fn tabulate(law: &Strength, at: impl Fn(f64) -> [f64; 2]) -> Nodes {
     let row = |[q, weight]: [f64; 2]| {
         let [density, cumulative] = at(q);
@@ -39,10 +39,10 @@ fn of_library([shape, scale, location]: &[f64; 3], q: f64) -> [f64; 2] {
         .map_or([f64::NAN; 2], |law| [law.pdf(u), law.cdf(u)])
 }
 
-/// How far a Weibull law is from another, in one of two senses.
+/// Measure of the distance of a fitted Weibull distribution from another distribution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sense {
-    /// Relative entropy of the law with respect to the fit.
+    /// Relative entropy of the distribution with respect to the fit.
     Entropy,
     /// Mean square of the difference of probabilities.
     Squares,
@@ -56,7 +56,7 @@ impl Sense {
                 * density
                 * match self {
                     Self::Squares => (cumulative - probability).powi(2),
-                    // The law vanishes at its ends, where the logarithm does no harm.
+                    // The density vanishes at the ends of the range, where the term is zero.
                     Self::Entropy if *density <= 0.0 => 0.0,
                     Self::Entropy => (density / fitted).ln(),
                 }
@@ -65,7 +65,7 @@ impl Sense {
         if sum.is_nan() { f64::INFINITY } else { sum }
     }
 
-    /// The nearest Weibull law, with any location or with none.
+    /// The closest Weibull distribution, with a free location or with location zero.
     fn fit(self, nodes: &Nodes, form: Form, located: bool) -> [f64; 3] {
         if located {
             return minimum([2.0, 0.45, 0.5], 0.1, |fit| self.distance(nodes, fit, form));
@@ -86,13 +86,14 @@ impl Sense {
     }
 }
 
-/// Largest difference of the probabilities of a law and a fit.
+/// Largest difference between the probabilities of a distribution and a fit.
 fn farthest(nodes: &Nodes, fit: &[f64; 3]) -> f64 {
     let gap = |[q, _, _, cumulative]: &[f64; 4]| (cumulative - of_kernel(fit, *q)[1]).abs();
     largest(nodes.iter().map(gap))
 }
 
-/// Two-parameter law with a mean and a coefficient of variation, by the moments of the kernel.
+/// Two-parameter Weibull distribution with the given mean and coefficient of variation, from the
+/// kernel's moments.
 fn by_variation(mean: f64, variation: f64) -> [f64; 3] {
     let unit = |shape: f64| Weibull {
         location: 0.0,
@@ -104,7 +105,7 @@ fn by_variation(mean: f64, variation: f64) -> [f64; 3] {
     [shape, mean / unit(shape).mean(), 0.0]
 }
 
-/// The shape with a coefficient of variation, by Gamma functions.
+/// The Weibull shape with the given coefficient of variation, from gamma functions.
 fn shape_of(variation: f64) -> f64 {
     let moment = |n: f64, shape: f64| gamma(1.0 + n / shape).ln();
     let wanted = (variation * variation).ln_1p();
@@ -113,14 +114,14 @@ fn shape_of(variation: f64) -> f64 {
     })
 }
 
-/// Moments of a law of the kernel by quadrature of its density.
+/// Mean and coefficient of variation of a distribution of the kernel, by quadrature of its density.
 fn kernel_moments(nodes: &Nodes) -> [f64; 2] {
     let moment = |n: i32| -> f64 { nodes.iter().map(|[q, w, f, _]| w * f * q.powi(n)).sum() };
     let mean = moment(1);
     [mean, (moment(2) - mean * mean).sqrt() / mean]
 }
 
-/// Both laws: name, exact one, its nodes by the kernel and by integration.
+/// Both distributions: name, exact distribution, and its nodes from the kernel and from integration.
 fn laws() -> [(&'static str, Strength, [Nodes; 2]); 2] {
     let (laws, [one, two]) = (Laws::granite(), exact());
     let single = |q: f64| [laws.single.density(q), laws.single.cumulative(q)];
@@ -158,10 +159,10 @@ pub fn variation() -> Outcome {
 pub fn weibull() -> Outcome {
     let mut all = Vec::new();
     let mut table = Table::new(
-        "Weibull distributions nearest to the two exact laws of strength: with a location the modulus is near two, five needs a location of zero",
+        "Weibull distributions closest to the two exact distributions of strength: with a free location the modulus is near two; a modulus of five requires a location of zero",
         &[
-            "law",
-            "nearest in",
+            "distribution",
+            "closest in",
             "modulus k",
             "location",
             "scale",
@@ -205,8 +206,8 @@ pub fn weibull() -> Outcome {
     }
     curves.push(dashed("k = 5, location zero, by variation", &thesis_fit()));
     let plot = Plot {
-        title: "Figure 8 of the thesis redrawn: what links have, what the thesis drew, and Weibull distributions".to_owned(),
-        x: Axis::linear("strength over that of a mean grain with factor one"),
+        title: "Figure 8 of the thesis redrawn: the strengths of bonds, the thesis's curve, and Weibull distributions".to_owned(),
+        x: Axis::linear("strength relative to a mean grain with factor one"),
         y: Axis::linear("probability density"),
         curves,
     };
@@ -241,11 +242,11 @@ fn figure() -> Vec<Curve> {
     };
     vec![
         Curve::line(
-            "one radius, as the thesis drew",
+            "one radius, as in the thesis",
             line(&|q| laws.single.density(q)),
         ),
         Curve::line(
-            "smaller of two radii, as links have",
+            "smaller of two radii, as for bonds",
             line(&|q| laws.smaller.density(q)),
         ),
         Curve::marks("6000 bonds of a lattice", (0..BINS).map(bar)),

@@ -12,7 +12,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-/// A block of about 670 grains as the granite fault makes it, up to the bonds.
+/// A block of about 670 grains, made like the granite fault up to bonding.
 fn text(seed: u64) -> String {
     format!(
         "[time]\nstep = 1e-8\nend = 1e-8\nintegrator = \"velocity-verlet\"\n\
@@ -39,7 +39,7 @@ fn text(seed: u64) -> String {
 struct Block {
     /// Radii in m.
     radii: Vec<f64>,
-    /// Bonded pairs and their factors.
+    /// Bonded pairs and their strength factors.
     bonds: Vec<(usize, usize, f64)>,
 }
 
@@ -70,7 +70,7 @@ impl Block {
         }
         degrees
     }
-    /// Mean of the squared smaller radius over pairs of grains, each grain counted with a weight.
+    /// Mean square of the smaller radius over all pairs of grains, each grain weighted.
     fn paired(&self, weights: &[f64]) -> f64 {
         let (mut sum, mut total) = (0.0, 0.0);
         for (i, r) in self.radii.iter().enumerate() {
@@ -82,12 +82,12 @@ impl Block {
         }
         sum / total
     }
-    /// The same over bonds.
+    /// Mean square of the smaller radius over bonds.
     fn bonded(&self) -> f64 {
         let one = |&(i, j, _): &(usize, usize, f64)| self.radii[i].min(self.radii[j]).powi(2);
         self.bonds.iter().map(one).sum::<f64>() / self.bonds.len() as f64
     }
-    /// Additional bonds for an additional mean radius, over the mean number of bonds.
+    /// Relative change of the number of bonds per relative change of radius, by linear regression.
     fn preference(&self) -> f64 {
         let degrees = self.degrees();
         let n = degrees.len() as f64;
@@ -107,15 +107,15 @@ fn block(seed: u64) -> Result<Block, Failure> {
     Ok(Block::of(&run_setup(&scene(&text(seed))?)?))
 }
 
-/// First seed: the claims were worded after looking at packings of seeds below it.
+/// First seed: the claims were formulated with packings of smaller seeds.
 const FRESH: u64 = 100;
 
 fn blocks(number: u64) -> Result<Vec<Block>, Failure> {
     (FRESH..FRESH + number).into_par_iter().map(block).collect()
 }
 
-/// Largest distance from the law in so many redraws of radii and factors on the same bonds: what
-/// chance does while neighbouring bonds share grains.
+/// Largest distance from the law over the given number of redraws of radii and factors on the same
+/// bonds: the random scatter when neighbouring bonds share grains.
 fn critical(blocks: &[Block], redraws: u64) -> f64 {
     let law = Laws::granite().smaller;
     let (radius, factor) = (law.of.radius, law.of.factor);
@@ -167,15 +167,16 @@ fn mean_and_error(all: &[f64]) -> [f64; 2] {
     [mean, (square / n).sqrt()]
 }
 
-/// What packings show.
+/// Results for the packings.
 struct Facts {
     samples: usize,
-    /// Distances to the laws of one radius, of the smaller of two, of the smaller of two preferred ones.
+    /// Distances to the laws of one radius, of the smaller of two radii, and of the smaller of two
+    /// weighted radii.
     distances: [f64; 3],
     critical: f64,
-    /// Mean square of the smaller radius over bonds, over that of pairs drawn at random, and its error.
+    /// Mean square of the smaller radius over bonds, relative to that over random pairs, and its error.
     excess: [f64; 2],
-    /// The same of pairs drawn by their numbers of bonds.
+    /// The same for pairs weighted by their numbers of bonds.
     explained: [f64; 2],
     preference: [f64; 2],
 }
@@ -183,33 +184,33 @@ struct Facts {
 impl Facts {
     fn table(&self) -> Exhibit {
         let title = format!(
-            "{} bonds of 32 settled packings: the smaller of two radii explains them, once large grains count as often as they have bonds",
+            "{} bonds of 32 settled packings: the smaller of two radii explains their strengths if grains are weighted by their numbers of bonds",
             self.samples
         );
         let mut table = Table::new(&title, &["quantity", "value"]);
         let with_error = |[mean, error]: [f64; 2]| format!("{mean:.4} +- {error:.4}");
         let [one, two, preferred] = self.distances.map(|d| format!("{d:.4}"));
         for (name, value) in [
-            ("distance to the law of the thesis, one radius", one),
+            ("distance to the thesis's law, one radius", one),
             ("distance to the law of the smaller of two radii", two),
             (
-                "distance to that with radii by their numbers of bonds",
+                "distance to that law with radii weighted by numbers of bonds",
                 preferred,
             ),
             (
-                "largest distance of 300 redraws of all radii and factors",
+                "largest distance over 300 redraws of all radii and factors",
                 format!("{:.4}", self.critical),
             ),
             (
-                "additional bonds of a grain an additional mean radius, over its mean number of bonds",
+                "relative change of a grain's number of bonds per relative change of its radius",
                 with_error(self.preference),
             ),
             (
-                "mean strength over that of pairs drawn at random",
+                "mean square of the smaller radius, relative to random pairs",
                 with_error(self.excess),
             ),
             (
-                "the same for pairs drawn by their numbers of bonds",
+                "the same for pairs weighted by their numbers of bonds",
                 with_error(self.explained),
             ),
         ] {
@@ -236,14 +237,14 @@ fn histogram(samples: &[f64], law: &Strength) -> Exhibit {
         (0..=200).map(|k| [at(k), density(at(k))]).collect()
     };
     Exhibit::Plot(Plot {
-        title: "Strengths of the bonds of settled packings are those of the smaller radius"
+        title: "Strengths of the bonds of settled packings follow the smaller radius"
             .to_owned(),
-        x: Axis::linear("strength over that of a mean grain with factor one"),
+        x: Axis::linear("strength relative to a mean grain with factor one"),
         y: Axis::linear("probability density"),
         curves: vec![
             Curve::line("one radius", line(&|q| laws.single.density(q))),
             Curve::line("smaller of two radii", line(&|q| laws.smaller.density(q))),
-            Curve::line("radii by their numbers of bonds", line(&|q| law.density(q))),
+            Curve::line("radii weighted by numbers of bonds", line(&|q| law.density(q))),
             Curve::marks("packings", bars),
         ],
     })

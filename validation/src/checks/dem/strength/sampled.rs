@@ -1,4 +1,4 @@
-//! Strengths of bonds that the kernel makes, and their distance from laws.
+//! Strengths of bonds made by the kernel, and their distance from distributions.
 
 use super::distributions::{Laws, exact};
 use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, largest};
@@ -16,13 +16,13 @@ use rand_pcg::Pcg64;
 use statrs::distribution::{Binomial, DiscreteCDF};
 use std::f64::consts::PI;
 
-/// Number of bonds that are claimed to tell the laws apart.
+/// Number of bonds that suffice, by the claim, to distinguish the laws.
 const CLAIMED: usize = 100;
 const COLUMNS: usize = 120;
 const ROWS: usize = 100;
 
-/// Force that breaks a bond, over that of a bond of factor one between mean grains of 1 mm, found by
-/// asking the criterion.
+/// Force that breaks a bond, relative to a bond of factor one between mean grains of 1 mm, found by
+/// bisection of the criterion.
 pub fn strength(radii: [f64; 2], factor: f64) -> f64 {
     let law = ZhangEckert {
         normal_strength: 1.0 / (PI * 1e-6),
@@ -38,7 +38,7 @@ pub fn strength(radii: [f64; 2], factor: f64) -> f64 {
     root(0.0, 4.0, breaks)
 }
 
-/// Strengths of bonds without common grains: every second one along the rows of a bonded lattice.
+/// Strengths of bonds without common grains: every second bond along the rows of a bonded lattice.
 pub fn independent() -> Vec<f64> {
     let mut sizes = Pcg64::new(8, 50);
     let number = COLUMNS * ROWS;
@@ -86,14 +86,14 @@ pub fn distance(samples: &[f64], cumulative: impl Fn(f64) -> f64) -> f64 {
     largest(sorted.iter().enumerate().map(gap))
 }
 
-/// Distance that the distribution of so many independent samples exceeds with at most a probability,
-/// by the inequality of Dvoretzky, Kiefer, Wolfowitz and Massart.
+/// Distance that the distribution of independent samples exceeds with at most the given probability, by
+/// the Dvoretzky-Kiefer-Wolfowitz-Massart inequality.
 fn bound(number: usize, probability: f64) -> f64 {
     ((2.0 / probability).ln() / (2.0 * number as f64)).sqrt()
 }
 
-/// Strength at which both laws are farthest apart, and the probabilities there: radius of one, smaller
-/// of two. The densities cross there.
+/// Strength at which the two laws differ most (where their densities cross), and the probabilities
+/// there for one radius and for the smaller of two.
 pub fn farthest() -> [f64; 3] {
     let [one, two] = exact();
     let q = root(0.9, 1.1, |q| one.density(q) - two.density(q));
@@ -122,8 +122,8 @@ pub fn lattice() -> Outcome {
     .into())
 }
 
-/// Smallest power of the test of a law at level 1 % against samples of the other: that of looking at the
-/// farthest point alone, exact by the binomial distribution.
+/// Lower bound of the power of the test of one law against samples of the other: the power of testing
+/// the point of largest difference alone, exact by the binomial distribution.
 fn least_power(number: usize, critical: f64) -> f64 {
     let [_, one, two] = farthest();
     let n = number as f64;
@@ -172,11 +172,11 @@ pub fn power() -> Outcome {
         least.push([number as f64, expected]);
     }
     let plot = Plot {
-        title: "A hundred independent bonds tell the two laws apart".to_owned(),
+        title: "A hundred independent bonds distinguish the two laws".to_owned(),
         x: Axis::logarithmic("number of bonds"),
         y: Axis::linear("probability of rejecting the single radius at level 1 %"),
         curves: vec![
-            Curve::line("least power, from the farthest point alone", least),
+            Curve::line("lower bound, from the point of largest difference alone", least),
             Curve::marks("simulated", found),
         ],
     };

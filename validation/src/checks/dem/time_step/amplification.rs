@@ -1,4 +1,4 @@
-//! The amplification of one step: by theory twice, and by the kernel.
+//! The amplification of one step: two independent theories, and the kernel.
 
 use super::modes::{Linearised, Mode};
 use crate::checks::{
@@ -14,49 +14,49 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "time-step.amplification.polynomial",
-            claim: "The polynomials of growth that the kernel states for its five integrators are the characteristic polynomials of the methods' one-step matrices.",
+            claim: "The kernel's stability polynomials of its five integrators are the characteristic polynomials of the one-step matrices of the methods.",
             equations: thesis("(55)-(58)"),
-            scene: "120 pairs of squared frequency and damping, in units of the step, from 1e-4 to 10",
-            oracle: "One step of each method as a matrix of rows written from its definition; coefficients by Faddeev and Le Verrier",
-            norm: "Largest difference of the n-th coefficient in units of the n-th power of the matrix norm",
+            scene: "120 pairs of squared frequency and damping, in units of the time step, from 1e-4 to 10, and no damping",
+            oracle: "One step of each method as a matrix written from its definition; coefficients by the Faddeev-LeVerrier algorithm",
+            norm: "Largest error of the n-th coefficient, in units of the n-th power of the matrix norm",
             origin: Origin::Exact,
-            reason: "The n-th coefficient is a sum of products of n entries, each known to some roundings: 32 roundings in all",
+            reason: "The n-th coefficient is a sum of products of n entries, each accurate to a few roundings: 32 roundings in all",
             effort: Effort::Quick,
             measure: polynomials,
         },
         Check {
             id: "time-step.amplification.boundary",
-            claim: "The kernel's critical steps are those at which the largest eigenvalue of the one-step matrix exceeds one by the 1e-9 that the kernel admits, for damping ratios from 0 to 20.",
+            claim: "At the kernel's critical step, the largest eigenvalue of the one-step matrix exceeds one by 1e-9, the growth that the kernel tolerates; damping ratios from 0 to 20.",
             equations: thesis("(55)-(58)"),
             scene: "An oscillator of unit frequency, 29 damping ratios, five integrators",
-            oracle: "Bisection of the spectral radius, eigenvalues by nalgebra",
-            norm: "Largest relative difference of critical steps",
+            oracle: "Bisection of the spectral radius, with eigenvalues by nalgebra",
+            norm: "Largest relative error of a critical step",
             origin: Origin::Convergent,
-            reason: "Eigenvalues are known to some 1e-15, and the radius rises by more than 1e-4 of a relative change of the step; at zero damping two roots of symplectic Euler and velocity Verlet meet, which are known to the root of a rounding, 1.5e-8; the others grow at any step then, and may have no critical step beyond 0.01047, where the weakest growth, Beeman's (w dt)^4 / 12, is what the kernel admits",
+            reason: "Eigenvalues are accurate to about 1e-15, and a relative change of the step raises the spectral radius by more than 1e-4 of that change. Without damping, two roots of symplectic Euler and velocity Verlet meet, which are accurate to the square root of a rounding, 1.5e-8. The other methods then grow at any step; they may have no critical step beyond 0.01047, where the weakest growth, Beeman's (w dt)^4 / 12, reaches the growth tolerated",
             effort: Effort::Quick,
             measure: boundaries,
         },
         Check {
             id: "time-step.amplification.closed",
-            claim: "The steps at which the one-step matrices become unstable have the closed forms 2 zeta or 2 (zeta - sqrt(zeta^2 - 1)) for Euler, 2 (sqrt(1 + zeta^2) - zeta), min(4 zeta, 1/zeta), 2 (sqrt(1 + 4 zeta^2) - 2 zeta) for velocity Verlet and, from 2 % of critical damping, (sqrt(400 zeta^2 + 84) - 20 zeta)/7 for Beeman.",
+            claim: "The steps at which the one-step matrices become unstable have closed forms: 2 zeta or 2 (zeta - sqrt(zeta^2 - 1)) for Euler, 2 (sqrt(1 + zeta^2) - zeta) for symplectic Euler, min(4 zeta, 1/zeta) for Taylor, 2 (sqrt(1 + 4 zeta^2) - 2 zeta) for velocity Verlet and, from 2 % of critical damping, (sqrt(400 zeta^2 + 84) - 20 zeta)/7 for Beeman.",
             equations: thesis("(55)-(58)"),
-            scene: "The same oscillators",
-            oracle: "Closed forms from determinant one or a root at minus one",
-            norm: "Largest relative difference of critical steps",
+            scene: "Oscillators of unit frequency with 29 damping ratios from 0.02 to 20",
+            oracle: "Closed forms from the conditions that the determinant is one or a root is minus one",
+            norm: "Largest relative error of a critical step",
             origin: Origin::Convergent,
-            reason: "The bisection admits a growth of 1e-13, and the radius rises with the step by more than 2 zeta^2, 8e-4, of its relative change",
+            reason: "The bisection tolerates a growth of 1e-13, and a relative change of the step raises the spectral radius by more than 2 zeta^2, 8e-4, of that change",
             effort: Effort::Quick,
             measure: closed_forms,
         },
         Check {
             id: "time-step.amplification.course",
-            claim: "Sixty steps of the kernel, linearised by dual numbers, are sixty products with the one-step matrix: for bonds along, across and bending, for squeezed, sticking and rubbing contacts and for drag.",
+            claim: "Sixty steps of the kernel, linearised by dual numbers, equal sixty products with the one-step matrix: for axial, shearing and bending modes of bonds, for squeezed, sticking and viscous contacts and for drag.",
             equations: thesis("(17)-(19), (36), (41)-(45), (55)-(58)"),
-            scene: "Seven modes of two or three grains of 1 mm, five integrators, five damping ratios, three steps from stable to unstable",
+            scene: "Seven modes of two or three grains of 1 mm, five integrators, up to five damping ratios, three time steps from stable to unstable",
             oracle: "Powers of the one-step matrix with the stiffness and damping of the mode in closed form",
-            norm: "Largest difference of amplitude and speed in units of the largest so far",
+            norm: "Largest error of amplitude and speed, in units of the largest value so far",
             origin: Origin::Exact,
-            reason: "Each step adds some twenty roundings relative to the terms of the force, up to ten times the amplitude, and sixty steps carry them on: 60 x 20 x 10 roundings",
+            reason: "Each step adds about twenty roundings relative to the terms of the force, which are up to ten times the amplitude, and sixty steps accumulate them: 60 x 20 x 10 roundings",
             effort: Effort::Quick,
             measure: courses,
         },
@@ -102,7 +102,7 @@ fn polynomials() -> Outcome {
     Ok(Measurement::worst(all).into())
 }
 
-/// Damping ratios up to 20, none among them.
+/// Damping ratios from zero to 20.
 fn ratios() -> impl Iterator<Item = f64> {
     [0.0].into_iter().chain(geometric(0.02, 20.0, 28))
 }
@@ -112,7 +112,7 @@ fn conserves(method: Method) -> bool {
     matches!(method, Method::SymplecticEuler | Method::VelocityVerlet)
 }
 
-/// Growth a step that the kernel's stability test admits.
+/// Growth per step that the kernel's stability test tolerates.
 const ADMITTED: f64 = 1e-9;
 
 fn boundaries() -> Outcome {
@@ -129,11 +129,11 @@ fn boundaries() -> Outcome {
             all.push(if zeta > 0.0 {
                 Measurement::relative(expected, found, 1e-9)
             } else if conserves(method) {
-                // A double root, known to the root of a rounding.
+                // A double root, accurate to the square root of a rounding.
                 Measurement::relative(expected, found, f64::EPSILON.sqrt())
             } else {
-                // Never stable: no step longer than where the weakest growth, Beeman's (w dt)^4 / 12, is
-                // what the kernel admits, up to the next power of the step.
+                // Never stable: the step is at most that at which the weakest growth, Beeman's (w dt)^4
+                // / 12, reaches the growth tolerated, up to the next power of the step.
                 Measurement::absolute(0.0, found, 1.001 * (12.0 * ADMITTED).powf(0.25))
             });
             points.push([zeta, found]);
@@ -144,7 +144,7 @@ fn boundaries() -> Outcome {
         ));
     }
     let plot = Plot {
-        title: "Damping ratio decides which integrator bears the longest step".to_owned(),
+        title: "The damping ratio decides which integrator allows the longest time step".to_owned(),
         x: Axis::logarithmic("damping ratio"),
         y: Axis::logarithmic("critical step in units of 1/w"),
         curves,
@@ -184,7 +184,7 @@ fn courses() -> Outcome {
     Ok(Measurement::worst(all).into())
 }
 
-/// Largest difference of a run from the powers of the matrix, in units of the largest state so far.
+/// Largest error of a run against the powers of the matrix, in units of the largest state so far.
 fn course_error(
     mode: Mode,
     method: Method,

@@ -1,4 +1,4 @@
-//! A bonded packing at rest, and runs of it.
+//! A bonded packing at rest, and runs that start from it.
 
 use super::amplification::integrator;
 use super::network::{Linearisation, linearise};
@@ -16,14 +16,14 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 use std::path::Path;
 
-/// A packing at rest: settled, clipped, bonded, nothing cut, nothing but bonds.
+/// A packing at rest: settled, clipped and bonded, without a fault, with bond forces only.
 pub struct Packing {
     world: World,
     model: Model,
 }
 
 impl Packing {
-    /// The packing of a built-in scene, settled for a part of the time that the scene takes.
+    /// The packing of a built-in scene, settled for a fraction of the scene's duration.
     ///
     /// # Errors
     /// States that the kernel refuses.
@@ -60,7 +60,7 @@ impl Packing {
         Err(Failure::Oracle(format!("{name} has no bonded phase")))
     }
 
-    /// The same with a factor on the damping of bending and shearing.
+    /// The same packing with the damping of bending and shearing multiplied by a factor.
     pub fn damped(mut self, factor: f64) -> Self {
         self.model.bond = self.model.bond.map(|bond| BondLaws {
             tangential: bond.tangential.map(|mut beam| {
@@ -80,7 +80,7 @@ impl Packing {
         linearise(&self.world, self.model)
     }
 
-    /// A run that random speeds set off, with an integrator and a step.
+    /// A run with random initial speeds, with the given integrator and time step.
     ///
     /// # Errors
     /// States that the kernel refuses.
@@ -113,10 +113,10 @@ impl Packing {
         })
     }
 
-    /// Runs on the wrong side of a critical step, of two.
+    /// Number of runs, of two, on the wrong side of a critical step.
     ///
     /// # Errors
-    /// States that became senseless.
+    /// States that are no longer finite.
     pub fn wrong(&self, method: Method, critical: f64) -> Result<usize, Failure> {
         let below = self.runs_away(method, 0.995 * critical)?;
         let above = self.runs_away(method, 1.005 * critical)?;

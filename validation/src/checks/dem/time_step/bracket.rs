@@ -1,4 +1,4 @@
-//! The boundary of stability, bracketed by runs.
+//! The stability limit, bracketed by runs.
 
 use super::modes::{Linearised, Mode, integrator_name};
 use super::running::grows;
@@ -10,13 +10,13 @@ use rayon::prelude::*;
 pub fn checks() -> Vec<Check> {
     let check = |id, effort, measure| Check {
         id,
-        claim: "Half a per cent below the critical step of theory no run of the kernel grows, half a per cent above it every run does: bonds along, across and bending, squeezed, sticking and rubbing contacts and drag, with every integrator.",
+        claim: "Half a per cent below the theoretical critical step no run of the kernel grows, and half a per cent above it every run grows: for axial, shearing and bending modes of bonds, squeezed, sticking and viscous contacts and drag, with every integrator. Methods without a stable step grow.",
         equations: thesis("(17)-(19), (36), (41)-(45), (55)-(58)"),
-        scene: "Seven modes of two or three grains in linear motion; damping ratios from 0.1 to 4",
+        scene: "Seven modes of two or three grains in linear motion; damping ratio 0.5, or from 0.1 to 4",
         oracle: "Step at which the largest eigenvalue of the one-step matrix reaches one",
-        norm: "Runs on the wrong side",
+        norm: "Number of runs on the wrong side",
         origin: Origin::Exact,
-        reason: "At half a per cent from the boundary amplitudes change by at least 1e-4 a step; blocks of 512 steps and more tell that from rounding",
+        reason: "Half a per cent from the limit, amplitudes change by at least 1e-4 per step; blocks of 512 or more steps distinguish that from rounding",
         effort,
         measure,
     };
@@ -29,8 +29,8 @@ pub fn checks() -> Vec<Check> {
 /// A mode, a method, a damping ratio and the critical step.
 type Case = (Mode, Method, f64, f64);
 
-/// Cases with a critical step to bracket, all methods of a mode and a damping ratio together. Methods that
-/// never are stable have none, and are run at one step that grows.
+/// Cases with a critical step to bracket, grouped by mode and damping ratio. Methods that are never
+/// stable have none; they run at one step, at which they must grow.
 fn cases(ratios: &[f64]) -> Vec<Case> {
     let mut cases = Vec::new();
     for mode in Mode::ALL {
@@ -51,7 +51,7 @@ fn runs_away(mode: Mode, method: Method, step: f64, constants: [f64; 2]) -> Resu
     grows(|| {
         run.advance()?;
         let [amplitude, change] = run.state();
-        // A mode without stiffness has no amplitude to come back to, only a speed.
+        // A mode without stiffness has a speed but no restored amplitude.
         let size = if mode == Mode::Viscous {
             change
         } else {
@@ -62,11 +62,11 @@ fn runs_away(mode: Mode, method: Method, step: f64, constants: [f64; 2]) -> Resu
     })
 }
 
-/// Runs on the wrong side of the boundary, of two.
+/// Number of runs, of two, on the wrong side of the limit.
 fn wrong((mode, method, zeta, critical): Case) -> Result<usize, Failure> {
     let constants = mode.constants(zeta);
     if critical < 1e-8 {
-        // Never stable: at a step of 1/2 of the time scale it has to grow.
+        // Never stable: it must grow at half the unit of time.
         let grows = runs_away(mode, method, 0.5e-6, constants)?;
         return Ok(usize::from(!grows));
     }
@@ -86,7 +86,7 @@ fn bracket(ratios: &[f64]) -> Outcome {
     columns.extend(methods);
     columns.push("runs on the wrong side");
     let mut table = Table::new(
-        "Critical steps in units of 1/w (of 1/rate without stiffness), each bracketed by two runs within half a per cent",
+        "Critical steps in units of 1/w (of 1/rate without stiffness), each bracketed by two runs half a per cent below and above",
         &columns,
     );
     let rows = cases.chunks(methods.len()).zip(wrong.chunks(methods.len()));

@@ -1,4 +1,4 @@
-//! The estimate of the stable step that the program warns by.
+//! The estimate of the stable step, on which the program's warning is based.
 
 use super::network::linearise;
 use crate::checks::dem::scenes::{head, particle, world};
@@ -9,13 +9,13 @@ use gouge_dem::{World, stable_step_estimate};
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {
         id: "time-step.estimate",
-        claim: "For a pair of equal masses with one kind of spring the estimate of the stable step is the largest stable step itself; for a beam it is so in the limit of unlike radii, where its stiffest mode tends to (2 + 1/c) k/m, 9/2 k/m for spheres; the moment of inertia is c m r^2.",
+        claim: "For a pair of equal masses with one kind of spring, the estimate of the stable step is the largest stable step itself. For a beam this holds in the limit of very unequal radii, where the stiffest mode tends to (2 + 1/c) k/m, 9/2 k/m for spheres. The moment of inertia is c m r^2.",
         equations: thesis("(36)-(45), (59)-(60)"),
-        scene: "Two spheres of equal mass that touch, or are bonded: Kelvin-Voigt, viscoelastic at an overlap of a tenth of the smaller radius, sticking friction of three laws, a stretching bond, a beam between radii of a ratio of ten million; moments of inertia of 2/5, 1/2 and 3/5 m r^2 where they matter; velocity Verlet and symplectic Euler",
-        oracle: "Stiffness and damping of the pair by dual numbers; definiteness of the polynomial of the method at minus one, by bisection",
-        norm: "Relative difference of the step",
+        scene: "Two touching or bonded spheres of equal mass: Kelvin-Voigt; viscoelastic at an overlap of a tenth of the smaller radius; sticking friction of three laws; a stretching bond; a beam between radii of ratio ten million. Moments of inertia of 2/5, 1/2 and 3/5 m r^2 where they matter; velocity Verlet and symplectic Euler",
+        oracle: "Stiffness and damping of the pair by dual numbers; critical step from the definiteness of the method's polynomial at minus one, by bisection",
+        norm: "Relative error of the step",
         origin: Origin::Exact,
-        reason: "The test of stability behind the estimate admits a growth of 1e-9 a step and divides by as much, which makes 2.2e-7 of a rounding, half of it in the step; the bisection of the oracle ends at 1e-10, overlaps and softer springs are 1e-12; the beam is below its limit by 2/(2 + 1/c) times the ratio of radii, 4.4e-8 for spheres",
+        reason: "The stability test behind the estimate tolerates a growth of 1e-9 per step and divides by it, which turns a rounding into 2.2e-7, half of that in the step. The oracle's bisection ends at 1e-10; overlaps and softer springs contribute 1e-12. The beam is below its limit by 2/(2 + 1/c) times the ratio of radii, 4.4e-8 for spheres",
         effort: Effort::Quick,
         measure: attained,
     }]
@@ -26,7 +26,7 @@ struct Case {
     name: &'static str,
     laws: &'static str,
     radii: [f64; 2],
-    /// Overlap in smaller radii.
+    /// Overlap in units of the smaller radius.
     overlap: f64,
     bonded: bool,
     inertia_factor: f64,
@@ -109,7 +109,8 @@ fn cases() -> [Case; 7] {
     ]
 }
 
-/// Cases whose stiffest mode turns, with the inertia of a disc and with that of the author's program.
+/// Cases whose stiffest mode involves rotation, with the inertia of a disc and with that of the
+/// author's program.
 fn turning() -> impl Iterator<Item = Case> {
     let with = |inertia_factor: f64| {
         cases()
@@ -140,7 +141,7 @@ impl Case {
         let mut text = head(integrator, 1e-12);
         text += &format!("inertia_factor = {:e}\n", self.inertia_factor);
         text += self.laws;
-        // A motion too slow for anything but the slope of viscous friction, which at rest has none.
+        // The motion is negligible, but viscous friction has no derivative at rest.
         for (x, speed, radius) in [(0.0, 1e-25, radii[0]), (distance, 0.0, radii[1])] {
             text += &particle([x, 0.0], [0.0, speed], 0.0, radius);
             text += &format!("density = {:e}\n", 2.7e-6 / radius.powi(3));

@@ -1,4 +1,4 @@
-//! The thesis's own modes under its own integrator and step.
+//! The thesis's modes with its integrator and time step.
 
 use super::modes::{Linearised, Mode, RADIUS, mass};
 use crate::checks::dem::scenes::{head, particle, world};
@@ -11,32 +11,32 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "time-step.thesis.growth",
-            claim: "Under explicit Euler with 10 ns the sticking spring of the thesis (1e8 kg/s^2, undamped) grows by the factor 1.00309 a step, e-fold in 3.2 us, while its damped bonds and contacts die out; the kernel grows and decays at the predicted rates.",
+            claim: "With explicit Euler and 10 ns, the thesis's sticking spring (1e8 kg/s^2, undamped) grows by a factor of 1.00309 per step, e-fold in 3.2 us, while its damped bonds and contacts decay; the kernel grows and decays at the predicted rates.",
             equations: thesis("(36), (41)-(45), (55)"),
             scene: "Modes of grains of 1 mm with the constants of thesis section 4.2, 400 steps of 10 ns",
             oracle: "Largest eigenvalue of the one-step matrix",
-            norm: "Largest relative difference of the factor a step",
+            norm: "Largest relative error of the factor per step",
             origin: Origin::Exact,
-            reason: "The determinant of three successive amplitudes loses a factor of the squared phase, 5e-5, of its digits; a root of order 800 of its growth keeps a 400th of a rounding over that, and 1e-12 leaves a hundred roundings",
+            reason: "The determinant of three successive amplitudes loses digits by a factor of the squared phase, 5e-5. The root of order 800 of its growth retains a 400th of that error; 1e-12 allows a hundred roundings",
             effort: Effort::Quick,
             measure: growth,
         },
         Check {
             id: "time-step.thesis.viscous",
-            claim: "Grains that all turn alike are slowed by z viscous contacts at the rate 5 z gamma/m, so that explicit Euler bears 11.3 ns with four contacts and 7.5 ns with six: less than the thesis's step for six, and for the smallest grains 6.4 and 4.3 ns, less for both.",
+            claim: "If all grains rotate alike, z viscous contacts slow a grain at the rate 5 z gamma/m, so explicit Euler allows 11.3 ns with four contacts and 7.5 ns with six; with six this is less than the thesis's step. For the smallest grains the limits are 6.4 and 4.3 ns, both less.",
             equations: thesis("(22), (41), (53), (55)"),
-            scene: "A grain of 1 mm within a square and within a hexagon of equal grains, all turning, Haff-Werner friction of 100 kg/s below its limit",
-            oracle: "A slip of 2 r w at each contact on a moment of inertia 2/5 m r^2",
-            norm: "Relative difference of the rate; differences of the quoted steps to their last digit",
+            scene: "A grain of 1 mm inside a square and inside a hexagon of equal grains, all with the same spin, Haff-Werner friction of 100 kg/s below its limit",
+            oracle: "A slip velocity of 2 r w at each contact and a moment of inertia of 2/5 m r^2",
+            norm: "Relative error of the rate; error of the quoted steps in their last digit",
             origin: Origin::Exact,
-            reason: "Some twenty roundings a contact: 64 roundings; half a unit of the digit quoted",
+            reason: "About twenty roundings per contact: 64 roundings; half a unit of the last digit quoted",
             effort: Effort::Quick,
             measure: viscous,
         },
     ]
 }
 
-/// Step of thesis section 4.2 in s.
+/// Time step of thesis section 4.2 in s.
 const STEP: f64 = 10e-9;
 
 /// Constants of a mode in the thesis: stiffness in kg/s^2 and damping in kg/s.
@@ -48,8 +48,9 @@ fn constants(mode: Mode) -> [f64; 2] {
     }
 }
 
-/// Factor by which a run multiplies its mode a step: that of the speed without stiffness; otherwise from
-/// the growth of y(n) y(n + 2) - y(n + 1)^2, which an oscillation multiplies by the squared factor.
+/// Factor per step by which a run multiplies its mode: without stiffness, that of the speed; otherwise
+/// from the growth of y(n) y(n + 2) - y(n + 1)^2, which an oscillation multiplies by the squared
+/// factor.
 fn measured(mode: Mode, steps: usize) -> Result<f64, Failure> {
     let mut run = Linearised::new(mode, Method::Euler, STEP, constants(mode))?;
     let mut course = vec![run.state()];
@@ -77,9 +78,9 @@ fn growth() -> Outcome {
             "rate in 1/s",
             "damping ratio",
             "critical step in ns",
-            "factor a step, theory",
-            "factor a step, kernel",
-            "time to change by e in us",
+            "factor per step, theory",
+            "factor per step, kernel",
+            "time for a factor of e in us",
         ],
     );
     let modes = [
@@ -93,7 +94,7 @@ fn growth() -> Outcome {
     for mode in modes {
         let [k, c] = mode.rates(constants(mode));
         let expected = spectral_radius(Method::Euler, k * STEP * STEP, c * STEP);
-        // The position keeps a factor of one where nothing pulls it back.
+        // The one-step matrix has an eigenvalue of one if no force restores the position.
         let expected = if k > 0.0 {
             expected
         } else {
@@ -123,13 +124,13 @@ fn growth() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
 }
 
-/// Factor a step of a mode of the thesis, by theory.
+/// Theoretical factor per step of a mode of the thesis.
 fn mode_factor(mode: Mode) -> f64 {
     let [k, c] = mode.rates(constants(mode));
     spectral_radius(Method::Euler, k * STEP * STEP, c * STEP)
 }
 
-/// Rate in 1/s at which the middle one of grains that all turn alike slows down.
+/// Rate in 1/s at which the central grain slows down if all grains have the same spin.
 fn slowing(contacts: u32) -> Result<f64, Failure> {
     const SPIN: f64 = 1e-6;
     let ring = (0..contacts).map(|n| {

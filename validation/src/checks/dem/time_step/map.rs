@@ -1,4 +1,4 @@
-//! The map of stability, run by run.
+//! The stability map, from individual runs.
 
 use super::amplification::geometric;
 use super::modes::{RADIUS, integrator_name, mass};
@@ -17,25 +17,25 @@ pub fn checks() -> Vec<Check> {
     let oracle = "Largest eigenvalue of the one-step matrix";
     let map = |id, scene, effort, measure| Check {
         id,
-        claim: "Over steps and damping ratios, every run more than half a per cent from the boundary of theory grows or does not as theory says.",
+        claim: "Over time steps and damping ratios, every run more than half a per cent from the theoretical stability limit grows or does not grow as predicted.",
         equations: thesis("(8), (17), (55)-(58), (67)"),
         scene,
         oracle,
-        norm: "Runs on the wrong side",
+        norm: "Number of runs on the wrong side",
         origin: Origin::Exact,
-        reason: "Motion is linear; what changes by less than 2 % in the longest blocks of 16384 steps lies within the band",
+        reason: "The motion is linear; modes that change by less than 2 % in the longest blocks of 16384 steps lie within the excluded band",
         effort,
         measure,
     };
     let slipping = |id, scene, effort, measure| Check {
         id,
-        claim: "A sticking contact grows exactly where theory lets its spring grow (Beeman: up to w dt = 1.096 and again above 1.309), whatever the stiffness ratio and the coefficient of friction, and slip bounds what grows.",
+        claim: "A sticking contact grows exactly where theory predicts growth of its spring (Beeman: up to w dt = 1.096 and again above 1.309), for every stiffness ratio and friction coefficient, and slip limits the growth.",
         equations: thesis("(36), (42), (55)-(58)"),
         scene,
         oracle,
-        norm: "Runs on the wrong side, and runs beyond the bound",
+        norm: "Number of runs on the wrong side or beyond the bound",
         origin: Origin::Exact,
-        reason: "The spin obeys the linear equation until it slips; a spin beyond 2/h + 5 h, in units of that at the limit, is turned back by the slipping contact whatever the method",
+        reason: "The spin obeys the linear equation until the contact slips. A spin beyond 2/h + 5 h, in units of the spin at the friction limit, is reversed by the slipping contact with every method",
         effort,
         measure,
     };
@@ -48,35 +48,35 @@ pub fn checks() -> Vec<Check> {
         ),
         map(
             "time-step.map.fine",
-            "The same: 5 integrators, 47 damping ratios from 0.005 to 10, 47 steps; 11045 runs",
+            "The same with 47 damping ratios from 0.005 to 10 and 47 steps: 11045 runs",
             Effort::Report,
             fine,
         ),
         slipping(
             "time-step.map.slip",
-            "A grain between two fixed ones, set spinning: 5 integrators, 6 steps, 3 stiffness ratios, 2 coefficients of friction",
+            "A spinning grain between two fixed ones: 5 integrators, 6 steps, 3 stiffness ratios, 2 friction coefficients",
             Effort::Thorough,
             few_slips,
         ),
         slipping(
             "time-step.map.slips",
-            "The same: 5 integrators, 16 steps, 5 stiffness ratios from 0.1 to 100, 4 coefficients of friction; 1600 runs",
+            "The same with 16 steps, 5 stiffness ratios from 0.1 to 100 and 4 friction coefficients: 1600 runs",
             Effort::Report,
             slips,
         ),
     ]
 }
 
-/// Width of the band around the boundary within which no verdict is asked for.
+/// Half-width of the band around the limit in which no run is judged.
 const BAND: f64 = 0.005;
-/// Growth a step that counts as none: what the longest runs cannot tell.
+/// Growth per step that counts as none, because the longest runs cannot detect it.
 const NEUTRAL: f64 = 1e-7;
-/// Smallest and largest damping ratio, longest step in units of 1/w.
+/// Smallest and largest damping ratio, and longest step in units of 1/w.
 const LEAST: f64 = 0.005;
 const MOST: f64 = 10.0;
 const LONGEST: f64 = 3.9;
 
-/// Whether a grain of frequency one in a well runs away.
+/// Whether the motion of a grain of unit frequency in a well grows.
 fn runs_away(method: Method, zeta: f64, step: f64) -> Result<bool, Failure> {
     let viscosity = 2.0 * zeta * mass() / (6.0 * PI * RADIUS);
     let text = head(integrator_name(method), step)
@@ -93,10 +93,10 @@ fn runs_away(method: Method, zeta: f64, step: f64) -> Result<bool, Failure> {
     })
 }
 
-/// A run: damping ratio, step, whether it grew.
+/// A run: damping ratio, time step, and whether it grew.
 type Run = (f64, f64, bool);
 
-/// Runs over a grid of one method.
+/// Runs over a grid, for one method.
 fn grid(method: Method, number: usize) -> Result<Vec<Run>, Failure> {
     let points: Vec<(f64, f64)> = geometric(LEAST, MOST, number)
         .flat_map(|zeta| geometric(0.031, LONGEST, number).map(move |step| (zeta, step)))
@@ -105,7 +105,7 @@ fn grid(method: Method, number: usize) -> Result<Vec<Run>, Failure> {
     points.par_iter().map(run).collect()
 }
 
-/// Whether a mode grows by theory; nothing, within the band around a boundary.
+/// Whether a mode grows by theory; none within the band around a limit.
 fn verdict(method: Method, zeta: f64, step: f64) -> Option<bool> {
     let grows = |step: f64| spectral_radius(method, step * step, 2.0 * zeta * step) > 1.0 + NEUTRAL;
     let sides = [1.0 - BAND, 1.0, 1.0 + BAND].map(|factor| grows(step * factor));
@@ -132,7 +132,7 @@ fn fine() -> Outcome {
     map(47)
 }
 
-/// Modes of the thesis at its step of 10 ns: damping ratio and step in units of 1/w.
+/// Modes of the thesis at its time step of 10 ns: damping ratio and step in units of 1/w.
 fn operating_points() -> [[f64; 2]; 3] {
     use super::modes::Mode;
     [Mode::Axial, Mode::Bending, Mode::Shearing].map(|mode| {
@@ -165,9 +165,9 @@ fn picture(method: Method, runs: &[Run]) -> Plot {
     let thesis = operating_points().to_vec();
     curves.push(curve("bonds of the thesis, 10 ns", Style::Marks, thesis));
     Plot {
-        title: format!("Runs with {name} grow beyond the line of theory and nowhere else"),
+        title: format!("Runs with {name} grow beyond the theoretical limit and nowhere else"),
         x: Axis::logarithmic("damping ratio"),
-        y: Axis::logarithmic("step in units of 1/w"),
+        y: Axis::logarithmic("time step in units of 1/w"),
         curves,
     }
 }
@@ -186,19 +186,19 @@ fn boundaries(method: Method) -> Vec<Vec<[f64; 2]>> {
     lines
 }
 
-/// A contact: stiffness ratio, friction, step in units of 1/w.
+/// A contact: stiffness ratio, friction coefficient, time step in units of 1/w.
 type Contact = (f64, f64, f64);
 
-/// A spinning grain between two fixed ones: whether its spin grows from far below the limit, and its largest
-/// spring force in units of the limit afterwards.
+/// A spinning grain between two fixed ones: whether its spin grows from far below the friction limit,
+/// and its largest spin in units of the spin at the limit.
 ///
-/// Its moment of inertia 2/5 m r^2 meets two springs of arm r: w^2 = 5 k_t/m.
+/// Two springs of lever arm r act on the moment of inertia 2/5 m r^2: w^2 = 5 k_t/m.
 fn slip(method: Method, (ratio, friction, scaled): Contact) -> Result<(bool, f64), Failure> {
     let (k_n, gap) = (1e7, 1.999 * RADIUS);
     let k_t = ratio * k_n;
     let w = (5.0 * k_t / mass()).sqrt();
     let limit = friction * k_n * (2.0 * RADIUS - gap);
-    // Amplitude of the spring, in units of what the limit allows, to begin with.
+    // The initial amplitude of the spring is 1e-6 of the displacement at the limit.
     let spin = 1e-6 * limit / k_t / RADIUS * w;
     let fixed = |y: f64| particle([0.0, y], [0.0; 2], 0.0, RADIUS) + "role = \"fixed\"\n";
     let text = head(integrator_name(method), scaled / w)
@@ -219,13 +219,13 @@ fn slip(method: Method, (ratio, friction, scaled): Contact) -> Result<(bool, f64
     Ok((most > 1e3 * spin, most / (1e6 * spin)))
 }
 
-/// Steps of a run with slip: the slowest growth, Beeman's at w dt = 0.4, is e-fold in 470.
+/// Steps of a run with slip: the slowest growth, Beeman's at w dt = 0.4, is e-fold in 470 steps.
 const STEPS: usize = 8000;
 
-/// What the largest spin may be, in units of that whose spring reaches the limit, for a step in units of
-/// 1/w. A spin beyond 2/h takes the spring from any stretch to the limit against it within one step, give or
-/// take 5/6 h for the acceleration; in the three steps until the force has changed its sign no method adds
-/// more than 4/3 h each.
+/// Bound of the largest spin, in units of the spin whose spring reaches the limit, for a step in units
+/// of 1/w. A spin beyond 2/h takes the spring within one step from any stretch to the opposite limit,
+/// up to 5/6 h for the acceleration; in the three steps until the force has changed its sign, no method
+/// adds more than 4/3 h per step.
 fn bound(scaled: f64) -> f64 {
     2.0 / scaled + 5.0 * scaled
 }
@@ -243,7 +243,7 @@ fn slipping(scaled: &[f64], ratios: &[f64], frictions: &[f64]) -> Outcome {
             "integrator",
             "runs",
             "grew",
-            "largest spin in units of that at the limit",
+            "largest spin in units of the spin at the limit",
         ],
     );
     for method in Method::ALL {
@@ -268,9 +268,9 @@ fn slipping(scaled: &[f64], ratios: &[f64], frictions: &[f64]) -> Outcome {
         curves.push(Curve::marks(integrator_name(method), points));
     }
     let plot = Plot {
-        title: "What grows in a sticking contact stops where it slips, whatever the stiffness and the friction".to_owned(),
-        x: Axis::logarithmic("step in units of 1/w"),
-        y: Axis::logarithmic("largest spin in units of that at the limit"),
+        title: "Growth in a sticking contact is limited by slip, for every stiffness ratio and friction coefficient".to_owned(),
+        x: Axis::logarithmic("time step in units of 1/w"),
+        y: Axis::logarithmic("largest spin in units of the spin at the limit"),
         curves,
     };
     Ok(Measurement::count(wrong).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))

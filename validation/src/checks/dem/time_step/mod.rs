@@ -1,4 +1,4 @@
-//! Time step.
+//! Stability limits of the time step.
 
 mod amplification;
 mod block;
@@ -19,7 +19,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "time-step",
         title: "Time step",
-        about: "Where each integrator becomes unstable: by theory, by running, for pairs and for whole packings.",
+        about: "The stability limit of each integrator: from theory and from runs, for pairs and for whole packings.",
         checks: [
             amplification::checks(),
             bracket::checks(),

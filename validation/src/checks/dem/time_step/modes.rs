@@ -1,5 +1,5 @@
-//! Modes of a few particles at rest, and runs of them in dual numbers: the slope of a run is the motion
-//! of its linearisation, without any amplitude.
+//! Modes of a few particles at rest, and their runs in dual numbers: the derivative part of such a run
+//! is the linearised motion, without a finite amplitude.
 
 use crate::checks::Failure;
 use crate::checks::dem::scenes::{head, particle, scene};
@@ -10,7 +10,7 @@ use gouge_dem::particles::Particles;
 use gouge_dem::{Start, World};
 use std::f64::consts::PI;
 
-/// Radius of all particles in m, density 2700 kg/m^3.
+/// Radius of all particles in m; their density is 2700 kg/m^3.
 pub const RADIUS: f64 = 1e-3;
 
 /// Mass of one particle in kg.
@@ -18,22 +18,22 @@ pub fn mass() -> f64 {
     4.0 / 3.0 * PI * 2700.0 * RADIUS.powi(3)
 }
 
-/// A mode of the named kind, with one stiffness in kg/s^2 and one damping coefficient in kg/s.
+/// A mode with one stiffness in kg/s^2 and one damping coefficient in kg/s.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// A particle in a harmonic well, with creeping drag.
     Well,
-    /// A bonded pair along its axis.
+    /// A bonded pair that stretches.
     Axial,
-    /// The ends of a bonded pair turn against each other.
+    /// A bonded pair whose ends rotate against each other.
     Bending,
-    /// The ends of a bonded pair turn together, and the pair against them.
+    /// A bonded pair whose ends rotate together, against the rotation of the pair.
     Shearing,
     /// A particle squeezed between two fixed ones.
     Squeezed,
-    /// Two particles that touch and stick turn together; without damping.
+    /// Two touching particles that stick and rotate together, without damping.
     Sticking,
-    /// The same with Haff-Werner friction below its limit; without stiffness.
+    /// The same with Haff-Werner friction below its limit, without stiffness.
     Viscous,
 }
 
@@ -62,8 +62,8 @@ impl Mode {
         }
     }
 
-    /// How often the mass of a particle goes into the inertia of the mode: from the reduced masses of
-    /// pairs and the moment of inertia 2/5 m r^2.
+    /// Mass of a particle over the inertia of the mode, from the reduced masses of pairs and the moment
+    /// of inertia 2/5 m r^2.
     pub fn factor(self) -> f64 {
         match self {
             Self::Well => 1.0,
@@ -84,7 +84,8 @@ impl Mode {
         }
     }
 
-    /// Constants for which the mode has angular frequency 1e6 /s (viscous: that rate) and a damping ratio.
+    /// Constants for which the mode has an angular frequency of 1e6/s (viscous: that rate) and the
+    /// given damping ratio.
     pub fn constants(self, zeta: f64) -> [f64; 2] {
         let (scale, rate) = (mass() / self.factor(), 1e6);
         match self {
@@ -94,7 +95,7 @@ impl Mode {
         }
     }
 
-    /// Damping ratios at which it is worth running: those that the mode does not have are left out.
+    /// Damping ratios at which to run the mode; a mode without stiffness or damping has a single one.
     pub fn ratios(self, wanted: &[f64]) -> Vec<f64> {
         match self {
             Self::Sticking => vec![0.0],
@@ -103,13 +104,13 @@ impl Mode {
         }
     }
 
-    /// Positions in m of the particles; the free ones come first.
+    /// Positions of the particles in m; free particles come first.
     fn places(self) -> Vec<[f64; 2]> {
         match self {
             Self::Well => vec![[0.0, 0.5]],
             Self::Axial | Self::Bending | Self::Shearing => vec![[0.0, 0.0], [2.0 * RADIUS, 0.0]],
             Self::Squeezed => vec![[0.0, 0.0], [-1.999 * RADIUS, 0.0], [1.999 * RADIUS, 0.0]],
-            // An overlap of 1e-17 m: it lets the pair touch, and neither shortens its lever arms nor moves it.
+            // The overlap of 1e-17 m makes the pair touch without changing its lever arms or moving it.
             Self::Sticking | Self::Viscous => vec![[0.0, 0.0], [2.0 * RADIUS - 1e-17, 0.0]],
         }
     }
@@ -142,10 +143,12 @@ impl Mode {
         }
     }
 
-    /// Shape of the mode: displacement in m and turn of particle `i`, for a unit of [`read`](Self::read).
+    /// Shape of the mode for a unit of [`read`](Self::read): displacement in m and rotation of particle
+    /// `i`.
     fn shape(self, i: usize) -> [f64; 3] {
         let sign = if i == 0 { 1.0 } else { -1.0 };
-        // Turning together leaves the angular momentum zero: the pair turns back by 2/5 of it.
+        // The angular momentum stays zero: while the ends rotate together, the pair rotates back by 2/5
+        // of that.
         let together = |unit: f64| [0.0, 0.4 * RADIUS * unit * sign, unit];
         match self {
             Self::Well => [0.0, 1.0, 0.0],
@@ -157,7 +160,7 @@ impl Mode {
         }
     }
 
-    /// Amplitude of the mode in displacements and turns.
+    /// Amplitude of the mode, from displacements and rotations.
     fn read(self, at: impl Fn(usize) -> [f64; 3]) -> f64 {
         match self {
             Self::Well => at(0)[1],
@@ -195,11 +198,11 @@ pub fn integrator_name(method: Method) -> &'static str {
     }
 }
 
-/// Speed that the values of a run begin with, beside the slopes of one. Only signs and branches see it;
-/// the force of friction needs a direction.
+/// Initial speed of the values in units of their derivatives. Only signs and branches depend on it; a
+/// friction force needs a direction.
 const SPECK: f64 = 1e-40;
 
-/// A run of the linearised motion of a mode, from no displacement at unit speed.
+/// A run of the linearised motion of a mode, from zero displacement at unit speed.
 pub struct Linearised {
     mode: Mode,
     step: f64,
@@ -237,7 +240,7 @@ impl Linearised {
     /// One step.
     ///
     /// # Errors
-    /// States that became senseless.
+    /// States that are no longer finite.
     pub fn advance(&mut self) -> Result<(), Failure> {
         Ok(self.world.step()?)
     }

@@ -9,30 +9,31 @@ use gouge_dem::World;
 use gouge_dem::model::Model;
 use gouge_dem::particles::Particles;
 
-/// Coordinates of a particle: two of position and one of turning.
+/// Coordinates per particle: two positions and one angle.
 const COORDINATES: usize = 3;
 
-/// A network, and how far its matrices are from being symmetric, relative to their largest entry.
+/// A network, and the asymmetry of its matrices relative to their largest entry.
 pub struct Linearisation {
-    /// Masses, stiffness and damping over three coordinates a particle; none for fixed particles.
+    /// Masses, stiffness and damping over three coordinates per particle; fixed particles have none.
     pub network: Network,
-    /// Largest difference of an entry from its mirror, in units of the largest entry: of K and of C.
+    /// Largest difference between an entry and its transpose, in units of the largest entry, for K and
+    /// for C.
     pub asymmetry: [f64; 2],
-    /// Evaluations of the forces that it took.
+    /// Number of force evaluations used.
     pub evaluations: usize,
 }
 
-/// Which rate of the state carries the slope.
+/// The state variable that carries the derivative.
 #[derive(Clone, Copy)]
 enum Variable {
     Displacement,
     Velocity,
 }
 
-/// K = -dF/dq and C = -dF/dv of a world under another model, at its present state.
+/// K = -dF/dq and C = -dF/dv of a world at its present state, under another model.
 ///
-/// Particles whose neighbourhoods do not meet are moved in the same evaluation: every force then has the
-/// slope of one of them only.
+/// Particles without common neighbours are perturbed in the same evaluation, so that every force
+/// depends on only one of them.
 ///
 /// # Errors
 /// States that the kernel refuses.
@@ -72,7 +73,7 @@ pub fn linearise(world: &World, model: Model) -> Result<Linearisation, Failure> 
     })
 }
 
-/// What the force on a particle, as a slope, contributes to a column.
+/// Entries of a matrix column from the derivative of the force on a particle.
 fn column_entries(
     particle: usize,
     column: usize,
@@ -82,7 +83,7 @@ fn column_entries(
     rows.map(move |(n, f)| (COORDINATES * particle + n, column, -f))
 }
 
-/// Particles that share a bond, or might share a contact, with each.
+/// The particles that share a bond, or may share a contact, with each particle.
 fn neighbours(world: &World) -> Vec<Vec<usize>> {
     let mut neighbours = vec![Vec::new(); world.particles().len()];
     let bonded = world
@@ -99,7 +100,7 @@ fn neighbours(world: &World) -> Vec<Vec<usize>> {
     neighbours
 }
 
-/// A colour for each particle that no neighbour and no neighbour's neighbour has, the first free one.
+/// Colours particles greedily so that neighbours and neighbours of neighbours differ.
 fn colours(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut colours = vec![usize::MAX; neighbours.len()];
     for i in 0..neighbours.len() {
@@ -113,7 +114,7 @@ fn colours(neighbours: &[Vec<usize>]) -> Vec<usize> {
     colours
 }
 
-/// Slopes of all forces and torques where the given particles are moved along a coordinate.
+/// Derivatives of all forces and torques when the given particles are perturbed along a coordinate.
 fn slopes(
     world: &World,
     model: Model,
@@ -146,7 +147,7 @@ fn slopes(
         .collect())
 }
 
-/// The same particles without slopes.
+/// The same particles with zero derivatives.
 fn in_duals(p: &Particles) -> Particles<Dual> {
     let numbers = |column: &[f64]| column.iter().map(|&x| Dual::new(x, 0.0)).collect();
     let vectors = |column: &[Vec2]| {
@@ -165,7 +166,7 @@ fn in_duals(p: &Particles) -> Particles<Dual> {
     }
 }
 
-/// Largest difference of an entry from its mirror, in units of the largest entry.
+/// Largest difference between an entry and its transpose, in units of the largest entry.
 fn asymmetry(entries: &[Entry]) -> f64 {
     let map: std::collections::BTreeMap<(usize, usize), f64> = entries
         .iter()

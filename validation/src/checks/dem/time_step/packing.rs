@@ -11,7 +11,7 @@ use crate::checks::{
 use crate::oracles::amplification::{Method, boundary, closed_boundary, spectral_radius};
 use gouge_dem::stable_step_estimate;
 
-const ORACLE: &str = "All eigenvalues of the mass-scaled stiffness where damping is proportional to it, positive definiteness of the pencil at minus one where it is not, by faer";
+const ORACLE: &str = "By faer: all eigenvalues of the mass-scaled stiffness if damping is proportional to it; otherwise positive definiteness of the matrix pencil at minus one";
 
 /// The checks of this file.
 pub fn checks() -> Vec<Check> {
@@ -24,70 +24,70 @@ pub fn checks() -> Vec<Check> {
 fn symmetry() -> Check {
     Check {
         id: "time-step.packing.symmetric",
-        claim: "Stiffness and damping of a bonded packing are symmetric matrices, and with the thesis's constants damping is 1e-6 s of stiffness.",
+        claim: "Stiffness and damping of a bonded packing are symmetric matrices, and with the thesis's constants the damping matrix is 1e-6 s times the stiffness matrix.",
         equations: thesis("(43)-(45)"),
-        scene: "The packing of granite-fault-small, bonded, before it is cut: 172 grains",
-        oracle: "Slopes of all forces by dual numbers; their mirror, and K gamma/k",
-        norm: "Largest difference of an entry, in units of the largest",
+        scene: "The packing of granite-fault-small, bonded, before the fault is cut: 172 grains",
+        oracle: "Derivatives of all forces by dual numbers; their transpose, and K gamma/k",
+        norm: "Largest difference of an entry, in units of the largest entry",
         origin: Origin::Exact,
-        reason: "Each entry is a sum of at most ten bonds with some twenty roundings",
+        reason: "Each entry is a sum over at most ten bonds with about twenty roundings",
         effort: Effort::Thorough,
         measure: symmetric,
     }
 }
 
-/// Checks of where runs of the small packing run away.
+/// Checks of the stability limit of runs of the small packing.
 fn boundaries() -> [Check; 2] {
     [
         Check {
             id: "time-step.packing.proportional",
-            claim: "The packing with the thesis's damping runs away half a per cent above the exact critical step of each integrator, and half a per cent below it no integrator does.",
+            claim: "With the thesis's damping, the packing is unstable half a per cent above the exact critical step of every integrator and stable half a per cent below it.",
             equations: thesis("(43)-(45), (55)-(58)"),
-            scene: "The same packing, set off by random speeds of 1e-9 m/s",
+            scene: "The same packing with random initial speeds of up to 1e-9 m/s",
             oracle: ORACLE,
-            norm: "Runs on the wrong side",
+            norm: "Number of runs on the wrong side",
             origin: Origin::Exact,
-            reason: "Forces of a growing mode overtake all others within thousands of steps; below the boundary the forces of every mode die",
+            reason: "The forces of a growing mode exceed all others within thousands of steps; below the limit the forces of every mode decay",
             effort: Effort::Thorough,
             measure: proportional,
         },
         Check {
             id: "time-step.packing.general",
-            claim: "Where bending is damped four times as strongly as stretching, so that damping is not proportional to stiffness, symplectic Euler and velocity Verlet still run away between half a per cent below and above the step at which 4 M - 2 dt C - dt^2 K or 4 M - 4 dt C - dt^2 K stops being positive definite.",
+            claim: "If bending is damped four times as strongly as stretching, damping is not proportional to stiffness. Half a per cent below the step at which 4 M - 2 dt C - dt^2 K (symplectic Euler) or 4 M - 4 dt C - dt^2 K (velocity Verlet) stops being positive definite, runs are stable; half a per cent above it they are unstable.",
             equations: thesis("(43)-(45)"),
-            scene: "The same packing with other damping",
+            scene: "The same packing with stronger damping of bending",
             oracle: ORACLE,
-            norm: "Runs on the wrong side",
+            norm: "Number of runs on the wrong side",
             origin: Origin::Exact,
-            reason: "As with proportional damping",
+            reason: "As for proportional damping",
             effort: Effort::Thorough,
             measure: general,
         },
     ]
 }
 
-/// Checks of the kernel's estimate, and of everything for the large packing.
+/// Checks of the kernel's estimate, and of the large packing.
 fn estimates() -> [Check; 2] {
     [
         Check {
             id: "time-step.packing.estimate",
-            claim: "The kernel's estimate of the stable step is a lower bound of the exact critical step of symplectic Euler and velocity Verlet, with both dampings.",
+            claim: "The kernel's estimate of the stable step is a lower bound of the exact critical step of symplectic Euler and velocity Verlet, for proportional and for non-proportional damping.",
             equations: thesis("(43)-(45)"),
             scene: "The same packings",
             oracle: ORACLE,
-            norm: "Estimates above the exact step",
+            norm: "Number of estimates above the exact step",
             origin: Origin::Exact,
-            reason: "Gershgorin's theorem bounds both matrices from above, and both methods lose stability with either",
+            reason: "Gershgorin's theorem bounds both matrices from above, and a larger matrix of either kind lowers the critical step of both methods",
             effort: Effort::Thorough,
             measure: estimate,
         },
         Check {
             id: "time-step.packing.large",
-            claim: "The same holds for the packing of granite-fault with its eight thousand coordinates.",
+            claim: "For the packing of granite-fault, with about eight thousand coordinates, runs of symplectic Euler and velocity Verlet are stable half a per cent below the exact critical step and unstable half a per cent above it, and the kernel's estimate is a lower bound.",
             equations: thesis("(43)-(45)"),
-            scene: "The packing of granite-fault, bonded, before it is cut: 2900 grains",
+            scene: "The packing of granite-fault, bonded, before the fault is cut: 2900 grains",
             oracle: ORACLE,
-            norm: "Runs on the wrong side, and estimates above the exact step",
+            norm: "Number of runs on the wrong side and of estimates above the exact step",
             origin: Origin::Exact,
             reason: "As for the small packing",
             effort: Effort::Report,
@@ -116,7 +116,7 @@ fn symmetric() -> Outcome {
         largest(proportional),
     ];
     let text = format!(
-        "{} forces and torques, each by {} coordinates: all slopes in {} evaluations, because grains whose neighbours do not meet share one.",
+        "{} forces and torques, each with respect to {} coordinates: all derivatives in {} evaluations, because grains without common neighbours share an evaluation.",
         network.inertia.len(),
         network.inertia.len(),
         found.evaluations
@@ -125,8 +125,7 @@ fn symmetric() -> Outcome {
     Ok(Measurement::worst(worst).showing([Exhibit::Text(text)]))
 }
 
-/// Smallest critical step over modes of the given squared frequencies, of which those below `rigid` in
-/// units of the largest are motions without forces.
+/// Smallest critical step over modes of the given squared frequencies, without rigid modes.
 fn smallest(method: Method, squares: &[f64], ratio: f64) -> f64 {
     let largest = squares.iter().copied().fold(0.0, f64::max);
     let moving = squares.iter().filter(|&&square| square > RIGID * largest);
@@ -140,7 +139,7 @@ fn smallest(method: Method, squares: &[f64], ratio: f64) -> f64 {
     moving.map(critical).fold(f64::INFINITY, f64::min)
 }
 
-/// Squared frequency in units of the largest below which a mode is a motion of the whole.
+/// Squared frequency, in units of the largest, below which a mode counts as rigid.
 const RIGID: f64 = 1e-10;
 
 fn proportional() -> Outcome {
@@ -148,7 +147,7 @@ fn proportional() -> Outcome {
     let squares = packing.linearised()?.network.squared_frequencies();
     let mut wrong = 0;
     let mut table = Table::new(
-        "Exact critical step of the packing beside those of a single bond, in ns",
+        "Exact critical steps of the packing and of a single bond, in ns",
         &[
             "integrator",
             "packing",
@@ -179,17 +178,17 @@ fn proportional() -> Outcome {
     Ok(Measurement::count(wrong).showing(exhibits))
 }
 
-/// The softest and the stiffest mode under the thesis's method and step.
+/// The softest and the stiffest mode with the thesis's integrator and time step.
 fn extremes(squares: &[f64]) -> Table {
     const STEP: f64 = 10e-9;
     let mut table = Table::new(
-        "Damping in proportion to stiffness stabilises explicit Euler: modes of the packing with 10 ns",
+        "Damping proportional to stiffness stabilises explicit Euler: modes of the packing at 10 ns",
         &[
             "mode",
             "w in 1/s",
             "damping ratio",
             "critical step in ns",
-            "factor a step",
+            "factor per step",
         ],
     );
     let largest = squares.iter().copied().fold(0.0, f64::max);
@@ -215,7 +214,7 @@ fn spectrum(squares: &[f64]) -> Plot {
         title: "Squared frequencies of the packing: half of all modes are stiffer than a pair"
             .to_owned(),
         x: Axis::logarithmic("angular frequency in 1/s"),
-        y: Axis::linear("part of the modes below"),
+        y: Axis::linear("fraction of modes below"),
         curves: vec![Curve::line(
             "packing",
             points.map(|(n, square)| [square.max(0.0).sqrt(), part(n)]),
@@ -223,10 +222,10 @@ fn spectrum(squares: &[f64]) -> Plot {
     }
 }
 
-/// Methods that lose stability at minus one only.
+/// Methods that lose stability only at an eigenvalue of minus one.
 const SIMPLE: [Method; 2] = [Method::SymplecticEuler, Method::VelocityVerlet];
 
-/// The exact step for any damping.
+/// The exact critical step for any damping.
 fn exact(found: &Linearisation, method: Method) -> Result<f64, Failure> {
     let step = found.network.critical_step(method);
     step.ok_or_else(|| Failure::Oracle("the method has no pencil".to_owned()))
@@ -252,7 +251,7 @@ fn estimate() -> Outcome {
     let mut table = Table::new(
         "The kernel's estimate and the exact critical step, in ns",
         &[
-            "damping of bending over stretching",
+            "damping of bending over that of stretching",
             "integrator",
             "estimate",
             "exact",

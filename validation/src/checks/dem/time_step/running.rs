@@ -1,22 +1,22 @@
-//! Whether a run grows, and how fast.
+//! Whether the amplitude of a run grows.
 
 use crate::checks::Failure;
 
-/// Steps before anything is compared: modes that die out are gone, one that grows has shown itself.
+/// Steps before the first comparison: decaying modes vanish, and growing ones emerge.
 const FIRST: usize = 512;
-/// Longest block of steps that is compared with the next.
+/// Longest block of steps that is compared with the next one.
 const LONGEST: usize = 16_384;
-/// Logarithm of the ratio of the peaks of two blocks that decides.
+/// Logarithm of the ratio of two blocks' peaks above which the run is decided.
 const MARGIN: f64 = 0.02;
-/// Factor from which on there is no doubt.
+/// Amplitude above which the run certainly grows.
 const BEYOND_DOUBT: f64 = 1e60;
 
-/// Part of the first amplitude below which only rounding is left.
+/// Amplitude, relative to the first, below which only rounding is left.
 const DEAD: f64 = 1e-12;
 
-/// Whether an amplitude that is given step by step, from about one, grows: the peak of a block of steps
-/// against that of the block before, in blocks twice as long until the two differ. What neither grows nor
-/// dies in thirty thousand steps does not grow.
+/// Whether an amplitude of initially about one grows over the steps. The peak of a block of steps is
+/// compared with that of the block before; block lengths double until the two differ. An amplitude that
+/// neither grows nor decays in thirty thousand steps counts as not growing.
 ///
 /// # Errors
 /// Those of the run.
@@ -32,7 +32,7 @@ pub fn grows(mut amplitude: impl FnMut() -> Result<f64, Failure>) -> Result<bool
         Ok(peak)
     };
     let mut steps = FIRST;
-    // The first block may hold what dies out: it is not compared.
+    // The first block may contain decaying modes and is not compared.
     if peak(FIRST)? > BEYOND_DOUBT {
         return Ok(true);
     }

@@ -1,4 +1,4 @@
-//! Bounds from waves and cracks, and what they mean.
+//! Bounds from waves and cracks, compared with the stability limits of modes.
 
 use super::modes::{Mode, mass};
 use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table, thesis};
@@ -11,13 +11,13 @@ use gouge_dem::setup::SizeRange;
 pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "time-step.waves",
-        claim: "Waves cross a grain of 1 mm of the thesis's granite in 435 ns and cracks at Mach 15 in 29.0 ns, 24.0 ns for the smallest grain and 16.6 ns for that with the naive upper wave speed of 6.7 km/s; the printed 18 ns is none of them.",
+        claim: "Waves cross a grain of 1 mm of the thesis's granite in 435 ns, and cracks at Mach 15 in 29.0 ns, in 24.0 ns for the smallest grain, and in 16.6 ns for the smallest grain with the naive upper wave speed of 6.7 km/s. None of these is the printed 18 ns.",
         equations: thesis("(59)-(62), (66)"),
         scene: "Young's moduli of 30, 50 and 70 GPa, Poisson's ratios from 0.1 to 0.34, densities of 2.6 to 2.8 Mg/m^3, radii of 1 mm and of the smallest grain",
-        oracle: "Speeds from Lame's constants: c_P^2 = (lambda + 2 mu)/rho, c_S^2 = mu/rho; the printed value is compared in the table",
-        norm: "Largest relative difference of a speed or a bound; the three quoted values to the digits quoted",
+        oracle: "Speeds from Lame's constants: c_P^2 = (lambda + 2 mu)/rho, c_S^2 = mu/rho; the table also shows the printed value",
+        norm: "Largest relative error of a speed or a bound; the four quoted values to the digits quoted",
         origin: Origin::Exact,
-        reason: "Some ten roundings each, amplified by 1 - 2 nu and by halving in the root: 32 roundings",
+        reason: "About ten roundings each, amplified by 1 - 2 nu and halved by the square root: 32 roundings",
         effort: Effort::Quick,
         measure: waves,
     }]
@@ -79,8 +79,8 @@ fn waves() -> Outcome {
         .showing([Exhibit::Table(meaning(quoted.map(|(_, bound, _)| bound)))]))
 }
 
-/// The solid of the largest bulk and the largest shear modulus that intervals of 50 +- 20 GPa and
-/// 0.22 +- 0.12 allow, though no solid of the intervals has both.
+/// The solid with the largest bulk modulus and the largest shear modulus allowed by the intervals 50 +-
+/// 20 GPa and 0.22 +- 0.12, although no solid within them has both.
 fn largest_moduli() -> Elastic {
     let (bulk, shear) = (70e9 / (3.0 * (1.0 - 0.68)), 70e9 / 2.2);
     Elastic {
@@ -89,10 +89,10 @@ fn largest_moduli() -> Elastic {
     }
 }
 
-/// The bounds beside those of the modes that the thesis integrates with explicit Euler.
+/// The bounds, and the stability limits of the modes that the thesis integrates with explicit Euler.
 fn meaning([wave, mean, small, smallest]: [f64; 4]) -> Table {
     let mut table = Table::new(
-        "What bounds the step: waves and cracks of the solid, and the modes of grains of 1 mm under the thesis's own method",
+        "Bounds of the time step: waves and cracks in the solid, and modes of grains of 1 mm with the thesis's integrator",
         &["bound", "step in ns"],
     );
     let ns = |seconds: f64| format!("{:.1}", 1e9 * seconds);
@@ -117,9 +117,10 @@ fn meaning([wave, mean, small, smallest]: [f64; 4]) -> Table {
     let viscous = euler(Mode::Viscous, [0.0, 100.0]);
     table.push([format!("Euler: {}", Mode::Viscous.name()), ns(viscous)]);
     for contacts in [4.0, 6.0] {
-        // All grains turn alike: 2 r w slips at each of z contacts, on a moment of inertia 2/5 m r^2.
+        // All grains rotate alike: a slip velocity of 2 r w at each of z contacts, and a moment of
+        // inertia of 2/5 m r^2.
         let rate = 5.0 * contacts * 100.0 / mass();
-        let name = format!("Euler: all grains turn alike, {contacts} viscous contacts each");
+        let name = format!("Euler: all grains rotate alike, {contacts} viscous contacts each");
         table.push([name, ns(2.0 / rate)]);
     }
     table
