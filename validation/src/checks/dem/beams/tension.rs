@@ -80,7 +80,7 @@ pub fn hexagonal(
     Ok(run_setup(&scene(&text)?)?)
 }
 
-/// What a pulled block shows.
+/// Response of a pulled block.
 pub struct Pulled {
     /// Stress over strain along the pull in N/m, at zero lateral strain.
     pub modulus: f64,

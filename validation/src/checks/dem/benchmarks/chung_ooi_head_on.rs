@@ -15,37 +15,37 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "benchmarks.chung-ooi.1-3-elastic",
-            claim: "Elastic spheres of tests 1, 2 and 3 overlap, push and stay together as Hertz computed.",
+            claim: "In tests 1, 2 and 3, elastic spheres have the overlap, force and duration of Hertz's theory.",
             equations: thesis("(28), (37), (40)"),
-            scene: "Two spheres of glass and of limestone at 10 m/s each; spheres of aluminium and magnesium alloy at 0.2 m/s, of aluminium oxide and cast iron at 3.9 m/s on a rigid plane; BSHP without dissipation, 4000 and 8000 steps a collision",
+            scene: "Two spheres of glass and of limestone at 10 m/s each; spheres of aluminium and magnesium alloy at 0.2 m/s, and of aluminium oxide and cast iron at 3.9 m/s, on a rigid plane; BSHP without dissipation, 4000 and 8000 steps per collision",
             oracle: "Closed forms: xi = (5 m v^2 / 4 P)^(2/5), P xi^(3/2), (4/5) B(2/5, 1/2) xi / v",
-            norm: "Relative error of largest overlap, largest force and duration, extrapolated to no step",
+            norm: "Relative error of largest overlap, largest force and duration, extrapolated to zero time step",
             origin: Origin::Convergent,
-            reason: "Velocity Verlet errs by dt^2, which extrapolation removes, and by zeta(-3/2) = 0.0255 of the coefficient of t^(3/2) times dt^(5/2) at the beginning and at most as much at the end: 0.9 n^(-5/2) relative to the speed with n steps, 3e-9 after extrapolation, of which duration and overlap take no more than three times",
+            reason: "The error of velocity Verlet is of order dt^2, which extrapolation removes, plus zeta(-3/2) = 0.0255 of the coefficient of t^(3/2) times dt^(5/2) at the beginning and at most as much at the end: relative to the speed 0.9 n^(-5/2) with n steps, 3e-9 after extrapolation. Duration and overlap have at most three times this error",
             effort: Effort::Quick,
             measure: elastic,
         },
         Check {
             id: "benchmarks.chung-ooi.1-2-history",
-            claim: "During the collisions of tests 1 and 2 force and overlap follow Hertz at every moment.",
+            claim: "During the collisions of tests 1 and 2, force and overlap follow Hertz's theory at every moment.",
             equations: thesis("(28), (37), (40)"),
             scene: "The collisions of tests 1 and 2 with 800 steps",
             oracle: "Conservation of energy, (F / F_max)^(5/3) + (v / v_0)^2 = 1, and the incomplete beta function for the time of an overlap, t v_0 / xi_max = (2/5) B((xi / xi_max)^(5/2); 2/5, 1/2)",
-            norm: "Largest error of that sum and of the time over the duration, at every step",
+            norm: "Largest error of that sum, and of the time over the duration, at every step",
             origin: Origin::Convergent,
-            reason: "Velocity Verlet conserves the energy plus dt^2 (v^2 U'' / 12 - U'^2 / (24 m)); in units of the energy the first term is at most 16.2 / 6 times 0.7 and the second 3.68^2 / 12 times n^-2, together 3.1 n^-2, and the time is off by no more",
+            reason: "Velocity Verlet conserves the energy plus dt^2 (v^2 U'' / 12 - U'^2 / (24 m)). In units of the energy the first term is at most 16.2 / 6 times 0.7 and the second 3.68^2 / 12, times n^-2, together 3.1 n^-2; the error of the time is no larger",
             effort: Effort::Quick,
             measure: history,
         },
         Check {
             id: "benchmarks.chung-ooi.3",
-            claim: "Test 3: spheres rebound with the restitution that was asked for, from 0.2 to 1.",
+            claim: "Test 3: spheres rebound with the requested restitution, from 0.2 to 1.",
             equations: thesis("(35)-(37)"),
-            scene: "Spheres of aluminium oxide and cast iron at 3.9 m/s on a rigid plane, BSHP and truncated Kelvin-Voigt, 4000 and 8000 steps a collision",
-            oracle: "The restitution itself; dissipative constant and damping by inversion of the integrated collision and of its closed form",
-            norm: "Largest error of the restitution, extrapolated to no step where it falls with dt^(3/2)",
+            scene: "Spheres of aluminium oxide and cast iron at 3.9 m/s on a rigid plane, BSHP and truncated Kelvin-Voigt, 4000 and 8000 steps per collision",
+            oracle: "The requested restitution; dissipative constant and damping from inverting the integrated collision and its closed form",
+            norm: "Largest error of the restitution, extrapolated to zero time step where it falls with dt^(3/2)",
             origin: Origin::Convergent,
-            reason: "Where the force ends it has a kink, at which the trapezoidal rule errs by an eighth of the jump of its rate times dt^2, (pi / n)^2 / 8 of the speed with n steps at most, and twice that with the slow error of the oscillation; the steeper force of viscoelastic spheres takes twice as much, and extrapolation of its beginning, which is like the root of time, doubles that again",
+            reason: "The force has a kink at its end, where the error of the trapezoidal rule is an eighth of the jump of its rate times dt^2, at most (pi / n)^2 / 8 of the speed with n steps; the slow error of the oscillation doubles that. The steeper force of viscoelastic spheres doubles it again, and so does the extrapolation of its onset, which is like the square root of time",
             effort: Effort::Quick,
             measure: restitutions,
         },
@@ -56,9 +56,9 @@ pub fn checks() -> Vec<Check> {
 struct HeadOn {
     solid: Material,
     radius: f64,
-    /// Speed of approach in m/s.
+    /// Relative approach speed in m/s.
     speed: f64,
-    /// Whether the partner is an equal sphere, not a rigid plane.
+    /// Whether the partner is an equal sphere; otherwise it is a rigid plane.
     free: bool,
 }
 
@@ -105,7 +105,7 @@ const fn case(solid: Material, [radius, speed]: [f64; 2], free: bool) -> HeadOn 
     }
 }
 
-/// A moment of a collision by the kernel.
+/// A moment of a collision, from the kernel.
 #[derive(Clone, Copy, Debug, Default)]
 struct Moment {
     time: f64,
@@ -119,7 +119,7 @@ impl HeadOn {
         let mass = self.solid.mass(self.radius);
         if self.free { 0.5 * mass } else { mass }
     }
-    /// Factor of the Hertzian force: both spheres yield, or one on a rigid plane.
+    /// Factor of the Hertzian force: both spheres deform, or one on a rigid plane.
     fn factor(&self) -> f64 {
         let plane = self.solid.factor_on_plane(self.radius);
         if self.free {
@@ -135,8 +135,9 @@ impl HeadOn {
     fn elastic(&self) -> [f64; 2] {
         self.hertzian(0.0).elastic(self.reduced_mass(), self.speed)
     }
-    /// The scene. A plane is a fixed sphere of the same radius: on the line of centres only the product of
-    /// modulus and root of the reduced radius matters, and sqrt(8) restores it.
+    /// The scene. A plane is represented by a fixed sphere of the same radius: on the line of centres
+    /// only the product of the modulus and the square root of the reduced radius matters, and sqrt(8)
+    /// restores it.
     fn scene(&self, law: Normal, steps: u64) -> String {
         let radius = self.radius;
         let law = match law {
@@ -152,7 +153,7 @@ impl HeadOn {
         } else {
             self.speed
         };
-        // The height at which the distance, as a double, is just below the sum of the radii.
+        // The largest height at which the distance is just below the sum of the radii.
         let height = (2.0 * radius).next_down();
         let partner = if self.free {
             particle([0.0; 2], [0.0, speed], 0.0, radius)
@@ -175,7 +176,7 @@ impl HeadOn {
             force: world.forces().force[0].y,
         }
     }
-    /// The kernel's collision, to the first moment after it.
+    /// The kernel's collision, up to the first moment after it.
     fn run(&self, law: Normal, steps: u64) -> Result<Vec<Moment>, Failure> {
         let mut world = world(&self.scene(law, steps))?;
         world.evaluate_if_pending()?;
@@ -192,10 +193,11 @@ impl HeadOn {
     }
 }
 
-/// Elastic durations after which spheres count as stuck.
+/// Number of elastic durations after which spheres count as stuck.
 const LONGEST: u64 = 50;
 
-/// Largest overlap, largest force and duration of a kernel's collision, between its steps.
+/// Largest overlap, largest force and duration of a collision of the kernel, interpolated between its
+/// steps.
 fn peak(moments: &[Moment]) -> [f64; 3] {
     let turn = moments.partition_point(|moment| moment.rate > 0.0);
     let around = |n: usize| moments.get(n).copied().unwrap_or_default();
@@ -215,9 +217,9 @@ fn peak(moments: &[Moment]) -> [f64; 3] {
 
 fn elastic() -> Outcome {
     let mut table = Table::new(
-        "Elastic collisions of tests 1, 2 and 3: expected and extrapolated from the kernel",
+        "Elastic collisions of tests 1, 2 and 3: expected, and extrapolated from the kernel",
         &[
-            "solid",
+            "material",
             "overlap (m)",
             "kernel",
             "force (N)",
@@ -249,7 +251,7 @@ fn elastic() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
 }
 
-/// Steps of the collisions whose course is looked at.
+/// Number of steps of the collisions whose course is compared.
 const STEPS: u64 = 800;
 
 fn history() -> Outcome {
@@ -293,19 +295,19 @@ fn history() -> Outcome {
     };
     Ok(Measurement::worst(all).showing([
         figure(
-            "In units of the collision all elastic spheres push alike",
+            "In units of the collision the force histories of all elastic spheres coincide",
             "time over duration",
             by_time,
         ),
         figure(
-            "The force is the overlap to the power 3/2, coming and going",
+            "The force is proportional to the overlap to the power 3/2, in loading and in unloading",
             "overlap over largest overlap",
             by_overlap,
         ),
     ]))
 }
 
-/// Time over duration, overlap and force over their largest values in an elastic collision.
+/// Time over duration, and overlap and force over their largest values, in an elastic collision.
 fn elastic_curve() -> Vec<[f64; 3]> {
     let whole = time_of_elastic_overlap(0.0, -1.0);
     let row = |n: u32| {
@@ -319,10 +321,10 @@ fn elastic_curve() -> Vec<[f64; 3]> {
 
 fn restitutions() -> Outcome {
     let mut table = Table::new(
-        "Test 3: restitution asked for and measured",
+        "Test 3: requested and measured restitution",
         &[
-            "asked",
-            "solid",
+            "requested",
+            "material",
             "BSHP",
             "Kelvin-Voigt",
             "BSHP constant (s)",
@@ -362,8 +364,8 @@ fn restitutions() -> Outcome {
     }
     let [viscoelastic, kelvin_voigt] = marks;
     let plot = Plot {
-        title: "The restitution is missed by less than a kink of the force can cost".to_owned(),
-        x: Axis::linear("restitution asked for"),
+        title: "The error of the restitution is below the bound from the kink of the force".to_owned(),
+        x: Axis::linear("requested restitution"),
         y: Axis::logarithmic("error of the restitution"),
         curves: vec![
             Curve::marks("BSHP, extrapolated", viscoelastic),
@@ -373,7 +375,7 @@ fn restitutions() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
 }
 
-/// Steps of the collisions whose restitution is measured; twice as many for the finer ones.
+/// Number of steps of the collisions whose restitution is measured; the finer ones have twice as many.
 const MANY: u64 = 4000;
 
 /// Speed after the collision.

@@ -12,21 +12,21 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "benchmarks.chung-ooi.4-6-slip",
-            claim: "Where the contact slides all the time, tests 4, 5 and 6 obey beta_t = 1 - mu (1 + e) V_n / V_t and r dw = -(5/2) mu (1 + e) V_n to rounding.",
+            claim: "If the contact slides throughout, tests 4, 5 and 6 obey beta_t = 1 - mu (1 + e) V_n / V_t and r dw = -(5/2) mu (1 + e) V_n to rounding.",
             equations: thesis("(6)-(7), (37), (41), (51)-(53)"),
-            scene: "A sphere on a plane; two solids a test; every impact of the sweeps that slides to the end; BSHP and Haff-Werner, 150 steps a collision",
-            oracle: "Balance of momentum with friction = mu times normal force, with the normal restitution that the run shows",
-            norm: "Largest error of tangential velocity and surface speed after the collision, in units of the normal speed before it",
+            scene: "A sphere on a plane; two materials per test; every impact of the sweeps that slides to the end; BSHP and Haff-Werner, 150 steps per collision",
+            oracle: "Balance of momentum with friction = mu times normal force, with the normal restitution taken from the run",
+            norm: "Largest error of tangential velocity and surface speed after the collision, in units of the initial normal speed",
             origin: Origin::Exact,
-            reason: "Both impulses are sums of the same steps, so that the step does not matter; a hundred units of rounding of the larger velocity, and the tilt of a plane that is a sphere 1e12 times as large, 1e-12 of the way in radii, on both velocities",
+            reason: "Both impulses are sums over the same steps, so the time step does not matter. The tolerance is a hundred units of rounding of the largest velocity, plus the tilt of the plane: it is a sphere 1e12 times as large, which tilts by 1e-12 per radius travelled",
             effort: Effort::Quick,
             measure: slip,
         },
         Check {
             id: "benchmarks.chung-ooi.4",
-            claim: "Test 4, oblique impact at constant speed: the whole curves of tangential restitution, spin and rebound are those of the laws.",
+            claim: "Test 4, oblique impact at constant speed: the whole curves of tangential restitution, spin and rebound follow from the laws.",
             equations: thesis("(35)-(37), (41)-(42), (51)-(53)"),
-            scene: "Spheres of aluminium oxide and alloy at 3.9 m/s, 5 to 85 degrees, e = 0.98, mu = 0.092; three pairs of laws, 1500 steps a collision",
+            scene: "Spheres of aluminium oxide and alloy at 3.9 m/s, 5 to 85 degrees, e = 0.98, mu = 0.092; three pairs of laws, 1500 steps per collision",
             oracle: ORACLE,
             norm: NORM,
             origin: Origin::Convergent,
@@ -36,9 +36,9 @@ pub fn checks() -> Vec<Check> {
         },
         Check {
             id: "benchmarks.chung-ooi.5",
-            claim: "Test 5, oblique impact at constant normal speed: the whole curves of slip and spin after the collision are those of the laws.",
+            claim: "Test 5, oblique impact at constant normal speed: the whole curves of slip and spin after the collision follow from the laws.",
             equations: thesis("(35)-(37), (41)-(42), (51)-(53)"),
-            scene: "Spheres of steel and polyethylene, normal speed 5 m/s, tangential speed 0.15 to 69 m/s, e = 1, mu = 0.3; three pairs of laws, 1500 steps a collision",
+            scene: "Spheres of steel and polyethylene, normal speed 5 m/s, tangential speed 0.15 to 69 m/s, e = 1, mu = 0.3; three pairs of laws, 1500 steps per collision",
             oracle: ORACLE,
             norm: NORM,
             origin: Origin::Convergent,
@@ -48,9 +48,9 @@ pub fn checks() -> Vec<Check> {
         },
         Check {
             id: "benchmarks.chung-ooi.6",
-            claim: "Test 6, a spinning sphere falls on a plane: the whole curve of the slip after the collision is that of the laws.",
+            claim: "Test 6, a spinning sphere falls on a plane: the whole curve of the slip after the collision follows from the laws.",
             equations: thesis("(35)-(37), (41)-(42), (51)-(53)"),
-            scene: "Spheres of aluminium alloy and nylon, normal speed 0.2 m/s, spin of the surface 0.0175 to 2.3 m/s, e = 0.5, mu = 0.4; three pairs of laws, 1500 steps a collision",
+            scene: "Spheres of aluminium alloy and nylon, normal speed 0.2 m/s, surface speed from spin 0.0175 to 2.3 m/s, e = 0.5, mu = 0.4; three pairs of laws, 1500 steps per collision",
             oracle: ORACLE,
             norm: NORM,
             origin: Origin::Convergent,
@@ -61,18 +61,18 @@ pub fn checks() -> Vec<Check> {
     ]
 }
 
-const ORACLE: &str = "Integration to high order between located events (hold, slide, end), in the root of the overlap where the contact is Hertzian";
-const NORM: &str = "Error of normal and tangential velocity and surface speed after the collision, in units of the normal speed before it; the worst for its tolerance";
-const REASON: &str = "Sum of the errors of the trapezoidal rule: an eighth of the jump of the force's rate times dt^2 at each change between holding and sliding and at the end, and 0.2079 of the coefficient times dt^(3/2) where viscoelastic spheres meet, whose force begins like the root of time. The laws are not Mindlin's: where the contact does not slide all the time the published curves differ from ours by more than any error of a step";
+const ORACLE: &str = "High-order integration between located events (stick, slide, end), with the square root of the overlap as variable where the contact is Hertzian";
+const NORM: &str = "Error of normal and tangential velocity and surface speed after the collision, in units of the initial normal speed; the one closest to its tolerance";
+const REASON: &str = "Sum of the errors of the trapezoidal rule: an eighth of the jump of the force's rate times dt^2 at each change between sticking and sliding and at the end, and 0.2079 of the coefficient times dt^(3/2) at the touch of viscoelastic spheres, whose force begins like the square root of time. The laws are not Mindlin's: where the contact does not slide throughout, the published curves differ from ours by more than the error of the time step";
 const STEPS: u64 = 1500;
 
-/// Relative error that rounding may leave: a hundred units.
+/// Relative error caused by rounding: a hundred units.
 const ROUNDING: f64 = 2e-14;
 
 fn slip() -> Outcome {
     let mut all = Vec::new();
     let mut table = Table::new(
-        "On the slip branch the kernel obeys the balance of momentum to rounding: test 4, aluminium oxide",
+        "Sliding contacts obey the balance of momentum to rounding: test 4, aluminium oxide",
         &[
             "angle (deg)",
             "beta_t",
@@ -98,14 +98,14 @@ fn slip() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Table(table)]))
 }
 
-/// Whether the contact slides until it ends, with a margin of two tenths of friction times normal speed
-/// for the viscous branch of the law.
+/// Whether the contact slides until it ends, with a margin of 0.2 times friction times normal speed for
+/// the viscous branch of the law.
 fn slides(sweep: &Sweep, run: &Run) -> bool {
     let lost = 3.5 * (1.0 + sweep.restitution) + 0.2;
     run.slip(&run.before) > lost * sweep.friction * run.before.normal
 }
 
-/// Velocity along the plane and spin after sliding all the time, and how far the kernel is from them.
+/// Velocity along the plane and spin after sliding throughout, compared with the kernel.
 fn balance(sweep: &Sweep, run: &Run) -> ([f64; 2], [Measurement; 2]) {
     let (before, after) = (run.before, run.measured);
     let impulse = sweep.friction * (before.normal + after.normal);
@@ -144,7 +144,7 @@ fn row(run: &Run, [along, spin]: [f64; 2]) -> [String; 7] {
     ]
 }
 
-/// The curves of a sweep for every solid and pair of laws.
+/// The curves of a sweep for every material and pair of laws.
 fn curves(sweep: &Sweep) -> Result<Vec<(String, Vec<Point>)>, Failure> {
     let mut all = Vec::new();
     for solid in sweep.solids {
@@ -161,7 +161,7 @@ fn worst(curves: &[(String, Vec<Point>)]) -> Measurement {
     Measurement::worst(points.flat_map(Point::comparisons))
 }
 
-/// A figure of the first solid: lines of the oracle, marks of the kernel, and what others published.
+/// A figure for the first material: lines from the oracle, marks from the kernel, and published data.
 fn figure(
     title: &str,
     [x, y]: [&str; 2],
@@ -193,7 +193,7 @@ fn test_4() -> Outcome {
     let column = |n: usize| literature::OBLIQUE.iter().map(move |row| [row[0], row[n]]);
     let simulated = "literature: Chung and Ooi, Hertz-Mindlin, digitised";
     let restitution = figure(
-        "The tangential restitution dips where the contact sticks for part of the time",
+        "The tangential restitution has a minimum where the contact sticks for part of the time",
         [angle, "tangential restitution"],
         &curves,
         |point, kernel| {
@@ -211,7 +211,7 @@ fn test_4() -> Outcome {
         ],
     );
     let spin = figure(
-        "The spin is largest where sliding just begins to last all the collision",
+        "The spin is largest at the smallest angle at which the contact slides throughout",
         [angle, "angular velocity (rad/s)"],
         &curves,
         |point, kernel| [point.run.abscissa, after(point, kernel).spin],
@@ -227,7 +227,7 @@ fn test_4() -> Outcome {
         ],
     );
     let rebound = figure(
-        "Springs throw the contact point back at small angles, viscous friction does not",
+        "Tangential springs reverse the contact point's velocity at small angles; viscous friction does not",
         [angle, "rebound angle of the contact point (deg)"],
         &curves,
         |point, kernel| {
@@ -242,7 +242,7 @@ fn test_4() -> Outcome {
 
 fn test_5() -> Outcome {
     let curves = curves(&tangential_speeds())?;
-    let number = "tangential over friction times normal speed, before";
+    let number = "tangential speed over friction times normal speed, before";
     let unit = |point: &Point| 0.3 * point.run.before.normal;
     let shown: Vec<(String, Vec<Point>)> = curves
         .iter()
@@ -252,7 +252,7 @@ fn test_5() -> Outcome {
         })
         .collect();
     let slip = figure(
-        "Above seven the sphere slides all the time and the slip falls by exactly seven",
+        "Above seven the sphere slides throughout, and the slip falls by exactly seven",
         [number, "slip over friction times normal speed, after"],
         &shown,
         |point, kernel| {
@@ -288,7 +288,7 @@ fn test_6() -> Outcome {
     let curves = curves(&spinning())?;
     let number = |point: &Point| 2.1 * point.run.before.normal / point.run.slip(&point.run.before);
     let plot = figure(
-        "Below one the sphere slides all the time; above, the rebound of the slip is a matter of the law",
+        "Below one the sphere slides throughout; above, the rebound of the slip depends on the law",
         [
             "(7/2) mu (1 + e) V_n over the slip before",
             "minus slip after over slip before",
@@ -306,7 +306,7 @@ fn test_6() -> Outcome {
     Ok(worst(&curves).showing([plot]))
 }
 
-/// The motion after the collision, by the kernel or the oracle.
+/// The motion after the collision, from the kernel or the oracle.
 fn after(point: &Point, kernel: bool) -> Flight {
     if kernel {
         point.run.measured

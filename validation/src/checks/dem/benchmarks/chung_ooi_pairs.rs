@@ -1,4 +1,4 @@
-//! Chung and Ooi's tests 7 and 8: two spheres that spin.
+//! Chung and Ooi's tests 7 and 8: two spheres with spin.
 
 use super::literature;
 use super::plane::{Material, linear, material, tangential};
@@ -18,37 +18,37 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "benchmarks.chung-ooi.7",
-            claim: "Test 7: equal spheres that meet with opposite spins roll on each other, so that spin and path do not change at all.",
+            claim: "Test 7: equal spheres with opposite spins collide and roll on each other, so that their spins and their path do not change at all.",
             equations: thesis("(6)-(7), (34), (41)-(42)"),
-            scene: "Two spheres of aluminium alloy or copper at 0.2 m/s each, spins of 0.17 to 22.9 rad/s; both normal laws with each of the three tangential ones, 150 steps",
+            scene: "Two spheres of aluminium alloy or copper at 0.2 m/s each, spins of 0.17 to 22.9 rad/s; both normal laws with each of the three tangential laws, 150 steps",
             oracle: "Symmetry: the contact does not slide",
-            norm: "How many of 204 collisions change a bit of a spin, move off the line of centres, or part with unequal speeds",
+            norm: "Number of collisions, of 204, in which a bit of a spin changes, a sphere leaves the line of centres, or the final speeds are unequal",
             origin: Origin::Exact,
-            reason: "Terms cancel exactly, not only within rounding: r w + r (-w) = 0",
+            reason: "Terms cancel exactly, not only up to rounding: r w + r (-w) = 0",
             effort: Effort::Quick,
             measure: opposite_spins,
         },
         Check {
             id: "benchmarks.chung-ooi.8-momentum",
-            claim: "Test 8: two unequal spheres keep their total momentum and angular momentum, and share the friction as their lever arms demand.",
+            claim: "Test 8: two unequal spheres conserve their total momentum and angular momentum, and the friction impulse acts on both in proportion to their lever arms.",
             equations: thesis("(6)-(7), (26)-(27), (51)"),
-            scene: "A spinning sphere of 0.1 m meets one of 0.5 m that is 1000 times as dense; aluminium alloy and nylon, 17 spins, three pairs of laws, 200 steps",
+            scene: "A spinning sphere of 0.1 m collides with a sphere of 0.5 m that is 1000 times as dense; aluminium alloy and nylon, 17 spins, three pairs of laws, 200 steps",
             oracle: "Conservation of momentum and angular momentum; J dw / r is the same impulse for both",
-            norm: "Largest change over the sum of the absolute values of what changes hands",
+            norm: "Largest change over the sum of the absolute values exchanged",
             origin: Origin::Exact,
-            reason: "200 steps, each with a rounding of 1.1e-16 of terms of which the heavy sphere's are 1e5 times as large as what changes hands at most",
+            reason: "200 steps, each with a rounding of 1.1e-16; the terms of the heavy sphere are at most 1e5 times as large as the amount exchanged",
             effort: Effort::Quick,
             measure: momentum,
         },
         Check {
             id: "benchmarks.chung-ooi.8",
-            claim: "Test 8, a spinning sphere meets a larger one: the whole curve of the slip after the collision is that of the laws.",
+            claim: "Test 8, a spinning sphere hits a larger one: the whole curve of the slip after the collision follows from the laws.",
             equations: thesis("(5)-(7), (28)-(42), (51)-(53)"),
             scene: "The collisions of test 8 with 1500 steps",
-            oracle: "Integration to high order in the turning frame of the pair, between located events",
-            norm: "Error of relative speed, angular momentum of the centres over the sum of the radii, and both surface speeds, in units of the normal speed before; the worst for its tolerance",
+            oracle: "High-order integration in the rotating frame of the pair, between located events",
+            norm: "Error of relative speed, angular momentum of the centres over the sum of the radii, and both surface speeds, in units of the initial normal speed; the one closest to its tolerance",
             origin: Origin::Convergent,
-            reason: "As in test 6; lengths of lever arms are the radii, so that the friction of both centres is larger by the sum of the radii over the distance than in models that shorten the arms",
+            reason: "As in test 6. The lever arms are the radii, so that the friction on both centres is larger, by the sum of the radii over the distance, than in models with shorter arms",
             effort: Effort::Thorough,
             measure: unequal,
         },
@@ -99,7 +99,8 @@ fn sphere(solid: Material, side: f64, spin: f64) -> String {
         + &format!("density = {:e}\n", solid.density)
 }
 
-/// Whether both spins are as they were, both velocities on the line and opposite, and the spheres part.
+/// Whether the spins are unchanged, the velocities lie on the line of centres and are opposite, and the
+/// spheres separate.
 fn rolls(world: &World, spin: f64) -> bool {
     let p = world.particles();
     let velocities = [p.velocity[0], p.velocity[1]];
@@ -112,7 +113,7 @@ fn rolls(world: &World, spin: f64) -> bool {
 
 /// Radii of test 8 in m.
 const RADII: [f64; 2] = [0.1, 0.5];
-/// How much denser and stiffer the larger sphere is.
+/// Ratio of the densities and of the moduli, larger sphere to smaller.
 const HEAVIER: f64 = 1000.0;
 const SPEED: f64 = 0.2;
 const FRICTION: f64 = 0.4;
@@ -167,7 +168,7 @@ impl Unequal {
     fn world(&self, spin: f64, steps: u64) -> Result<World, Failure> {
         let law = match self.impact.normal {
             Normal::Linear([stiffness, damping]) => linear(stiffness, damping),
-            // Twice the reduced modulus of a solid and one a thousand times as stiff.
+            // Twice the reduced modulus of a solid and of one a thousand times as stiff.
             Normal::Hertzian([_, dissipation]) => self
                 .solid
                 .hertzian(2.0 / (1.0 + 1.0 / HEAVIER), dissipation),
@@ -209,7 +210,7 @@ impl Unequal {
         last.ok_or_else(|| Failure::Oracle("the collision does not end".to_owned()))
     }
 
-    /// Totals of momentum along x and y and angular momentum, each with the size of what changes hands.
+    /// Total momentum along x and y and total angular momentum, in units of the amounts exchanged.
     fn totals(&self, world: &World, spin: f64) -> [f64; 3] {
         let p = world.particles();
         let mut sums = [0.0; 3];
@@ -226,7 +227,7 @@ impl Unequal {
     }
 }
 
-/// Every collision of test 8: angle in degrees, spin, collision and its solid and laws.
+/// Every collision of test 8: angle in degrees, spin, collision and its laws.
 fn collisions() -> Result<Vec<(f64, f64, Unequal, Laws)>, Failure> {
     let dissipation = dissipative_constant(RESTITUTION)
         .ok_or_else(|| Failure::Oracle("no dissipative constant".to_owned()))?;
@@ -298,7 +299,7 @@ fn unequal() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
 }
 
-/// What stays constant after the collision, kernel against oracle, and the kernel's slip.
+/// Conserved quantities after the collision, kernel against oracle, and the kernel's slip.
 fn compare(
     pair: &Unequal,
     spin: f64,

@@ -1,7 +1,8 @@
-//! What others published, read from their figures: for comparison in the report, never for the gate.
+//! Published data, read from figures: for comparison in the report, not for the checks.
 //!
 //! Chung and Ooi, Granular Matter 13 (2011) 643, and Kharaz, Gorham and Salman (2001), as digitised for
-//! the test data of other programs; a reading is good to about one per cent of the range of its figure.
+//! the test data of other programs; a reading is accurate to about one per cent of the range of its
+//! figure.
 
 /// Test 4, simulated: angle of impact in degrees, tangential restitution, angular velocity in rad/s,
 /// rebound angle of the contact point in degrees.
@@ -33,7 +34,7 @@ pub const OBLIQUE_MEASURED: [[f64; 2]; 8] = [
     [59.84, 0.9019],
 ];
 
-/// Test 4, measured: angle of impact in degrees, angular velocity in rad/s without its sign.
+/// Test 4, measured: angle of impact in degrees, magnitude of the angular velocity in rad/s.
 pub const SPIN_MEASURED: [[f64; 2]; 7] = [
     [6.00, 135.57],
     [10.98, 264.55],
@@ -44,7 +45,7 @@ pub const SPIN_MEASURED: [[f64; 2]; 7] = [
     [60.25, 381.32],
 ];
 
-/// Test 5, finite elements: tangential over normal speed and friction, before and after.
+/// Test 5, finite elements: tangential speed over friction times normal speed, before and after.
 pub const FINITE_ELEMENTS: [[f64; 2]; 15] = [
     [0.27, -0.03],
     [0.59, -0.03],
@@ -63,7 +64,8 @@ pub const FINITE_ELEMENTS: [[f64; 2]; 15] = [
     [12.36, 5.43],
 ];
 
-/// Test 5, finite elements: tangential over normal speed and friction before, surface speed after.
+/// Test 5, finite elements: tangential speed before and surface speed after, over friction times normal
+/// speed.
 pub const FINITE_ELEMENTS_SPIN: [[f64; 2]; 8] = [
     [0.32, -0.19],
     [1.18, -0.98],

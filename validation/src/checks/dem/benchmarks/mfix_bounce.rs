@@ -15,44 +15,44 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "benchmarks.mfix.01-02-contact",
-            claim: "DEM01 and DEM02: a dropped sphere is thrown back as high, and as late, as a damped spring with gravity throws it until its force vanishes.",
+            claim: "DEM01 and DEM02: a dropped sphere rebounds to the height, and at the time, of a damped spring with gravity that acts until its force vanishes.",
             equations: thesis("(8)-(10), (35)-(36)"),
             scene: SCENE,
             oracle: "Closed form of the damped oscillator with gravity, ended where k xi + gamma xi' = 0",
-            norm: "Relative error of the height above contact and of the time from contact to the highest point",
+            norm: "Relative error of the height above contact, and of the time from contact to the highest point",
             origin: Origin::Convergent,
-            reason: "The force has one kink, at its end, where the trapezoidal rule errs by an eighth of the jump of its rate times dt^2, and the phase is late by (w dt)^2 / 24 of it: relative to the speed less than (pi / n)^2 / 4 with n steps in half a period; twice that in the height. Programs that let the contact attract until the overlap vanishes, as MFiX does, have other values: the table shows both",
+            reason: "The force has one kink, at its end, where the error of the trapezoidal rule is an eighth of the jump of its rate times dt^2, and the phase lags by a fraction (w dt)^2 / 24: relative to the speed less than (pi / n)^2 / 4 with n steps per half period, and twice that in the height. Programs that let the contact attract until the overlap vanishes, such as MFiX, have other values: the table shows both",
             effort: Effort::Quick,
             measure: contact,
         },
         Check {
             id: "benchmarks.mfix.02-limit",
-            claim: "DEM02: the height of the rebound differs from that of hard spheres in proportion to one over the root of the stiffness.",
+            claim: "DEM02: the difference between the rebound height and that of hard spheres is proportional to one over the square root of the stiffness.",
             equations: thesis("(8)-(10), (35)-(36)"),
-            scene: "The same, k = 5e6 and 5e8 N/m, e = 0.9, 0.7 and 0.5",
+            scene: "The same scene, k = 5e6 and 5e8 N/m, e = 0.9, 0.7 and 0.5",
             oracle: "The hard-sphere height e^2 h and the exponent -1/2",
             norm: "Error of the observed exponent",
             origin: Origin::Convergent,
-            reason: "The gap is a series in q = g / (w v), which is 5.2e-3 and 5.2e-4; a second term no larger than twice the first times q changes the exponent by 2 (q_1 - q_2) / ln 100 = 2.0e-3",
+            reason: "The difference is a series in q = g / (w v), which is 5.2e-3 and 5.2e-4; a second term of at most twice the first times q changes the exponent by 2 (q_1 - q_2) / ln 100 = 2.0e-3",
             effort: Effort::Quick,
             measure: limit,
         },
         Check {
             id: "benchmarks.mfix.02-bounces",
-            claim: "DEM02: six bounces in a row reach the heights that contacts and flights in closed form give.",
+            claim: "DEM02: six successive bounces reach the heights given by contacts and flights in closed form.",
             equations: thesis("(8)-(10), (35)-(36)"),
-            scene: "A sphere dropped from 0.5 m, k = 5e4 N/m with e = 0.9 and 5e5 N/m with e = 0.7, 1000 steps in half a period",
-            oracle: "Flights and damped oscillators with gravity in turn",
-            norm: "Relative error of the height above contact of each bounce, for its tolerance",
+            scene: "A sphere dropped from 0.5 m, k = 5e4 N/m with e = 0.9 and 5e5 N/m with e = 0.7, 1000 steps per half period",
+            oracle: "Flights and damped oscillators with gravity, alternating",
+            norm: "Relative error of the height above contact of each bounce, over its tolerance",
             origin: Origin::Convergent,
-            reason: "A damped contact begins with a jump of the force, gamma v, somewhere within a step: gamma dt / (2 m) of the speed at each contact, besides the kinks of the one-contact check; errors of all contacts so far add up, doubled in the height",
+            reason: "A damped contact begins with a jump of the force, gamma v, somewhere within a step: gamma dt / (2 m) of the speed per contact, plus the kinks as for a single contact. The errors of all previous contacts add up and are doubled in the height",
             effort: Effort::Thorough,
             measure: bounces,
         },
     ]
 }
 
-const SCENE: &str = "A sphere of 0.1 m and 2600 kg/m^3 dropped from 0.5 m on a fixed one, from the moment of contact; stiffness 1e4 to 5e6 N/m, damping for e = 1 to 0.5 without gravity; Kelvin-Voigt, 16000 steps in half a period";
+const SCENE: &str = "A sphere of radius 0.1 m and 2600 kg/m^3 dropped from 0.5 m on a fixed one, from the moment of contact; stiffness 1e4 to 5e6 N/m, damping for e = 1 to 0.5 without gravity; Kelvin-Voigt, 16000 steps per half period";
 const RADIUS: f64 = 0.1;
 const DENSITY: f64 = 2600.0;
 const GRAVITY: f64 = 9.81;
@@ -62,7 +62,7 @@ fn mass() -> f64 {
     4.0 / 3.0 * PI * DENSITY * RADIUS.powi(3)
 }
 
-/// The spring of a stiffness, with the damping ratio of a restitution.
+/// The spring of the given stiffness and damping ratio.
 fn spring(stiffness: f64, ratio: f64) -> Spring {
     Spring {
         stiffness: stiffness / mass(),
@@ -91,8 +91,8 @@ fn impact_speed() -> f64 {
     (2.0 * GRAVITY * DROP).sqrt()
 }
 
-/// Height above contact and time of the highest point after one contact, by the kernel: both are constants
-/// of the flight.
+/// Height above contact and time of the highest point after one contact, from the kernel: both are
+/// constants of the flight.
 fn thrown(spring: &Spring, steps: u64) -> Result<[f64; 2], Failure> {
     let touching = (2.0 * RADIUS).next_down();
     let step = half_period(spring) / steps as f64;
@@ -118,7 +118,7 @@ fn contact() -> Outcome {
         (5e6, [1.0, 0.9, 0.5]),
     ];
     let mut table = Table::new(
-        "First rebound: height of the centre, time in contact; with MFiX's convention for comparison",
+        "First rebound: height of the centre and contact time, with MFiX's convention for comparison",
         &[
             "stiffness (N/m)",
             "restitution",
@@ -189,7 +189,7 @@ fn limit() -> Outcome {
         curves.push(Curve::marks(&format!("kernel, e = {e}"), gaps));
     }
     let plot = Plot {
-        title: "Soft spheres approach hard ones with the root of the stiffness".to_owned(),
+        title: "Soft spheres approach hard ones with the inverse square root of the stiffness".to_owned(),
         x: Axis::logarithmic("stiffness (N/m)"),
         y: Axis::logarithmic("height below that of hard spheres (m)"),
         curves,
@@ -197,7 +197,7 @@ fn limit() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
 }
 
-/// Bounces that are followed.
+/// Number of bounces compared.
 const BOUNCES: usize = 6;
 
 fn bounces() -> Outcome {
@@ -237,7 +237,7 @@ fn bounces() -> Outcome {
         curves.push(Curve::marks(&format!("kernel, e = {e}"), marks));
     }
     let plot = Plot {
-        title: "A dropped sphere bounces as its spring and gravity tell".to_owned(),
+        title: "A dropped sphere bounces as predicted from its spring and gravity".to_owned(),
         x: Axis::linear("time (s)"),
         y: Axis::linear("height of the centre (m)"),
         curves,
@@ -264,7 +264,7 @@ fn expected_bounces(spring: &Spring) -> (Vec<f64>, Vec<[f64; 2]>) {
         time += end.time;
         let height = apex(&end, GRAVITY);
         heights.push(height);
-        // From below contact up, and down to contact.
+        // From the end of contact up, and down to touch.
         speed = (2.0 * GRAVITY * height).sqrt();
         let flight = (end.speed + speed) / GRAVITY;
         path.extend((0..16).map(|n| flight * f64::from(n) / 16.0).map(|t| {
@@ -298,5 +298,5 @@ fn measured_bounces(spring: &Spring, step: f64) -> Result<(Vec<f64>, Vec<[f64; 2
     Ok((heights, path))
 }
 
-/// Time in s by which six bounces are over.
+/// Time in s within which six bounces must be over.
 const LONGEST: f64 = 10.0;

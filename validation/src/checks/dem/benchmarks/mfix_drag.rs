@@ -1,4 +1,4 @@
-//! MFiX DEM06: a sphere settles to its terminal speed.
+//! MFiX DEM06: a sphere falls at its terminal speed.
 
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::extrapolation::to_no_step;
@@ -13,37 +13,37 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "benchmarks.mfix.06-creeping",
-            claim: "DEM06 in creeping flow: speed, way and spin of a settling sphere are exponentials with its relaxation times.",
+            claim: "DEM06 in creeping flow: speed, distance and spin of a settling sphere are exponentials with its relaxation times.",
             equations: thesis("(17)-(19)"),
             scene: "A sphere of 0.1 mm and 2000 kg/m^3 falls from rest, spinning, for 0.35 s in a medium of 1.8e-5 Pa s; 350 to 2800 steps, extrapolated",
             oracle: "Closed forms",
-            norm: "Largest error of speed, way and spin in units of terminal speed, its way and the first spin, every 0.05 s",
+            norm: "Largest error of speed, distance and spin, in units of the terminal speed, the distance covered at that speed in one relaxation time, and the initial spin, every 0.05 s",
             origin: Origin::Convergent,
-            reason: "The error of velocity Verlet is a series in dt from dt^2 on; extrapolation through four steps leaves 1.04e-3 of its term in dt^5, which with dt / tau = 0.054 for spin and the coarsest is 4.8e-10 times a coefficient below a tenth, doubled for higher terms",
+            reason: "The error of velocity Verlet is a series in dt starting at dt^2. Extrapolation from four time steps leaves 1.04e-3 of its term in dt^5, which for the spin with the coarsest step, dt / tau = 0.054, is 4.8e-10 times a coefficient below a tenth, doubled for higher terms",
             effort: Effort::Quick,
             measure: creeping,
         },
         Check {
             id: "benchmarks.mfix.06-terminal",
-            claim: "DEM06 with the correlation: the terminal speed balances drag and weight, with the constant 0.42 and with the printed 1.",
+            claim: "DEM06 with the drag correlation: the terminal speed balances drag and weight, with the constant 0.42 and with the printed 1.",
             equations: thesis("(11)-(13), (16)"),
             scene: "The same sphere in a medium of 1.2 kg/m^3, 4 s",
             oracle: "Root of the drag coefficient 24 / Re + 3 / sqrt(Re) + c against weight, by bisection",
             norm: "Relative error of the speed",
             origin: Origin::Exact,
-            reason: "At rest in the balance the step does not matter; after 65 relaxation times nothing of the approach is left; rounding of a sum that is repeated leaves some hundred units, 2e-14, at most",
+            reason: "In equilibrium the time step does not matter; after 65 relaxation times the transient has vanished; rounding of the repeated sum leaves at most about a hundred units, 2e-14",
             effort: Effort::Quick,
             measure: terminal,
         },
         Check {
             id: "benchmarks.mfix.06-approach",
-            claim: "DEM06 with the correlation: the sphere approaches its terminal speed as the drag demands.",
+            claim: "DEM06 with the drag correlation: the sphere approaches its terminal speed as the drag law requires.",
             equations: thesis("(11)-(13), (16)"),
             scene: "The same sphere, 0.35 s, 7000 steps",
-            oracle: "Integration to high order in the root of the speed",
+            oracle: "High-order integration in the square root of the speed",
             norm: "Largest error of the speed in units of the terminal speed, every 0.05 s",
             origin: Origin::Convergent,
-            reason: "The rate of change of the drag is at most that at the terminal speed, 1.5 / tau; a step of velocity Verlet errs by a'' dt^3 / 6 at most, and errors are damped: (1.5 dt / tau)^2 / 6 = 2.5e-7",
+            reason: "The rate of the drag is at most that at the terminal speed, 1.5 / tau. The error of a step of velocity Verlet is at most a'' dt^3 / 6, and errors decay: (1.5 dt / tau)^2 / 6 = 2.5e-7",
             effort: Effort::Quick,
             measure: approach,
         },
@@ -61,7 +61,7 @@ const SPIN: f64 = 100.0;
 const EVERY: f64 = 0.05;
 const SAMPLES: u64 = 7;
 
-/// The sphere with so many steps in a twentieth of a second.
+/// The sphere with the given number of steps per twentieth of a second.
 fn settling(ambient: &str, reading: &str, steps: u64) -> Result<World, Failure> {
     let text = format!("reading = \"{reading}\"\n")
         + &head("velocity-verlet", EVERY / steps as f64)
@@ -79,7 +79,7 @@ fn correlation(reading: &str, steps: u64) -> Result<World, Failure> {
     settling(&law, reading, steps)
 }
 
-/// Way, speed and spin at every sample.
+/// Distance, speed and spin at every sample.
 fn course(steps: u64) -> Result<Vec<[f64; 3]>, Failure> {
     let mut world = settling("law = \"creeping\"\n", "corrected", steps)?;
     let mut rows = Vec::new();
@@ -102,12 +102,12 @@ fn creeping() -> Outcome {
     let fastest = SPHERE.gravity * tau;
     let mut all = Vec::new();
     let mut table = Table::new(
-        "Settling in creeping flow, expected and extrapolated from the kernel",
+        "Settling in creeping flow: expected, and extrapolated from the kernel",
         &[
             "time (s)",
             "speed (m/s)",
             "kernel",
-            "way (m)",
+            "distance (m)",
             "kernel",
             "spin (rad/s)",
             "kernel",
@@ -144,7 +144,7 @@ const READINGS: [(&str, f64); 2] = [("corrected", 0.42), ("thesis", 1.0)];
 fn terminal() -> Outcome {
     let mut all = Vec::new();
     let mut table = Table::new(
-        "Terminal speed, by the balance of forces and by the kernel",
+        "Terminal speed, from the balance of forces and from the kernel",
         &["constant of (16)", "expected (m/s)", "kernel (m/s)"],
     );
     for (reading, constant) in READINGS {
@@ -191,7 +191,7 @@ fn approach() -> Outcome {
     });
     curves.push(Curve::line("creeping flow, closed form", creeping));
     let plot = Plot {
-        title: "The sphere of DEM06 settles more slowly than creeping flow would let it".to_owned(),
+        title: "With the drag correlation, the sphere of DEM06 settles more slowly than in creeping flow".to_owned(),
         x: Axis::linear("time (s)"),
         y: Axis::linear("speed (m/s)"),
         curves,

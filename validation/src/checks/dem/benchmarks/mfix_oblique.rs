@@ -18,25 +18,25 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "benchmarks.mfix.05-stick",
-            claim: "DEM05: while a linear contact sticks, the contact point comes back with cos(pi sqrt((7/2) k_t / k_n)) of its speed.",
+            claim: "DEM05: if a linear contact sticks throughout, the velocity of the contact point changes by the factor cos(pi sqrt((7/2) k_t / k_n)).",
             equations: thesis("(35)-(36), (42)"),
-            scene: "A sphere of aluminium oxide on a plane at 45 degrees, Kelvin-Voigt without damping, truncated Cundall-Strack with mu = 1e15; k_t / k_n = 2/7, 0.8605, 1 and 10; steps with which the contact ends on a step",
-            oracle: "Two springs: half a period of one, sqrt((7/2) k_t / k_n) times as much of the other",
-            norm: "Error of the ratio, extrapolated to no step from 64 to 1024 steps",
+            scene: "A sphere of aluminium oxide on a plane at 45 degrees, undamped Kelvin-Voigt, truncated Cundall-Strack with mu = 1e15; k_t / k_n = 2/7, 0.8605, 1 and 10; time steps chosen so that the contact ends on a step",
+            oracle: "Two springs: half a period of one is sqrt((7/2) k_t / k_n) half periods of the other",
+            norm: "Error of the ratio, extrapolated to zero time step from 64 to 1024 steps",
             origin: Origin::Convergent,
-            reason: "With half a period a whole number of steps, of w dt = 2 sin(pi / 2 n), the error is a series in n^-2; extrapolation through five of them leaves 1e-6 of its term in (18.6 / n)^10, 4e-12 with 64 steps, and the contact, kept closed by ending it 1e-13 early, 2e-12; ten times that for coefficients",
+            reason: "If half a period is a whole number of steps, w dt = 2 sin(pi / 2 n), the error is a series in n^-2. Extrapolation from five runs leaves 1e-6 of its term in (18.6 / n)^10, 4e-12 with 64 steps. Ending the contact 1e-13 early, to keep it closed, adds 2e-12. The tolerance is ten times that, for the coefficients",
             effort: Effort::Quick,
             measure: sticking,
         },
         Check {
             id: "benchmarks.mfix.05",
-            claim: "DEM05: the whole curves of oblique impact with linear springs, and 1 - 0.184 cot(theta) where the contact slides.",
+            claim: "DEM05: whole curves of oblique impact with linear springs, and 1 - 0.184 cot(theta) where the contact slides throughout.",
             equations: thesis("(35)-(36), (42)"),
-            scene: "A sphere of 5 mm and 4000 kg/m^3 at 3.9 m/s, 5 to 65 degrees, k_n = 1.72e7, k_t = 1.48e7 N/m, mu = 0.092, e = 1; 1500 steps a collision",
-            oracle: "Integration to high order between located events; above 35 degrees the closed form",
-            norm: "Error of normal and tangential velocity and surface speed, in units of the normal speed; the worst for its tolerance",
+            scene: "A sphere of 5 mm diameter and 4000 kg/m^3 at 3.9 m/s, 5 to 65 degrees, k_n = 1.72e7, k_t = 1.48e7 N/m, mu = 0.092, e = 1; 1500 steps per collision",
+            oracle: "High-order integration between located events; above 35 degrees the closed form",
+            norm: "Error of normal and tangential velocity and surface speed, in units of the normal speed; the one closest to its tolerance",
             origin: Origin::Convergent,
-            reason: "As in test 4 of Chung and Ooi; where the contact slides the closed form to 1e-8, because without damping half a sine of steps loses no speed but in the step in which it ends, (pi / n)^3 / 6 of it",
+            reason: "As in test 4 of Chung and Ooi. Where the contact slides throughout, the closed form to 1e-8: without damping, half a sine wave of steps loses speed only in the step in which it ends, (pi / n)^3 / 6",
             effort: Effort::Quick,
             measure: oblique,
         },
@@ -55,7 +55,7 @@ fn contact(ratio: f64, friction: f64) -> OnPlane {
     }
 }
 
-/// Slip after half a period over slip before, with so many steps.
+/// Slip after half a period over slip before, with the given number of steps.
 fn stuck(ratio: f64, steps: u64) -> Result<f64, Failure> {
     let contact = contact(ratio, 1e15);
     let before = Flight {
@@ -139,7 +139,7 @@ fn oblique() -> Outcome {
     }
     let measured = literature::OBLIQUE_MEASURED;
     let plot = Plot {
-        title: "Linear springs miss the dip that the experiment has below the angle of sliding"
+        title: "Below the angle of sliding, linear springs do not reproduce the minimum seen in the experiment"
             .to_owned(),
         x: Axis::linear("angle of impact (deg)"),
         y: Axis::linear("tangential restitution"),

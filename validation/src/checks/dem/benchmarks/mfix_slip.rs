@@ -16,37 +16,37 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "benchmarks.mfix.04",
-            claim: "DEM04: a sphere that slides with u_0 rolls after 2 u_0 / (7 mu g), a way of (12/49) u_0^2 / (mu g) later, with 5/7 of its speed; the viscous law only until it has slowed down to mu m g / gamma.",
+            claim: "DEM04: a sphere that slides with initial speed u_0 starts to roll after the time 2 u_0 / (7 mu g) and the distance (12/49) u_0^2 / (mu g), with 5/7 of its speed. With the viscous law the sliding phase ends when the slip has fallen to mu m g / gamma.",
             equations: thesis("(6)-(7), (10), (35)-(36), (41)-(42)"),
-            scene: "A sphere of 1 mm and 10000 kg/m^3 at 0.1 m/s rests on a plane, k = 1e4 N/m; mu = 0.2, 0.5 and 1; Haff-Werner, Cundall-Strack as printed and truncated, steps of 5 us",
-            oracle: "Uniform retardation, from the state after one step: the spring, which is there at once, needs 10 ns to reach the limit, and no step resolves that",
-            norm: "Relative error of time, way, velocity and surface speed at which the slip, interpolated within its step, ends",
+            scene: "A sphere of 1 mm diameter and 10000 kg/m^3 at 0.1 m/s on a plane, k = 1e4 N/m; mu = 0.2, 0.5 and 1; Haff-Werner, printed and truncated Cundall-Strack, time steps of 5 us",
+            oracle: "Uniform deceleration from the state after one step. The spring needs 10 ns to reach its limit, which no time step resolves",
+            norm: "Relative error of time, distance, velocity and surface speed at the end of sliding, interpolated within the step",
             origin: Origin::Exact,
-            reason: "Under constant forces velocity Verlet is exact; the height at rest, a double, leaves 1e-11 of the weight, interpolation over a few steps some 1e-12 of the speed, and the plane, a sphere 1e12 times as large, bends by as much",
+            reason: "Under constant forces velocity Verlet is exact. The resting height, a double, contributes 1e-11 of the weight, the interpolation over a few steps about 1e-12 of the speed, and the curvature of the plane, a sphere 1e12 times as large, as much",
             effort: Effort::Quick,
             measure: sliding,
         },
         Check {
             id: "benchmarks.mfix.04-rolling",
-            claim: "DEM04: once it rolls the sphere keeps the angular momentum about its contact, and does not slip faster than each law of friction allows.",
+            claim: "DEM04: once it rolls, the sphere conserves its angular momentum about the contact point, and its slip stays within the bound of each friction law.",
             equations: thesis("(6)-(7), (41)-(42)"),
-            scene: "The same, for another 2 ms",
-            oracle: "v - (2/5) r w = u_0; slip below mu m g / gamma (viscous), below the chatter (7/2) mu g dt of the printed law, below the swing mu m g sqrt(7 / (2 m k)) of a spring released at its limit",
-            norm: "Error of the invariant over the speed, in units of 1e-11; slip over its bound, less one",
+            scene: "The same scene, for another 2 ms",
+            oracle: "v - (2/5) r w = u_0. Bounds of the slip: mu m g / gamma for the viscous law, (7/2) mu g dt for the chatter of the printed law, and mu m g sqrt(7 / (2 m k)) for the oscillation of a truncated spring released at its limit",
+            norm: "Relative error of the invariant, in units of 1e-11; slip over its bound, minus one",
             origin: Origin::Exact,
-            reason: "Rounding; the printed law changes the sign of its force at rest, so that one step more than stops it; the spring swings with a step of 0.22 of its time scale, with which velocity Verlet exceeds the amplitude by (w dt)^2 / 8, and is released within a step, which adds w dt / 2",
+            reason: "Rounding. The printed law reverses its force at rest, so that one step more than stops the slip. The spring oscillates with a time step of 0.22 of its time scale, for which velocity Verlet exceeds the amplitude by (w dt)^2 / 8, and its release within a step adds w dt / 2",
             effort: Effort::Quick,
             measure: rolling,
         },
         Check {
             id: "benchmarks.mfix.04-viscous",
-            claim: "DEM04 below the Coulomb limit: viscous friction turns sliding into rolling exponentially, with the rate (7/2) gamma / m.",
+            claim: "DEM04 below the Coulomb limit: viscous friction turns sliding into rolling exponentially, at the rate (7/2) gamma / m.",
             equations: thesis("(6)-(7), (34), (41)"),
             scene: "The same sphere with mu = 1e4 and Haff-Werner, 0.2 ms; 40 to 320 steps, extrapolated",
             oracle: "Closed form: slip u_0 exp(-7 gamma t / (2 m)), velocity (5 u_0 + 2 slip) / 7",
             norm: "Largest error of velocity and surface speed in units of u_0, every 0.05 ms",
             origin: Origin::Convergent,
-            reason: "The error is a series in dt from dt^2 on; extrapolation through four steps leaves 1.04e-3 of its term in dt^5, which with rate dt = 0.1 for the coarsest is 1.04e-8 times a coefficient below a tenth, as the decay of an exponential has",
+            reason: "The error is a series in dt starting at dt^2. Extrapolation from four time steps leaves 1.04e-3 of its term in dt^5, which with rate dt = 0.1 for the coarsest is 1.04e-8 times a coefficient below a tenth, as for the decay of an exponential",
             effort: Effort::Quick,
             measure: viscous,
         },
@@ -64,7 +64,7 @@ fn mass() -> f64 {
     4.0 / 3.0 * PI * 1e4 * RADIUS.powi(3)
 }
 
-/// Law of friction of DEM04.
+/// Friction law of DEM04.
 #[derive(Clone, Copy, PartialEq)]
 enum Law {
     Viscous,
@@ -97,7 +97,7 @@ impl Law {
             _ => 0.0,
         }
     }
-    /// Largest slip in m/s afterwards.
+    /// Bound of the slip in m/s afterwards.
     fn most_slip(self, friction: f64) -> f64 {
         match self {
             Self::Viscous => self.least_slip(friction),
@@ -124,7 +124,7 @@ fn resting(law: Law, friction: f64, step: f64) -> Result<World<DoubleDouble>, Fa
     world_in(&text)
 }
 
-/// A moment of sliding: time, place, velocity, surface speed.
+/// A moment of sliding: time, position, velocity, surface speed.
 #[derive(Clone, Copy, Default)]
 struct Sliding {
     time: f64,
@@ -146,7 +146,7 @@ impl Sliding {
     fn slip(&self) -> f64 {
         self.velocity + self.surface
     }
-    /// The moment at which uniform sliding has slowed down to a slip.
+    /// The moment at which uniform sliding has slowed to the given slip.
     fn until(&self, slip: f64, friction: f64) -> Self {
         let retardation = friction * GRAVITY;
         let wait = (self.slip() - slip) / (3.5 * retardation);
@@ -157,7 +157,7 @@ impl Sliding {
             surface: self.surface - 2.5 * retardation * wait,
         }
     }
-    /// The moment at which the straight lines through two moments reach a slip; a parabola for the place.
+    /// Linear extrapolation from two moments to the given slip; the position is a parabola.
     fn extrapolated(&self, later: &Self, slip: f64) -> Self {
         let s = (self.slip() - slip) / (self.slip() - later.slip());
         let line = |a: f64, b: f64| a + (b - a) * s;
@@ -172,13 +172,14 @@ impl Sliding {
     }
 }
 
-/// The state after one step, and the end of sliding, by the kernel.
+/// The state after one step and the end of sliding, from the kernel.
 fn slid(law: Law, friction: f64) -> Result<(Sliding, Sliding), Failure> {
     let mut world = resting(law, friction, STEP)?;
     world.step()?;
     let first = Sliding::of(&world);
     let least = law.least_slip(friction);
-    // The printed law can stop the slip just above zero: the last step of sliding ends the search.
+    // The printed law can stop the slip just above zero, so the search ends with the last step of
+    // sliding.
     let nearly = least + 1.001 * 3.5 * friction * GRAVITY * STEP;
     let mut last = [first; 3];
     for _ in 0..10_000 {
@@ -196,13 +197,13 @@ const FRICTIONS: [f64; 3] = [0.2, 0.5, 1.0];
 
 fn sliding() -> Outcome {
     let mut table = Table::new(
-        "From sliding to rolling: when, where, how fast",
+        "From sliding to rolling: time, distance and velocity",
         &[
             "friction",
             "law",
             "end of sliding (s)",
             "kernel",
-            "way (m)",
+            "distance (m)",
             "kernel",
             "velocity (m/s)",
             "kernel",
@@ -276,7 +277,7 @@ fn rolling() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "Whatever the friction, the sphere rolls with five sevenths of its speed".to_owned(),
+        title: "For every friction coefficient the sphere finally rolls at five sevenths of its speed".to_owned(),
         x: Axis::linear("time (ms)"),
         y: Axis::linear("velocity (m/s)"),
         curves,
@@ -284,7 +285,7 @@ fn rolling() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
 }
 
-/// Times of comparison in the viscous decay, in s.
+/// Interval of comparison in the viscous decay, in s.
 const EVERY: f64 = 5e-5;
 
 fn viscous() -> Outcome {

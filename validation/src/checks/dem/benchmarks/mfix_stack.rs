@@ -1,4 +1,4 @@
-//! MFiX DEM03: two spheres pressed between walls.
+//! MFiX DEM03: two spheres compressed between walls.
 
 use super::plane::{fixed, linear};
 use crate::checks::dem::scenes::{advance, head, particle, world};
@@ -14,13 +14,13 @@ use std::f64::consts::PI;
 pub fn checks() -> Vec<Check> {
     vec![Check {
         id: "benchmarks.mfix.03",
-        claim: "DEM03: two spheres pressed between walls oscillate, and come to rest with damping, as the linear system of their contacts does.",
+        claim: "DEM03: two spheres compressed between walls oscillate, and with damping come to rest, like the linear system of their contacts.",
         equations: thesis("(8)-(10), (26), (35)-(36)"),
-        scene: "Spheres of 1 mm, 20000 and 10000 kg/m^3, between walls 1.8 mm apart, k = 1000 N/m, damping for e = 1, 0.8 and 0.5 of the pair, 1 ms; walls are fixed spheres on the same line, which is the same geometry; 4000 to 16000 steps, extrapolated",
-        oracle: "Exponential of the matrix of the linear system",
-        norm: "Largest error of a height in units of the first displacement from rest, at eight times",
+        scene: "Spheres of 1 mm diameter, 20000 and 10000 kg/m^3, between walls 1.8 mm apart, k = 1000 N/m, damping for e = 1, 0.8 and 0.5 of the pair, 1 ms; walls are fixed spheres on the same line, which is the same geometry; 4000 to 16000 steps, extrapolated",
+        oracle: "Matrix exponential of the linear system",
+        norm: "Largest error of a height in units of the initial displacement from equilibrium, at eight times",
         origin: Origin::Convergent,
-        reason: "No contact opens, so that the error is a series in dt from dt^2 on; extrapolation through three steps leaves 0.018 of its term in dt^4, (w dt)^4 = 8e-10 for the coarsest times at most the phase of 21",
+        reason: "No contact opens, so the error is a series in dt starting at dt^2. Extrapolation from three time steps leaves 0.018 of its term in dt^4; for the coarsest, (w dt)^4 = 8e-10, times at most the phase of 21",
         effort: Effort::Quick,
         measure: stack,
     }]
@@ -28,9 +28,9 @@ pub fn checks() -> Vec<Check> {
 
 const GRAVITY: f64 = 9.81;
 
-/// First heights of DEM03 in m.
+/// Initial heights of DEM03 in m.
 const HEIGHTS: [f64; 2] = [0.45e-3, 1.35e-3];
-/// Moments of comparison, equally far apart, in the millisecond.
+/// Number of equally spaced comparison times within the millisecond.
 const MOMENTS: u64 = 8;
 
 fn stack() -> Outcome {
@@ -79,7 +79,7 @@ fn stack() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "Two pressed spheres oscillate about rest, and settle with damping".to_owned(),
+        title: "Two compressed spheres oscillate about equilibrium, and settle with damping".to_owned(),
         x: Axis::linear("time (ms)"),
         y: Axis::linear("height (mm)"),
         curves,
@@ -87,7 +87,7 @@ fn stack() -> Outcome {
     Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
 }
 
-/// Heights of one of the spheres in mm over time in ms, from the oracle and from the kernel.
+/// Heights of one sphere in mm over time in ms, from the oracle and from the kernel.
 fn heights(label: &str, stack: &Stack, measured: &[[f64; 2]], at: usize) -> [Curve; 2] {
     let line = (0..=100).map(|n| 1e-5 * f64::from(n));
     let marks = measured.iter().enumerate();
@@ -103,10 +103,10 @@ fn heights(label: &str, stack: &Stack, measured: &[[f64; 2]], at: usize) -> [Cur
     ]
 }
 
-/// First distance of the lower sphere from rest in m, about.
+/// Approximate initial distance of the lower sphere from equilibrium in m.
 const FIRST_DISPLACEMENT: f64 = 1.7e-5;
 
-/// DEM03 with the damping with which the pair alone would have a restitution.
+/// DEM03 with the damping for which the pair alone would have the given restitution.
 fn pressed(e: f64) -> Stack {
     let volume = 4.0 / 3.0 * PI * 0.5e-3_f64.powi(3);
     let masses = [2e4 * volume, 1e4 * volume];
@@ -121,7 +121,7 @@ fn pressed(e: f64) -> Stack {
     }
 }
 
-/// Heights by the kernel at every moment of comparison, with so many steps between them.
+/// The kernel's heights at every comparison time, with the given number of steps in between.
 fn stacked(stack: &Stack, steps: u64) -> Result<Vec<[f64; 2]>, Failure> {
     let r = stack.radius;
     let text = head("velocity-verlet", 1e-3 / (MOMENTS * steps) as f64)

@@ -19,7 +19,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "benchmarks",
         title: "Community benchmarks",
-        about: "Chung and Ooi 1-8 and MFiX DEM01-06 in planar form, whole curves.",
+        about: "Chung and Ooi's tests 1-8 and MFiX DEM01-06 in planar form, over whole curves.",
         checks: [
             chung_ooi_head_on::checks(),
             chung_ooi_oblique::checks(),

@@ -1,4 +1,4 @@
-//! A sphere against a rigid plane: the scene, and what the kernel makes of it.
+//! A sphere against a rigid plane: the scene and the kernel's result.
 
 use crate::checks::Failure;
 use crate::checks::dem::scenes::{head, particle, world_in};
@@ -39,16 +39,16 @@ impl Material {
     }
     /// Factor of the overlap to the power 3/2 for a sphere on a rigid plane, in N/m^(3/2).
     ///
-    /// 4/3 E* sqrt(r) with E* = Y / (1 - nu^2): only the sphere yields.
+    /// 4/3 E* sqrt(r) with E* = Y / (1 - nu^2): only the sphere deforms.
     pub fn factor_on_plane(&self, radius: f64) -> f64 {
         let nu = self.poissons_ratio;
         4.0 / 3.0 * self.youngs_modulus / (1.0 - nu * nu) * radius.sqrt()
     }
     /// The scene's normal law of a viscoelastic contact, with the modulus multiplied by a factor.
     ///
-    /// The law is that of two spheres of one material, of which either yields. If one is rigid, or of
-    /// another size than the scene's, only the product of modulus and root of the reduced radius
-    /// matters, and the factor restores it.
+    /// The law describes two deformable spheres of the same material. If one is rigid, or of another
+    /// size than in the scene, only the product of the modulus and the square root of the reduced
+    /// radius matters, and the factor restores it.
     pub fn hertzian(&self, factor: f64, dissipation: f64) -> String {
         format!(
             "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {:e}\npoissons_ratio = {:e}\n\
@@ -80,12 +80,12 @@ pub fn fixed(position: [f64; 2], radius: f64) -> String {
     particle(position, [0.0; 2], 0.0, radius) + "role = \"fixed\"\n"
 }
 
-/// Radius of the fixed sphere in radii of the moving one. The normal turns by the way along it over its
-/// radius, 1e-12 here; its overlap would have no digits left in doubles, but in double-double it keeps
+/// Radius of the fixed sphere in radii of the moving one. The normal rotates by the path along it over
+/// its radius, 1e-12 here. In doubles the overlap would have no digits left; in double-double it keeps
 /// seventeen.
 pub const FLATNESS: f64 = 1e12;
 
-/// A sphere that hits a plane.
+/// An impact of a sphere on a plane.
 #[derive(Clone, Copy, Debug)]
 pub struct OnPlane {
     /// Material of the sphere.
@@ -98,7 +98,8 @@ pub struct OnPlane {
     pub tangential: Tangential,
 }
 
-/// Motion of the sphere: velocity along the plane to the right and away from it, in m/s, angular velocity.
+/// Motion of the sphere: velocity along the plane to the right and normal speed, in m/s, and angular
+/// velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flight {
     /// Velocity along the plane in m/s.
@@ -114,7 +115,7 @@ impl OnPlane {
     pub fn mass(&self) -> f64 {
         self.material.mass(self.radius)
     }
-    /// The oracle of its collision.
+    /// The oracle for its collision.
     pub fn impact(&self) -> Impact {
         Impact {
             normal: self.normal,
@@ -136,7 +137,7 @@ impl OnPlane {
             surface: [self.radius * before.spin, 0.0],
         }
     }
-    /// The motion after the collision by the oracle.
+    /// The motion after the collision, from the oracle.
     ///
     /// # Errors
     /// A collision that does not end.
@@ -149,11 +150,11 @@ impl OnPlane {
             spin: end.surface[0] / self.radius,
         })
     }
-    /// The scene, with so many steps in the duration without dissipation.
+    /// The scene, with the given number of steps in the duration without dissipation.
     pub fn scene(&self, before: Flight, steps: u64) -> String {
         self.scene_with_step(before, self.duration(before.normal) / steps as f64)
     }
-    /// The scene with a step in s.
+    /// The scene with a time step in s.
     pub fn scene_with_step(&self, before: Flight, step: f64) -> String {
         let radius = self.radius;
         let law = match self.normal {
@@ -169,7 +170,7 @@ impl OnPlane {
             + &law
             + &tangential(self.tangential)
     }
-    /// The motion after the collision by the kernel; `watch` sees every step.
+    /// The motion after the collision, from the kernel; `watch` is called after every step.
     ///
     /// # Errors
     /// Scenes that cannot be run.
@@ -195,7 +196,7 @@ impl OnPlane {
         }
         Err(Failure::Oracle("the sphere does not come back".to_owned()))
     }
-    /// The motion after the collision by the kernel.
+    /// The motion after the collision, from the kernel.
     ///
     /// # Errors
     /// As [`watched`](Self::watched).
@@ -204,5 +205,5 @@ impl OnPlane {
     }
 }
 
-/// Durations without dissipation after which a collision counts as stuck.
+/// Number of durations without dissipation after which a collision counts as stuck.
 const LONGEST: u64 = 20;

@@ -5,14 +5,14 @@ use crate::checks::{Failure, Measurement};
 use crate::oracles::impact::{Impact, Normal, Tangential, damping_ratio, dissipative_constant};
 use std::f64::consts::PI;
 
-/// Laws of a collision.
+/// The pair of laws of a collision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Laws {
-    /// Viscoelastic Hertz, viscous up to the Coulomb limit.
+    /// BSHP with friction that is viscous up to the Coulomb limit.
     HertzViscous,
-    /// Viscoelastic Hertz, truncated spring.
+    /// BSHP with a truncated tangential spring.
     HertzSpring,
-    /// Truncated Kelvin-Voigt, truncated spring.
+    /// Truncated Kelvin-Voigt with a truncated tangential spring.
     LinearSpring,
 }
 
@@ -29,9 +29,9 @@ impl Laws {
     }
 }
 
-/// A test: two solids, and impacts against an abscissa.
+/// A test: two materials, and impacts along an abscissa.
 pub struct Sweep {
-    /// Solids.
+    /// Materials.
     pub solids: [Material; 2],
     /// Radius in m.
     pub radius: f64,
@@ -82,7 +82,7 @@ pub fn tangential_speeds() -> Sweep {
     }
 }
 
-/// Tests 6 and 8: angular velocities V tan(a) / r for a = 5, 10, ... 85 degrees, and their angles.
+/// Tests 6 and 8: angles of a = 5, 10, ... 85 degrees, and angular velocities V tan(a) / r.
 pub fn spins(normal: f64, radius: f64) -> impl Iterator<Item = (f64, f64)> {
     (1..=17).map(move |n| {
         let degrees = 5.0 * f64::from(n);
@@ -90,13 +90,14 @@ pub fn spins(normal: f64, radius: f64) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Solids of tests 6 and 8.
+/// Materials of tests 6 and 8.
 pub const SPINNING_SOLIDS: [Material; 2] = [
     material("aluminium alloy", [7.0e10, 0.33], 2700.0),
     material("nylon", [2.5e9, 0.40], 1000.0),
 ];
 
-/// Test 6: angle of impact of the contact point in degrees, of a sphere that spins and falls.
+/// Test 6: a spinning sphere falls; the abscissa is the angle of impact of the contact point in
+/// degrees.
 pub fn spinning() -> Sweep {
     let (normal, radius) = (0.2, 0.1);
     Sweep {
@@ -118,8 +119,8 @@ fn flight(along: f64, normal: f64, spin: f64) -> Flight {
     }
 }
 
-/// Damping of the viscous law in units of mass over duration: so strong that the sliding velocity falls by
-/// a factor of e within a seventieth of the collision.
+/// Damping of the viscous law in units of mass over duration: so strong that the sliding velocity falls
+/// by a factor of e within a seventieth of the collision.
 const GRIP: f64 = 20.0;
 
 /// Parameters shared by the impacts of a sweep.
@@ -132,7 +133,7 @@ impl Sweep {
     /// Constants of the normal laws for the restitution of the sweep.
     ///
     /// # Errors
-    /// No such constants.
+    /// No such constants exist.
     pub fn calibrate(&self) -> Result<Calibration, Failure> {
         let dissipation = dissipative_constant(self.restitution);
         Ok(Calibration {
@@ -142,8 +143,9 @@ impl Sweep {
         })
     }
 
-    /// The sphere and its contact, calibrated for a normal speed: both normal laws take the same time, and
-    /// the tangential stiffness is to the normal one as in Mindlin's theory, 2 (1 - nu) / (2 - nu).
+    /// The sphere and its contact, calibrated for a normal speed: collisions with both normal laws have
+    /// the same duration, and the ratio of tangential to normal stiffness is Mindlin's, 2 (1 - nu) / (2
+    /// - nu).
     pub fn contact(
         &self,
         solid: Material,
@@ -178,7 +180,7 @@ impl Sweep {
         }
     }
 
-    /// The kernel's curve of one solid with one set of laws.
+    /// The kernel's curve for one material with one pair of laws.
     ///
     /// # Errors
     /// Scenes that cannot be run.
@@ -197,7 +199,7 @@ impl Sweep {
         self.impacts.iter().map(run).collect()
     }
 
-    /// The same with the oracle's answers.
+    /// The same, with the results of the oracle.
     ///
     /// # Errors
     /// Scenes that cannot be run, collisions without an end.
@@ -213,7 +215,7 @@ impl Sweep {
     }
 }
 
-/// One impact of a curve by the kernel.
+/// One impact of a curve, from the kernel.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
     /// Abscissa.
@@ -227,12 +229,12 @@ pub struct Run {
     steps: u64,
 }
 
-/// One impact of a curve with what it should give.
+/// One impact of a curve, with the expected result.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// The impact by the kernel.
+    /// The impact, from the kernel.
     pub run: Run,
-    /// Motion after it by the oracle.
+    /// Motion after the impact, from the oracle.
     pub expected: Flight,
 }
 
@@ -267,12 +269,12 @@ impl Point {
     }
 }
 
-/// What velocity Verlet with a step can miss of the relative velocities along normal and tangent, in units
-/// of the normal speed.
+/// Largest errors of velocity Verlet, for the given time step, in the relative velocities along normal
+/// and tangent, in units of the normal speed.
 ///
-/// Where the force has a kink the trapezoidal rule errs by at most an eighth of the jump of its rate times
-/// dt^2; where it begins like the root of time, by zeta(-1/2) = -0.2079 times its coefficient times
-/// dt^(3/2).
+/// At a kink of the force, the error of the trapezoidal rule is at most an eighth of the jump of its
+/// rate times dt^2; where the force begins like the square root of time, it is zeta(-1/2) = -0.2079
+/// times its coefficient times dt^(3/2).
 pub fn step_errors(impact: &Impact, speed: f64, slip: f64, step: f64) -> [f64; 2] {
     let mass = impact.mass;
     let [duration, _] = impact.normal.elastic(mass, speed);
@@ -296,6 +298,6 @@ pub fn step_errors(impact: &Impact, speed: f64, slip: f64, step: f64) -> [f64; 2
 
 /// The Riemann zeta function at -1/2, without its sign.
 const ROOT: f64 = 0.207_886_224_977_354_6;
-/// Changes between holding and sliding in a collision, with beginning and end, and one for the slow error
-/// of the oscillation itself.
+/// Number of changes between sticking and sliding in a collision, including beginning and end, plus one
+/// for the slow error of the oscillation itself.
 const MOST_KINKS: f64 = 6.0;

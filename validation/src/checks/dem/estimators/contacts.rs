@@ -1,4 +1,4 @@
-//! Where contacts begin and end.
+//! Beginning and end of contacts.
 
 use crate::checks::dem::scenes::{advance, head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
@@ -10,7 +10,7 @@ pub fn checks() -> Vec<Check> {
 
 /// Unequal radii in m.
 const RADII: [f64; 2] = [1e-3, 0.7e-3];
-/// Half of the factor by which a wrong radius would be found out.
+/// Relative distance from touch, small enough to detect a wrong radius.
 const NEAR: f64 = 2e-7;
 
 fn laws() -> String {
@@ -20,7 +20,7 @@ fn laws() -> String {
            stiffness = 1e7\n"
 }
 
-/// Two grains side by side at a distance, the second one with a horizontal velocity.
+/// Two grains side by side at a given distance; the second one has a horizontal velocity.
 fn pair(radii: [f64; 2], distance: f64, velocity: f64, more: &str) -> Result<World, Failure> {
     let text = laws()
         + &particle([0.0, 0.0], [0.0, 0.0], 0.0, radii[0])
@@ -32,11 +32,11 @@ fn pair(radii: [f64; 2], distance: f64, velocity: f64, more: &str) -> Result<Wor
 fn begin() -> Check {
     Check {
         id: "estimators.contacts.begin",
-        claim: "A contact begins where the distance of the centres falls below the sum of the radii: it is then counted, listed and remembered, and not before.",
+        claim: "A contact begins when the distance of the centres falls below the sum of the radii: from then on it is counted, listed and remembered, and not before.",
         equations: thesis("(28), (36)"),
-        scene: "Grains of 1 mm and 0.7 mm in both orders, two parts in ten millions within and beyond touch",
+        scene: "Grains of 1 mm and 0.7 mm in both orders, at a relative distance of 2e-7 below and above touch",
         oracle: "Distances by construction",
-        norm: "Number of contacts, links and memories that are wrongly there or missing",
+        norm: "Number of wrong or missing contacts, interactions and memories, and error of the coordination number",
         origin: Origin::Exact,
         reason: "Counting",
         effort: Effort::Quick,
@@ -68,13 +68,13 @@ fn measure_begin() -> Outcome {
 fn end() -> Check {
     Check {
         id: "estimators.contacts.end",
-        claim: "A contact that has come apart stores nothing, though its spring was stretched and no force has been evaluated since; one that no evaluation has seen yet stores what presses it.",
+        claim: "A contact that has separated stores no energy, even if its spring was stretched and no force has been evaluated since. A contact that has not been evaluated yet stores its normal energy only.",
         equations: thesis("(75)-(76)"),
-        scene: "A sheared contact of the grains of estimators.contacts.begin that parts by two parts in ten millions within one step of Euler's method; the grains 10 um deep, one of them turned by 0.3 rad, before the first step",
-        oracle: "Stretch of the spring times itself times half its stiffness before, nothing after",
-        norm: "Relative error before, energy after",
+        scene: "A sheared contact of the grains of estimators.contacts.begin that separates by a relative 2e-7 within one step of Euler's method; the same grains with an overlap of 10 um, one of them rotated by 0.3 rad, before the first step",
+        oracle: "Half the stiffness times the squared stretch before separation, zero after it",
+        norm: "Relative error before separation, energy after it",
         origin: Origin::Exact,
-        reason: "The rest angles are differences of angles near pi: 10 units in the last place of pi in 0.02 rad; three roundings of 1.7 mm in a depth of 10 um, squared, are 2e-13",
+        reason: "The rest angles are differences of angles near pi: 10 units in the last place of pi in 0.02 rad. Three roundings of 1.7 mm, in an overlap of 10 um that enters squared, are 2e-13",
         effort: Effort::Quick,
         measure: measure_end,
     }
@@ -84,7 +84,8 @@ fn measure_end() -> Outcome {
     let mut all = Vec::new();
     for radii in [RADII, [RADII[1], RADII[0]]] {
         let touch = radii[0] + radii[1];
-        // Ends turned by 0.02 rad and by 0.03 rad since the contact began; no overlap to speak of.
+        // The ends have turned by 0.02 rad and 0.03 rad since the contact began; the overlap is
+        // negligible.
         let turned = [0.02, 0.03];
         let angles = [-turned[0], std::f64::consts::PI - turned[1]];
         let memory = format!(
@@ -99,7 +100,7 @@ fn measure_end() -> Outcome {
         all.push(Measurement::relative(stored, world.energy().contact, 1e-13));
         advance(&mut world, 1)?;
         all.push(Measurement::absolute(0.0, world.energy().contact, 0.0));
-        // Grains that overlap, one of them turned, before any force has been evaluated.
+        // Overlapping grains, one of them rotated, before any force has been evaluated.
         let depth = 1e-5;
         let fresh = pair(radii, touch - depth, 0.0, "angle = 0.3\n")?;
         let pressed = 0.5 * 1e7 * depth * depth;
@@ -115,11 +116,11 @@ fn measure_end() -> Outcome {
 fn given() -> Check {
     Check {
         id: "estimators.contacts.given",
-        claim: "A scene may state the memory of contacts that overlap, and of no others.",
+        claim: "A scene may state the memory of overlapping contacts, and of no others.",
         equations: thesis("(30)"),
-        scene: "The grains of estimators.contacts.begin with a memory",
+        scene: "The grains of estimators.contacts.begin with a stated memory",
         oracle: "Distances by construction",
-        norm: "Number of scenes wrongly taken or refused",
+        norm: "Number of scenes wrongly accepted or refused",
         origin: Origin::Exact,
         reason: "Counting",
         effort: Effort::Quick,

@@ -1,4 +1,4 @@
-//! Friction, stress, packing and contacts.
+//! Friction, stress, packing and coordination.
 
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
@@ -16,13 +16,13 @@ pub fn checks() -> Vec<Check> {
 fn block() -> Check {
     Check {
         id: "estimators.friction.sliding-block",
-        claim: "A block that slides at the Coulomb limit has its coefficient of friction, by the load and by the reaction.",
+        claim: "A block that slides at the Coulomb limit has the friction coefficient of its contact, both from the load and from the reaction.",
         equations: thesis("(85)-(86)"),
-        scene: "A driven grain of 1 mm slides over a fixed sphere of 1 m at 1 m/s, pressed with 5 N, which its overlap of 0.5 um carries; friction 0.7 of Haff and Werner",
-        oracle: "mu times the sum of the radii over the distance of the centres, as the torque of both ends asks for",
+        scene: "A driven grain of 1 mm slides over a fixed sphere of 1 m at 1 m/s under a load of 5 N, which its overlap of 0.5 um balances; Haff-Werner friction with mu = 0.7",
+        oracle: "mu times the sum of the radii over the distance of the centres, which follows from the torques on both spheres",
         norm: "Relative error of both coefficients",
         origin: Origin::Exact,
-        reason: "The overlap of 0.5 um is a difference of lengths of 1 m, which hold it to 2e-10, and with it the load; the ratio by the reaction does not depend on it and is held to 1e-12",
+        reason: "The overlap of 0.5 um is a difference of lengths of 1 m, so it and the load are accurate to 2e-10. The ratio from the reaction does not depend on it, and its tolerance is 1e-12",
         effort: Effort::Quick,
         measure: measure_block,
     }
@@ -55,10 +55,10 @@ fn measure_block() -> Outcome {
 fn chain() -> Check {
     Check {
         id: "estimators.stress.chain",
-        claim: "The mean stress of a stretched chain is its force over its section, along its direction, and positive.",
+        claim: "The mean stress of a stretched chain is its force over its cross-section, along its direction, and positive in tension.",
         equations: thesis("(43)"),
-        scene: "Ten bonded grains in a row at 30 degrees, stretched by a thousandth, in a volume of nine links of 2.002 mm and 1 mm^2",
-        oracle: "Stiffness times extension over section, times the products of the cosines",
+        scene: "Ten bonded grains in a row at 30 degrees, stretched by a thousandth, in a volume of nine bonds of 2.002 mm times 1 mm^2",
+        oracle: "Stiffness times extension over cross-section, times the products of the direction cosines",
         norm: "Relative error of each component",
         origin: Origin::Exact,
         reason: "An extension of 2 um is the difference of lengths of 2 mm at positions of 2 cm: 10^4 units in the last place of 2 um",
@@ -94,7 +94,7 @@ fn measure_chain() -> Outcome {
     Ok(Measurement::worst(all).into())
 }
 
-/// Bonds among 25 grains in rows of five; the last ones join grains that do not touch.
+/// Bonds among 25 grains in rows of five; the last two join grains that do not touch.
 const BONDS: [[usize; 2]; 10] = [
     [0, 1],
     [2, 3],
@@ -108,7 +108,7 @@ const BONDS: [[usize; 2]; 10] = [
     [4, 18],
 ];
 
-/// Bonded and touching grains that move and turn at random.
+/// Bonded and touching grains that move and spin at random.
 fn frame() -> Result<World, Failure> {
     let mut random = Pcg64::new(7, 7);
     let mut noise = |scale: f64| scale * (random.random::<f64>() - 0.5);
@@ -132,13 +132,13 @@ fn frame() -> Result<World, Failure> {
 fn virial() -> Check {
     Check {
         id: "estimators.stress.virial",
-        claim: "The mean stress is the virial of the forces on the particles, and its antisymmetric part the sum of their torques.",
+        claim: "The mean stress is the virial of the forces on the particles, and its antisymmetric part is the sum of their torques.",
         equations: thesis("(26)-(27), (45)"),
-        scene: "25 grains that move and turn at random, ten bonds among them, contacts with friction; volume 2 m^3",
-        oracle: "Sums over particles instead of links: minus force times position, and torques",
+        scene: "25 grains that move and spin at random, with ten bonds and with frictional contacts; volume 2 m^3",
+        oracle: "Sums over particles instead of contacts and bonds: minus force times position, and torques",
         norm: "Error of each component and of the antisymmetric part, in units of the largest component",
         origin: Origin::Exact,
-        reason: "Some fifty terms, whose moments about a corner of the frame cancel by a factor of ten",
+        reason: "About fifty terms, whose moments about a corner of the frame cancel by a factor of ten",
         effort: Effort::Quick,
         measure: measure_virial,
     }
@@ -173,13 +173,13 @@ fn measure_virial() -> Outcome {
 fn packing() -> Check {
     Check {
         id: "estimators.packing",
-        claim: "Touching equal discs fill pi over twice the root of three of a hexagonal cell; the coordination number counts every contact and bond twice.",
+        claim: "Touching equal discs fill pi over twice the square root of three of a hexagonal cell; the coordination number counts every contact and bond twice.",
         equations: thesis("(68), (103)"),
         scene: "200 radii in the area of 200 hexagonal cells; the 25 grains of estimators.stress.virial",
         oracle: "Geometry of the cell; pairs that overlap or are bonded, counted one by one",
         norm: "Relative error",
         origin: Origin::Exact,
-        reason: "Two hundred roundings of equal sign in the sum, a few elsewhere",
+        reason: "Two hundred roundings of the same sign in the sum, a few elsewhere",
         effort: Effort::Quick,
         measure: measure_packing,
     }

@@ -12,7 +12,7 @@ pub fn checks() -> Vec<Check> {
     vec![graphs(), broken()]
 }
 
-/// Nodes that are labelled differently from an oracle, and whether the number of fragments differs.
+/// Number of nodes whose label differs from the oracle's, plus one if the number of fragments differs.
 fn differences(found: &Fragments, edges: &[(usize, usize)]) -> usize {
     let first = first_nodes(found.label.len(), edges);
     let mut labels = Vec::new();
@@ -35,8 +35,8 @@ fn graphs() -> Check {
         claim: "Fragments are the connected components of a graph, numbered in the order of their first members.",
         equations: thesis("(46)"),
         scene: "300 random graphs of up to 60 nodes, with edges in random order, repeated edges and loops",
-        oracle: "Flooding from each node in turn",
-        norm: "Number of nodes with another label and of wrong numbers of fragments",
+        oracle: "Flood fill from each node in turn",
+        norm: "Number of nodes with another label, plus number of wrong fragment counts",
         origin: Origin::Exact,
         reason: "Counting",
         effort: Effort::Quick,
@@ -52,7 +52,7 @@ fn measure_graphs() -> Outcome {
         let edges: Vec<(usize, usize)> = (0..random.random_range(0..=nodes))
             .map(|_| (random.random_range(0..nodes), random.random_range(0..nodes)))
             .collect();
-        // Some rounds without any edge.
+        // In some rounds the graph has no edges.
         let edges = if round % 50 == 0 { &[][..] } else { &edges[..] };
         wrong += differences(&connected(nodes, edges.iter().copied()), edges);
     }
@@ -62,11 +62,11 @@ fn measure_graphs() -> Outcome {
 fn broken() -> Check {
     Check {
         id: "estimators.fragments.broken",
-        claim: "A chain whose overstretched bonds break falls into the pieces between them.",
+        claim: "A chain whose overstretched bonds break splits into the pieces between them.",
         equations: thesis("(46)-(48)"),
-        scene: "40 grains bonded in a row, bonds 7, 19, 20 and 33 stretched beyond the strength of 280 MPa, the others not; one step",
-        oracle: "Flooding of the chain without those four bonds",
-        norm: "Number of grains in another fragment, of wrong numbers of fragments and of wrong numbers of bonds left",
+        scene: "40 grains bonded in a row; bonds 7, 19, 20 and 33 are stretched beyond the strength of 280 MPa, the others are not; one step",
+        oracle: "Flood fill of the chain without those four bonds",
+        norm: "Number of grains in another fragment, plus number of wrong counts of fragments and of remaining bonds",
         origin: Origin::Exact,
         reason: "Counting",
         effort: Effort::Quick,
@@ -76,7 +76,7 @@ fn broken() -> Check {
 
 fn measure_broken() -> Outcome {
     const BROKEN: [usize; 4] = [7, 19, 20, 33];
-    // The strength carries 280 MPa times pi mm^2 over 1e7 kg/s^2, 88 um.
+    // The strength allows an extension of 280 MPa times pi mm^2 over 1e7 kg/s^2, 88 um.
     let mut text = head("velocity-verlet", 1e-9)
         + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n\
            [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 280e6\n\

@@ -1,4 +1,4 @@
-//! What is told of a link.
+//! The reported state of a contact or bond.
 
 use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
@@ -11,13 +11,13 @@ pub fn checks() -> Vec<Check> {
 fn state() -> Check {
     Check {
         id: "estimators.links.state",
-        claim: "A bond and a contact tell their geometry, motion, forces and torques as they are: the focal point has the same power with respect to both spheres, and the torques are those that the force on the line of centres balances.",
+        claim: "A bond and a contact report their geometry, motion, forces and torques correctly. The focal point has the same power with respect to both spheres, and the torques balance the moment of the tangential force.",
         equations: thesis("(3)-(5), (28)-(34), (43)-(45)"),
-        scene: "Grains of 1 mm and 0.7 mm, 1.6 mm apart at 30 degrees, that move, spin and have turned, as a bond of 1.65 mm and as a sticking contact",
-        oracle: "Kinematics of two rigid spheres in the frame of the pair, by hand",
-        norm: "Largest error in units of the scale of each number",
+        scene: "Grains of 1 mm and 0.7 mm at a distance of 1.6 mm and 30 degrees that move, spin and have rotated, as a bond of length 1.65 mm and as a sticking contact",
+        oracle: "Kinematics of two rigid spheres in the frame of the pair, calculated by hand",
+        norm: "Largest error in units of the scale of each quantity",
         origin: Origin::Exact,
-        reason: "Displacements of 50 um and turns of 0.02 rad are differences of 1.6 mm and of angles near pi: 200 units in the last place",
+        reason: "Displacements of 50 um and rotations of 0.02 rad are differences of 1.6 mm and of angles near pi: 200 units in the last place",
         effort: Effort::Quick,
         measure: measure_state,
     }
@@ -29,12 +29,12 @@ const LENGTH: f64 = 1.65e-3;
 /// Relative velocity along the normal and the tangent, in m/s.
 const MOTION: [f64; 2] = [-0.4, 0.3];
 const SPINS: [f64; 2] = [150.0, -80.0];
-/// How far the ends have turned in the frame of the pair, in rad.
+/// Rotation of the ends in the frame of the pair, in rad.
 const TURNS: [f64; 2] = [0.02, -0.013];
 const STIFFNESS: [f64; 2] = [1e7, 4e6];
 const DAMPING: [f64; 2] = [3.0, 2.0];
 
-/// The only link of the pair under the given laws.
+/// The only interaction of the pair under the given laws.
 fn link(laws: &str, list: &str) -> Result<Interaction, Failure> {
     let (sine, cosine) = std::f64::consts::FRAC_PI_6.sin_cos();
     let [along, across] = MOTION;
@@ -42,7 +42,7 @@ fn link(laws: &str, list: &str) -> Result<Interaction, Failure> {
         along * cosine - across * sine,
         along * sine + across * cosine,
     ];
-    // The angles of the ends in the frame of the pair, from which they have turned.
+    // The initial angles of the ends in the frame of the pair.
     let initial = [
         -std::f64::consts::FRAC_PI_6 - TURNS[0],
         std::f64::consts::PI - std::f64::consts::FRAC_PI_6 - TURNS[1],
@@ -62,10 +62,10 @@ fn link(laws: &str, list: &str) -> Result<Interaction, Failure> {
         );
     let links = world(&text)?.interactions();
     let only = links.first().filter(|_| links.len() == 1).copied();
-    only.ok_or_else(|| Failure::Oracle("there is not one link".to_owned()))
+    only.ok_or_else(|| Failure::Oracle("the pair does not have exactly one interaction".to_owned()))
 }
 
-/// What both kinds of links share: geometry and motion.
+/// Compares the geometry and motion, which bonds and contacts share.
 fn motion(link: &Interaction, all: &mut Vec<Measurement>) {
     let mut near = |expected: f64, found: f64, scale: f64| {
         all.push(Measurement::scaled(
@@ -85,7 +85,7 @@ fn motion(link: &Interaction, all: &mut Vec<Measurement>) {
         1e-3,
     );
     near(-MOTION[0], link.normal_velocity, 1.0);
-    // The focal point lies on the line of centres, with the same power for both spheres.
+    // The focal point lies on the line of centres and has the same power with respect to both spheres.
     let along = link.focal_point.x * cosine + link.focal_point.y * sine;
     let aside = link.focal_point.y * cosine - link.focal_point.x * sine;
     let power = |distance: f64, radius: f64| (distance - radius) * (distance + radius);
@@ -148,7 +148,7 @@ fn both() -> Result<(Interaction, Interaction), Failure> {
     Ok((link(&bond, &bonds)?, link(&contact, "[[contacts]]")?))
 }
 
-/// Displacements from rest, forces and torques.
+/// Compares displacements from rest, forces and torques.
 fn forces(bond: &Interaction, contact: &Interaction, all: &mut Vec<Measurement>) {
     let mut near = |expected: f64, found: f64, scale: f64| {
         all.push(Measurement::scaled(

@@ -15,13 +15,13 @@ pub fn checks() -> Vec<Check> {
 fn spheres() -> Check {
     Check {
         id: "estimators.matter.spheres",
-        claim: "A particle has the mass and the moment of inertia of a homogeneous sphere and the state it is given; raising its mass raises both.",
+        claim: "A particle has the mass and the moment of inertia of a homogeneous sphere and the state that it is given; scaling its mass scales both.",
         equations: thesis("(52)-(53)"),
-        scene: "Spheres of 10 um, 1 mm and 7 m of three densities, one of them four times as heavy",
+        scene: "Spheres of 10 um, 1 mm and 7 m with three densities, one of each pair with four times the mass",
         oracle: "A stack of thin discs, integrated exactly by Boole's rule",
         norm: "Relative error",
         origin: Origin::Exact,
-        reason: "Ten roundings of terms of equal sign",
+        reason: "Ten roundings of terms of the same sign",
         effort: Effort::Quick,
         measure: measure_spheres,
     }
@@ -71,13 +71,13 @@ fn measure_spheres() -> Outcome {
 fn energy() -> Check {
     Check {
         id: "estimators.matter.energy",
-        claim: "The kinetic energy of a grain is that of its motion and of its spin, and its potential energy that of its height, or of its distance from the middle of a well.",
+        claim: "The kinetic energy of a grain is that of its translation and spin; its potential energy is that of its height, or of its distance from the centre of a well.",
         equations: thesis("(10), (67), (74)"),
-        scene: "Two grains that move and spin, under gravity and in a well",
-        oracle: "Masses and moments of inertia as stacks of discs",
+        scene: "Two grains that move and spin, under gravity or in a well",
+        oracle: "Masses and moments of inertia from stacks of discs",
         norm: "Relative error",
         origin: Origin::Exact,
-        reason: "Some ten roundings of terms of equal sign",
+        reason: "About ten roundings of terms of the same sign",
         effort: Effort::Quick,
         measure: measure_energy,
     }
@@ -116,13 +116,13 @@ fn measure_energy() -> Outcome {
 fn solid() -> Check {
     Check {
         id: "estimators.matter.moduli",
-        claim: "Shear, bulk and P-wave modulus are the responses of Hooke's solid to shear, pressure and uniaxial strain, and waves travel at the roots of modulus over density.",
+        claim: "Shear, bulk and P-wave modulus are the responses of Hooke's solid to shear, pressure and uniaxial strain, and wave speeds are the square roots of modulus over density.",
         equations: thesis("(39), (59)-(60)"),
         scene: "Young's moduli of 50 GPa and 3 kPa, Poisson's ratios from -0.8 to 0.49, densities of 2700 and 40 kg/m^3",
-        oracle: "Inverse of the matrix of compliances",
+        oracle: "Inverse of the compliance matrix",
         norm: "Relative error of three moduli and two speeds",
         origin: Origin::Exact,
-        reason: "The inverse of a matrix whose condition number reaches 75 loses as many units in the last place",
+        reason: "Inverting a matrix with a condition number of up to 75 loses as many units in the last place",
         effort: Effort::Quick,
         measure: measure_solid,
     }
@@ -160,13 +160,13 @@ fn measure_solid() -> Outcome {
 fn granite() -> Check {
     Check {
         id: "estimators.matter.granite",
-        claim: "The granite has the values and uncertainties that the thesis settles on.",
+        claim: "The kernel's granite has the values and uncertainties chosen in the thesis.",
         equations: thesis("section 4.1"),
         scene: "Nine quantities",
-        oracle: "The list of the thesis",
+        oracle: "The list in the thesis",
         norm: "Largest error in units in the last place",
         origin: Origin::Exact,
-        reason: "They are copied",
+        reason: "The values are copied",
         effort: Effort::Quick,
         measure: measure_granite,
     }
@@ -198,13 +198,13 @@ fn measure_granite() -> Outcome {
 fn decay() -> Check {
     Check {
         id: "estimators.friction.decay",
-        claim: "The model of friction rises in proportion to time up to its peak, is continuous there, and then loses equal fractions of its excess in equal times.",
+        claim: "The friction model rises in proportion to time up to its peak, is continuous there, and then loses equal fractions of its excess over the residual in equal times.",
         equations: thesis("(100)-(101)"),
-        scene: "A peak of 0.9 at 2 s, a residual of 0.3, a rate of 5/s; times from 0 to 6 s, and half a millionth after the peak",
-        oracle: "Proportion, and the ratio of excesses in steps of ln 2 over the rate, one half",
+        scene: "A peak of 0.9 at 2 s, a residual of 0.3, a rate of 5/s; times from 0 to 6 s, and 1 us after the peak",
+        oracle: "Proportionality before the peak; after it, the excess halves in each time ln 2 over the rate",
         norm: "Largest error",
         origin: Origin::Exact,
-        reason: "A few roundings of numbers below one; the times are rounded by 1e-16 times the rate and their size",
+        reason: "A few roundings of numbers below one; rounding of the times by 1e-16, times the rate and their size",
         effort: Effort::Quick,
         measure: measure_decay,
     }
@@ -228,7 +228,7 @@ fn measure_decay() -> Outcome {
         all.push(Measurement::absolute(0.3 + excess, found, 5e-15));
         excess *= 0.5;
     }
-    // Just after the peak the excess has fallen by the rate times the time, not risen.
+    // Just after the peak the excess has fallen by the rate times the time.
     let after = decay.at(2.0 + 1e-6);
     all.push(Measurement::absolute(
         0.9 - 0.6 * 5e-6 * (1.0 - 2.5e-6),

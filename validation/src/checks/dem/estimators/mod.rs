@@ -1,4 +1,4 @@
-//! Estimators, the preparation of initial states, and the properties of particles and solid.
+//! Estimators, the preparation of initial states, and the properties of particles and of the solid.
 
 mod contacts;
 mod forces;
@@ -22,7 +22,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "estimators",
         title: "Estimators",
-        about: "What is read from a state, and how initial states are made: disorder, fragments, friction, stress and packing; sizes, lattices, bonds and faults; mass, inertia and moduli.",
+        about: "Estimators of a state: disorder, fragments, friction, stress and packing. Preparation of initial states: sizes, lattices, bonds and faults. Properties: mass, inertia and moduli.",
         checks,
     }
 }

@@ -1,4 +1,4 @@
-//! Radial distribution and entropy.
+//! Radial distribution function and excess entropy.
 
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Measurement, Origin, Outcome, Plot, thesis,
@@ -17,13 +17,13 @@ pub fn checks() -> Vec<Check> {
 fn visible() -> Check {
     Check {
         id: "estimators.radial.visible-part",
-        claim: "The visible part of a circle is the sum of its arcs inside the region, whichever edges and corners it crosses.",
+        claim: "The visible fraction of a circle is the sum of its arcs inside the region, for every combination of edges and corners that it crosses.",
         equations: thesis("(80)"),
-        scene: "3000 random points in a strip and in a box 4 m wide and 1 m high, circles of up to 1 m; and circles that an edge misses by a few parts in ten millions",
-        oracle: "Arcs between the crossings of circle and edges, kept where their middle is inside",
+        scene: "3000 random points each in a strip and in a box, 4 m wide and 1 m high, with circles of up to 1 m; and circles that miss an edge by a relative 5e-7",
+        oracle: "Arcs between the intersections of the circle with the edges, counted if their midpoints are inside",
         norm: "Largest error of the fraction",
         origin: Origin::Exact,
-        reason: "An arccosine loses at most 20 units in the last place where depth and distance differ by a thousandth, which they do by choice; a circle that misses all edges is visible to the last bit",
+        reason: "An arccosine loses at most 20 units in the last place if depth and distance differ by a thousandth, which the sampling ensures; a circle that misses all edges is exactly visible",
         effort: Effort::Quick,
         measure: measure_visible,
     }
@@ -57,15 +57,16 @@ fn measure_visible() -> Outcome {
             let found = visible_fraction(&region, Vec2::new(x, y), distance);
             all.push(Measurement::absolute(expected, found, 20.0 * f64::EPSILON));
         }
-        // A circle just short of the lower edge; the other edges are farther away.
+        // A circle that just misses the lower edge; the other edges are farther away.
         let found = visible_fraction(&region, Vec2::new(2.0, 0.25 * (1.0 + 5e-7)), 0.25);
         all.push(Measurement::absolute(1.0, found, 0.0));
     }
     Ok(Measurement::worst(all).into())
 }
 
-/// Three rows in a periodic strip: in the middle, with neighbours at 8 m; near the lower edge, with
-/// neighbours at 48/7 m, at half of which the edge runs; and high up, with neighbours at 12 m, the limit.
+/// Three rows in a periodic strip: one in the middle, with neighbours at 8 m; one near the lower edge,
+/// with neighbours at 48/7 m, and the edge at half that distance; one above, with neighbours at 12 m,
+/// the limit.
 const WIDTH: f64 = 48.0;
 const HEIGHT: f64 = 60.0;
 
@@ -80,13 +81,13 @@ fn three_rows() -> Vec<Vec2> {
 fn rows() -> Check {
     Check {
         id: "estimators.radial.shells",
-        claim: "The radial distribution of three distant rows has one shell for each, weighted by the number of its pairs over the visible part of their circles, three halves at the edge; of a shell at the limit half is seen.",
+        claim: "The radial distribution of three distant rows has one shell per row, weighted by its number of pairs over the visible fraction of their circles, which is two thirds at the edge; of the shell at the limit, half is seen.",
         equations: thesis("(80)-(83)"),
         scene: "Six points in the middle of a periodic strip of 48 m by 60 m, seven near its edge, four above; bandwidth 1 m, 600 samples",
-        oracle: "Parabolas of the Epanechnikov kernel around the distances, with areas as 12 to 21 to 8, over the area of all samples",
-        norm: "Largest error of the density of pairs, in units of its peak, of the distance and of g",
+        oracle: "Parabolas of the Epanechnikov kernel around the three distances, with areas in the ratio 12 : 21 : 8, normalised by the sum over all samples",
+        norm: "Largest error of the density of pairs, of the distance, and of g in units of the limit",
         origin: Origin::Exact,
-        reason: "Some hundred roundings of sums and an arccosine",
+        reason: "About a hundred roundings in sums and an arccosine",
         effort: Effort::Quick,
         measure: measure_rows,
     }
@@ -124,7 +125,7 @@ fn measure_rows() -> Outcome {
     let marks = distances.iter().zip(&found.density).step_by(10);
     let plot = Plot {
         title:
-            "Three rows show as three parabolas, the one at the edge with the weight of its hidden part"
+            "Three rows appear as three parabolas; the row at the edge is weighted for its hidden part"
                 .to_owned(),
         x: Axis::linear("distance in m"),
         y: Axis::linear("probability density of the distance of a pair in 1/m"),
@@ -139,9 +140,9 @@ fn measure_rows() -> Outcome {
 fn edges() -> Check {
     Check {
         id: "estimators.radial.edges",
-        claim: "Points beyond the edges of the region do not count, points on them do.",
+        claim: "Points beyond the edges of the region do not count; points on the edges do.",
         equations: thesis("(80)-(81)"),
-        scene: "Points on each edge of a box of 40 m by 20 m and five parts in ten millions beyond it",
+        scene: "Points on each edge of a box of 40 m by 20 m, and points a relative 5e-7 beyond it; periodic in x or not",
         oracle: "Counting",
         norm: "Error of the number of points in units in the last place",
         origin: Origin::Exact,
@@ -155,7 +156,7 @@ fn measure_edges() -> Outcome {
     let (width, height) = (40.0, 20.0);
     let (wide, high) = (width * (1.0 + 5e-7), height * (1.0 + 5e-7));
     let mut all = Vec::new();
-    // Where x is periodic only the two points above and below are outside.
+    // If x is periodic, only the two points below and above are outside.
     for (periodic, inside) in [(false, 5.0), (true, 7.0)] {
         let region = Region {
             width,
@@ -183,13 +184,13 @@ fn measure_edges() -> Outcome {
 fn entropy() -> Check {
     Check {
         id: "estimators.entropy.closed-forms",
-        claim: "The excess entropy of a uniform g = e is minus half the number of points in the disc, in the printed form minus half the density times the radius; that of a void is the same times one.",
+        claim: "The excess entropy of a uniform g = e is minus half the number of points in the disc; in the printed form it is minus half the density times the radius. For g = 0 both have the same values.",
         equations: thesis("(69), (84)"),
-        scene: "g = e and g = 0 at 1000 distances up to 2.5 m, three points per square metre",
-        oracle: "e log e - (e - 1) = 1 and the area of a disc, which midpoints integrate exactly",
+        scene: "The integrand g log g - (g - 1) is one both for g = e and for g = 0; midpoints integrate the area of a disc exactly",
+        oracle: "e log e - (e - 1) = 1, the value -1 of -(0 - 1) for g = 0 likewise in absolute terms, and the area of a disc, which midpoints integrate exactly",
         norm: "Relative error",
         origin: Origin::Exact,
-        reason: "A thousand roundings of a sum of equal signs",
+        reason: "A thousand roundings in a sum of terms of the same sign",
         effort: Effort::Quick,
         measure: measure_entropy,
     }
@@ -223,13 +224,13 @@ fn measure_entropy() -> Outcome {
 fn gas() -> Check {
     Check {
         id: "estimators.radial.ideal-gas",
-        claim: "The radial distribution of an ideal gas is one at all distances, in a strip and in a box that cuts most circles.",
+        claim: "The radial distribution of an ideal gas is one at all distances, both in a strip and in a box that cuts most circles.",
         equations: thesis("(80)-(83)"),
-        scene: "1500 random points in 20 m by 6 m, periodic and not, 12 times; bandwidth 0.25 m",
+        scene: "1500 random points in 20 m by 6 m, periodic or not, 12 times each; bandwidth 0.25 m",
         oracle: "Independent points have no structure: g = 1",
-        norm: "Largest departure of the mean g of 12 gases from one between 0.5 m and 4.5 m",
+        norm: "Largest deviation from one of the mean g over 12 gases, between 0.5 m and 4.5 m",
         origin: Origin::Statistical,
-        reason: "A shell of the width of the kernel, 0.25 m / 0.6, holds 12 000 pairs at the smallest distance, so that the mean of twelve gases has a standard error of 0.0026 by counting; where the edges hide most of a circle few pairs count for many, and the largest found is stated below, 0.0043. The margin of 0.02 is above four of these: of some forty independent distances a sound estimator misses it for one seed in 1000, while one that is off by 0.035 anywhere is rejected with a probability above 0.999",
+        reason: "A shell of the width of the kernel, 0.25 m / 0.6, holds 12 000 pairs at the smallest distance, so the mean over twelve gases has a counting error of 0.0026. Where the edges hide most of a circle, few pairs have large weights; the largest standard error found there is 0.0043. The tolerance of 0.02 is more than four of these: with about forty independent distances, a correct estimator fails for one seed in 1000, and an estimator that is off by 0.035 anywhere is rejected with a probability above 0.999",
         effort: Effort::Thorough,
         measure: measure_gas,
     }
@@ -272,13 +273,13 @@ fn measure_gas() -> Outcome {
     }
     curves.insert(0, Curve::line("ideal gas", [[0.0, 1.0], [5.0, 1.0]]));
     let plot = Plot {
-        title: "An ideal gas has no structure, also where most circles are cut".to_owned(),
+        title: "An ideal gas has no structure, even where most circles are cut".to_owned(),
         x: Axis::linear("distance in m"),
         y: Axis::linear("radial distribution function"),
         curves,
     };
     let text = format!(
-        "Largest standard error of a mean of {GASES} gases, as found from them: {:.4}.",
+        "Largest standard error of a mean over {GASES} gases, estimated from their scatter: {:.4}.",
         spread.sqrt()
     );
     Ok(Measurement::worst(all).showing([Exhibit::Plot(plot), Exhibit::Text(text)]))

@@ -17,10 +17,10 @@ pub fn checks() -> Vec<Check> {
 fn sizes() -> Check {
     Check {
         id: "estimators.setup.sizes",
-        claim: "The interval of radii has the mean it is asked for and ends in the ratio of the root of two; radii divide it as their random numbers divide [0, 1).",
+        claim: "The interval of radii has the requested mean, and its ends have the ratio sqrt(2); radii divide the interval as their random numbers divide [0, 1).",
         equations: thesis("(66)"),
-        scene: "Intervals around 1 mm and 0.37 m; random numbers 0, 1/4, 1/2 and one",
-        oracle: "The two properties that define the interval",
+        scene: "Intervals around 1 mm and 0.37 m; random numbers 0, 1/4, 1/2 and 1",
+        oracle: "The two defining properties of the interval",
         norm: "Error of mean, ratio and radii in units in the last place",
         origin: Origin::Exact,
         reason: "At most four roundings each",
@@ -49,11 +49,11 @@ fn measure_sizes() -> Outcome {
 fn lattice() -> Check {
     Check {
         id: "estimators.setup.lattice",
-        claim: "An inner point of a square lattice has four neighbours at the pitch, one of a hexagonal lattice six, and no neighbour is nearer.",
+        claim: "An inner point of a square lattice has four neighbours at the pitch, a point of a hexagonal lattice six, and no neighbour is closer.",
         equations: thesis("(103)"),
-        scene: "Lattices of nine by nine points of pitch 2.3 mm, with the first point off the origin",
-        oracle: "What makes the lattices: equal distances",
-        norm: "Relative error of the first distances of the middle point and of the first point",
+        scene: "Lattices of nine by nine points with a pitch of 2.3 mm, with the first point away from the origin",
+        oracle: "Equal neighbour distances, which define the lattices",
+        norm: "Relative error of the first distances from the middle point, and distance of the first point from the origin of the lattice",
         origin: Origin::Exact,
         reason: "Differences of positions of up to nine pitches lose 20 units in the last place",
         effort: Effort::Quick,
@@ -93,13 +93,13 @@ fn measure_lattice() -> Outcome {
 fn perturbed() -> Check {
     Check {
         id: "estimators.setup.perturbation",
-        claim: "Points are displaced uniformly over a disc: a fraction of the random numbers reaches the same fraction of its area and of its directions.",
+        claim: "Points are displaced uniformly over a disc: a fraction of the random numbers covers the same fraction of its area and of its directions.",
         equations: Evidence::NONE,
         scene: "Discs of 50 um, area fractions 1/4 and 4/9, directions in steps of an eighth of a turn",
-        oracle: "Radius as the root of the area; directions by symmetry",
+        oracle: "Radius as the square root of the area fraction; directions by symmetry",
         norm: "Largest error of a displacement in units of the radius of the disc",
         origin: Origin::Exact,
-        reason: "Positions of 2 mm hold displacements of 50 um to 1e-14 of them",
+        reason: "In positions of 2 mm, displacements of 50 um are accurate to a relative 1e-14",
         effort: Effort::Quick,
         measure: measure_perturbed,
     }
@@ -146,9 +146,9 @@ fn measure_perturbed() -> Outcome {
 fn fault() -> Check {
     Check {
         id: "estimators.setup.fault",
-        claim: "A jagged fault parts points that lie a hundred millionth of its height above and below it.",
+        claim: "A jagged fault separates points that lie a relative 1e-8 of its height above and below it.",
         equations: thesis("(70)-(71)"),
-        scene: "A fault at 25 mm with seven jags of 4 mm over 50 mm, at phases of whole, quarter and twelfth turns; a straight one",
+        scene: "A fault at 25 mm with seven jags of 4 mm over 50 mm, at phases of whole, quarter and twelfth turns; a straight fault",
         oracle: "Sines of 0, 30, 90, 150, 210 and 270 degrees",
         norm: "Number of points on the wrong side",
         origin: Origin::Exact,
@@ -185,7 +185,7 @@ fn measure_fault() -> Outcome {
                 wrong += usize::from(is_above(&fault, Vec2::new(x, y - near)));
             }
         }
-        // The line itself belongs to the upper half.
+        // Points on the line belong to the upper half.
         wrong += usize::from(!is_above(&fault, Vec2::new(0.0, level)));
     }
     Ok(Measurement::count(wrong).into())
@@ -194,13 +194,13 @@ fn measure_fault() -> Outcome {
 fn reach() -> Check {
     Check {
         id: "estimators.setup.reach",
-        claim: "Bonds reach as many sums of radii as they are told, by default the root of three halves, also across the seam of a periodic box.",
+        claim: "Bonds reach the requested multiple of the sum of radii, by default sqrt(3/2), also across the seam of a periodic box.",
         equations: Evidence::NONE,
-        scene: "Pairs of unequal grains a ten millionth within and beyond reaches of 1.1, 1.5 and the default, in every order, in the open and across a seam",
+        scene: "Pairs of unequal grains at a relative distance of 1e-7 below and above reaches of 1.1, 1.5 and the default, in both orders, in open space and across a seam",
         oracle: "Distances by construction",
-        norm: "Number of bonds that are wrongly there or missing, and error of the square of the default in units in the last place",
+        norm: "Number of wrong or missing bonds, and error of the square of the default in units in the last place",
         origin: Origin::Exact,
-        reason: "Counting; the square is rounded once, and that of a rounded root is off by two",
+        reason: "Counting; the square of a rounded root is off by up to two units",
         effort: Effort::Quick,
         measure: measure_reach,
     }
@@ -252,7 +252,7 @@ fn measure_reach() -> Outcome {
     .into())
 }
 
-/// The reach that a scene has that does not say any.
+/// The reach used if a scene does not state one.
 fn default_reach() -> Result<f64, Failure> {
     let text = head("velocity-verlet", 1e-7)
         + "[box]\nwidth = 20e-3\nheight = 20e-3\n[setup]\nseed = 1\n\
@@ -271,7 +271,7 @@ fn factors() -> Check {
         claim: "Strength factors divide their interval around one as their random numbers divide [0, 1).",
         equations: thesis("(50)"),
         scene: "A spread of 0.3; random numbers 0, 1/4, 1/2, 7/8",
-        oracle: "Proportion",
+        oracle: "Linear interpolation",
         norm: "Error in units in the last place",
         origin: Origin::Exact,
         reason: "At most three roundings",

@@ -20,12 +20,12 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 use std::f64::consts::TAU;
 
-/// Which numbers are drawn.
+/// The range from which numbers are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Range {
-    /// Zero and magnitudes from 1e-12 to 1e12: nothing can overflow in an evaluation.
+    /// Zero and magnitudes from 1e-12 to 1e12: an evaluation cannot overflow.
     Ordinary,
-    /// Besides, subnormal numbers, and magnitudes from 1e-307 to 1e308.
+    /// Also subnormal numbers and magnitudes from 1e-307 to 1e308.
     Whole,
 }
 
@@ -198,7 +198,7 @@ impl Draw {
         }
     }
 
-    /// A step that moves and turns nothing far, or any.
+    /// A time step that keeps translations and rotations per step small, or any time step.
     fn step(&mut self, particles: &Particles) -> f64 {
         if self.below(32) == 0 {
             return self.positive();
@@ -211,7 +211,7 @@ impl Draw {
         longest * 10.0_f64.powf(-1.0 - 9.0 * self.unit())
     }
 
-    /// A random model; links only, or everything.
+    /// A random model, with interactions only or with everything.
     fn model(&mut self) -> Model {
         let width = self.happens().then(|| {
             let power = if self.below(4) == 0 { 0.0 } else { 13.0 };

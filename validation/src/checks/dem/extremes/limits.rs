@@ -1,4 +1,4 @@
-//! Overlaps up to coincidence, speeds up to a cell a step, and the very same motion in other units.
+//! Overlaps up to coincidence, speeds up to one cell per step, and the same motion in other units.
 
 use super::pairs::{free, kelvin_voigt, mass, model, world};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
@@ -16,25 +16,25 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "extremes.coincidence",
-            claim: "Down to coincident centres all normal laws, friction laws and lever arms stay finite and go to their limits.",
+            claim: "Down to coincident centres, all normal laws, friction laws and lever arms stay finite and approach their limits.",
             equations: thesis("(4), (5), (28)-(42), (114)"),
-            scene: "Two spheres of equal or unequal radii at distances from a tenth of the radius down to 1e-145 m and zero, spinning under load; three lever arms, three friction laws, two normal laws",
-            oracle: "Limits: k (r_i + r_j) and (4/3) E* sqrt(R*) (r_i + r_j)^(3/2); along the tangent mu F_n (d_i + d_j) / D with d_i + d_j the sum of radii, the distance itself (where friction is viscous in the end), or for equal radii twice r/2",
+            scene: "Two spheres of equal or unequal radii at distances from a tenth of the radius down to 1e-145 m and zero, with equal spins; three lever arms, two friction laws, two normal laws",
+            oracle: "Limits: normal force k (r_i + r_j) and (4/3) E* sqrt(R*) (r_i + r_j)^(3/2). Tangential force mu F_n (d_i + d_j) / D, with d_i + d_j the sum of radii, the distance itself (where Haff-Werner friction becomes viscous), or for equal radii twice r/2",
             norm: "Relative error of forces, and number of values that are not finite",
             origin: Origin::Convergent,
-            reason: "Forces depend on the distance by D / r to first order, times 3/2 at most, plus ten roundings; lever arms of focal distances are differences that lose r^2 / D^2 of a rounding for unequal radii, which are judged where that is below one per mille",
+            reason: "Forces depend on the distance by D / r to first order, times at most 3/2, plus ten roundings. Focal lever arms are differences, which for unequal radii lose r^2 / D^2 of a rounding; they are compared where this loss is below one per mille",
             effort: Effort::Quick,
             measure: coincidence,
         },
         Check {
             id: "extremes.speed",
-            claim: "A particle may move up to a cell a step, and finds the contact in which it lands; beyond, the step ends with a typed error in every method.",
+            claim: "A particle may move by up to one cell per step and then finds the contact in which it lands; beyond that, the step ends with a typed error for every integrator.",
             equations: thesis("(98), (99)"),
-            scene: "A sphere of 1 mm flies at (1 -+ 1e-9) cells a step towards one at rest, in a box that the cells tile ten times; five methods",
-            oracle: "A cell of 2.5 mm: the tenth part of a box of 25 mm, of cells not below 2.4 radii",
-            norm: "Number of wrong outcomes: an error or a missed contact below a cell, none or another error above",
+            scene: "A sphere of 1 mm moves at (1 -+ 1e-9) cells per step towards a sphere at rest, in a box ten cells wide; all integrators",
+            oracle: "A cell of 2.5 mm: a tenth of a box of 25 mm, for cells of at least 2.4 radii",
+            norm: "Number of wrong outcomes: an error or a missed contact below the limit, no error or another error above it",
             origin: Origin::Exact,
-            reason: "None may be wrong",
+            reason: "No outcome may be wrong",
             effort: Effort::Quick,
             measure: speed,
         },
@@ -42,23 +42,23 @@ pub(super) fn checks() -> Vec<Check> {
             id: "extremes.units",
             claim: "The same collision has the same bits in units from 2^-400 to 2^400 m or kg and from 2^-190 to 2^190 s.",
             equations: thesis("(26)-(58)"),
-            scene: "Two unequal spheres that meet obliquely with spin, 600 steps; Kelvin-Voigt and viscoelastic, three friction laws, five methods, eight systems of units",
+            scene: "Two unequal spinning spheres collide obliquely, 600 steps; Kelvin-Voigt and viscoelastic, three friction laws, all integrators, eight systems of units",
             oracle: "The run in SI units, scaled",
-            norm: "Number of runs of which some bit of place, velocity, angle or spin differs",
+            norm: "Number of runs in which any bit of a position, velocity, angle or spin differs",
             origin: Origin::Exact,
-            reason: "Products with powers of two are exact; roots are, because lengths scale by powers of four",
+            reason: "Multiplication by powers of two is exact; square roots are too, because lengths scale by powers of four",
             effort: Effort::Quick,
             measure: units,
         },
         Check {
             id: "extremes.subnormal",
-            claim: "Where stiffnesses and forces are subnormal numbers, a collision is right up to the quantum that is left of the force; a moment of inertia whose inverse is beyond all numbers is a typed error.",
+            claim: "If stiffnesses and forces are subnormal numbers, a collision is correct up to the remaining resolution of the force. A moment of inertia whose inverse overflows is a typed error.",
             equations: thesis("(26)-(58)"),
-            scene: "A head-on collision in units in which forces shrink by powers of two to 2^-1067 N, and one in which masses shrink; velocity Verlet, 2000 steps",
+            scene: "Head-on collisions in units in which forces shrink by powers of two down to 2^-1066 N, and in units in which masses shrink; velocity Verlet, 2000 steps",
             oracle: "The run in SI units, scaled",
-            norm: "Relative difference of the velocity of separation; a wrong outcome for a mass counts one",
+            norm: "Relative error of the separation velocity; a wrong outcome for a mass counts as one",
             origin: Origin::Exact,
-            reason: "Stiffness, damping, force and their sum are each off by half a quantum of 2^-1074 at most, which is twice the quantum over the force k v / w of the impulse; a factor of two for the fall of the force at the ends; besides a rounding a step, 2000 steps",
+            reason: "Stiffness, damping, force and their sum are each off by at most half a quantum of 2^-1074, which is twice the quantum over the force k v / w in the impulse, with a factor of two because the force is smaller at the ends; plus one rounding per step, 2000 steps",
             effort: Effort::Quick,
             measure: subnormal,
         },
@@ -71,7 +71,7 @@ const MU: f64 = 0.4;
 const SPIN: f64 = 3000.0;
 const GRIP: f64 = 1e9;
 
-/// The contact of two spheres at a distance, spinning alike.
+/// The contact of two spheres with equal spins at a given distance, and whether its forces are finite.
 fn contact_at(
     contact: ContactLaws,
     radii: [f64; 2],
@@ -95,7 +95,7 @@ fn contact_at(
     Ok((link.ok_or_else(missing)?, finite))
 }
 
-/// Friction laws that slide at once: stiff enough in shear.
+/// Friction laws that are sliding from the start; the second one has no friction.
 fn sliding() -> [ContactTangential; 2] {
     [
         ContactTangential::HaffWerner(HaffWerner {
@@ -110,7 +110,7 @@ fn sliding() -> [ContactTangential; 2] {
     ]
 }
 
-/// What is found at a distance with one lever arm.
+/// Compares the contact at a distance, for one lever arm, with the limits.
 fn rubbing_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measurement>, Failure> {
     let (r, sum) = (radii[0], radii[0] + radii[1]);
     let slack = 1.5 * d / r + 10.0 * f64::EPSILON;
@@ -126,7 +126,7 @@ fn rubbing_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measu
         let lost = 4.0 * f64::EPSILON * (radii[1] * radii[1] - r * r) / (d * d);
         let (expected, slack) = match arm {
             ContactDistance::Radius => (-limit * sum / d, slack),
-            // The surfaces slide at D times the spin: the viscous branch in the end.
+            // The surfaces slide at D times the spin, so that the viscous branch applies at small D.
             ContactDistance::Focal => (-limit.min(GRIP * SPIN * d), slack + lost),
             ContactDistance::Mean => (-limit * r / d, d / r + 10.0 * f64::EPSILON),
             ContactDistance::Mixed(_) => continue,
@@ -142,7 +142,7 @@ fn rubbing_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measu
     Ok(all)
 }
 
-/// What is found at a distance between viscoelastic spheres.
+/// Compares the contact of viscoelastic spheres at a distance with the limit.
 fn viscoelastic_at(radii: [f64; 2], d: f64) -> Result<[Measurement; 2], Failure> {
     let law = Bshp {
         youngs_modulus: 50e9,
@@ -197,7 +197,8 @@ fn speed() -> Outcome {
             };
             let fast = free([1e-3, 5e-3], [factor * cell / step, 0.0], radius);
             let resting = free([1e-3 + 2.0 * cell - 0.5e-3, 5e-3], [0.0; 2], radius);
-            // Two steps: the second one begins 0.5 mm from the other's centre, unless it is refused.
+            // Two steps: the second one begins 0.5 mm from the other sphere's centre, unless the step
+            // fails.
             let mut world = world(model, &[fast, resting])?;
             let outcome = world.step().and_then(|()| world.step());
             let landed = outcome.and_then(|()| world.refresh_neighbors());
@@ -212,10 +213,10 @@ fn speed() -> Outcome {
     Ok(Measurement::count(wrong).into())
 }
 
-/// A system of units: binary logarithms of the units of length, time and mass. Those of length are even.
+/// A system of units: binary logarithms of the units of length, time and mass. That of length is even.
 type Units = [i32; 3];
 
-/// Power of two; in halves, because the inverse of a power above 2^1023 would vanish.
+/// Power of two, computed as two factors because a power above 2^1023 overflows.
 fn power(exponent: i32) -> f64 {
     2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2)
 }
@@ -278,7 +279,7 @@ fn oblique(integrator: Integrator, bshp: bool, law: usize, units: Units) -> Resu
     Ok(World::new(model, particles, &Start::default())?)
 }
 
-/// Places, velocities, angles and spins, brought back to SI units.
+/// Positions, velocities, angles and spins, converted to SI units.
 fn state(world: &World, [length, time, _]: Units) -> Vec<f64> {
     let p = world.particles();
     let back = |v: Vec2, exponent: i32| [v.x * power(-exponent), v.y * power(-exponent)];
@@ -320,8 +321,8 @@ fn units() -> Outcome {
     Ok(Measurement::count(wrong).into())
 }
 
-/// Relative velocity after a head-on collision in units of mass and time of so many powers of two,
-/// scaled back.
+/// Relative velocity after a head-on collision, in units whose mass and time are the given powers of
+/// two, converted back.
 fn shrunk(weight: i32, time: i32) -> Result<f64, Failure> {
     let (radius, steps) = (0.0009765625, 2000);
     let m = mass(radius);
@@ -355,10 +356,10 @@ fn subnormal() -> Outcome {
     let reference = shrunk(0, 0)?;
     let mut all = Vec::new();
     let mut table = Table::new(
-        "Rebound with forces of 2^e N in place of one, relative to the one in SI units",
-        &["e", "relative difference", "quantum of the force"],
+        "Rebound with forces scaled by 2^e, relative to the run in SI units",
+        &["e", "relative difference", "resolution of the force"],
     );
-    // Forces are of the order of k v / w, about 0.4 N; stiffnesses are subnormal from e = -1045 on.
+    // Forces are about k v / w, 0.4 N; stiffnesses are subnormal from e = -1045 on.
     let force = 0.5 * (0.5 * K * mass(0.0009765625)).sqrt();
     for time in [200, 210, 215, 220, 225, 230, 233] {
         let exponent = -600 - 2 * time;
@@ -373,8 +374,8 @@ fn subnormal() -> Outcome {
         ]);
     }
     for weight in [-985, -1005, -1040] {
-        // The moment of inertia in SI units is 2^-37.7 kg m^2; inverses of numbers below 2^-1024 are
-        // beyond all numbers.
+        // The moment of inertia in SI units is 2^-37.7 kg m^2; inverses of numbers below 2^-1024
+        // overflow.
         let right = match shrunk(weight, 0) {
             Ok(after) => weight == -985 && (after / reference - 1.0).abs() < 1e-12,
             Err(Failure::Model(ModelError::Parameter { .. })) => weight < -985,

@@ -1,4 +1,4 @@
-//! Stiff and extreme.
+//! Stiff systems and extreme values.
 
 mod cases;
 mod limits;
@@ -12,9 +12,8 @@ use crate::checks::Topic;
 pub fn topic() -> Topic {
     Topic {
         id: "extremes",
-        title: "Stiff and extreme",
-        about: "Stiffness, sizes, overlaps, speeds, places and magnitudes at the ends of their ranges: what comes out is \
-                finite and right, or a typed error.",
+        title: "Stiff systems and extreme values",
+        about: "Extreme stiffnesses, sizes, overlaps, speeds, positions and magnitudes: the result is finite and correct, or a typed error.",
         checks: [stiff::checks(), limits::checks(), random::checks()]
             .into_iter()
             .flatten()

@@ -33,7 +33,7 @@ pub fn free(position: [f64; 2], velocity: [f64; 2], radius: f64) -> Particle {
     }
 }
 
-/// Kelvin-Voigt contacts, with friction if any.
+/// Kelvin-Voigt contacts with optional friction.
 pub fn kelvin_voigt(
     stiffness: f64,
     damping: f64,
@@ -47,7 +47,7 @@ pub fn kelvin_voigt(
     }
 }
 
-/// A model of contacts alone, in an open box, with velocity Verlet.
+/// A model with contacts only, in an open box, with velocity Verlet.
 pub fn model(contact: ContactLaws, step: f64) -> Model {
     Model {
         reading: Reading::Corrected,
@@ -70,13 +70,14 @@ pub fn model(contact: ContactLaws, step: f64) -> Model {
 /// The world of a model and its particles.
 ///
 /// # Errors
-/// What the kernel refuses.
+/// Models that the kernel refuses.
 pub fn world(model: Model, particles: &[Particle]) -> Result<World, Failure> {
     let particles: Particles = particles.iter().copied().collect();
     Ok(World::new(model, particles, &Start::default())?)
 }
 
-/// Restitution of a collision along x that runs until the pair parts or a number of steps is over.
+/// Restitution of a collision along x, which runs until the pair separates or the given number of steps
+/// is reached.
 ///
 /// # Errors
 /// Steps that fail.

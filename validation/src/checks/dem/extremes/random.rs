@@ -1,4 +1,4 @@
-//! Random cases: finite, or a typed error, and never a panic.
+//! Random cases: finite or a typed error, never a panic.
 
 use super::cases::{Draw, Range};
 use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table, thesis};
@@ -9,33 +9,33 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 pub(super) fn checks() -> Vec<Check> {
     let check = |id, scene, effort, measure| Check {
         id,
-        claim: "Random pairs, laws and magnitudes, zero, subnormal and huge ones among them, are evaluated and stepped without a panic; what comes out is finite or a typed error, and ordinary magnitudes are never lost.",
+        claim: "Random pairs, laws and magnitudes, including zero, subnormal and huge ones, are evaluated and stepped without a panic. The result is finite or a typed error, and an evaluation of ordinary magnitudes never overflows.",
         equations: thesis("(26)-(67)"),
         scene,
-        oracle: "Newton's third law, bit for bit, where links alone act; contacts repel; no error but that of a fast particle below 1e12 in every magnitude",
+        oracle: "Newton's third law to the last bit where only contacts and bonds act; contacts repel; below magnitudes of 1e12, an evaluation fails only for a particle that is too fast",
         norm: "Number of violations; a panic fails the check by itself",
         origin: Origin::Exact,
-        reason: "None may happen",
+        reason: "No violation is allowed",
         effort,
         measure,
     };
     vec![
         check(
             "extremes.random",
-            "2e4 random worlds of two particles, over every law, reading, lever arm, integrator and boundary; all are evaluated, one of sixteen makes four steps",
+            "2e4 random worlds of two particles, over every law, reading, lever arm, integrator and boundary; all are evaluated, one in sixteen makes four steps",
             Effort::Quick,
             || survive(20_000, 16),
         ),
         check(
             "extremes.random-million",
-            "1e6 random worlds of two particles, over every law, reading, lever arm, integrator and boundary; all are evaluated, one of 64 makes four steps",
+            "1e6 random worlds of two particles, over every law, reading, lever arm, integrator and boundary; all are evaluated, one in 64 makes four steps",
             Effort::Report,
             || survive(1_000_000, 64),
         ),
     ]
 }
 
-/// How a case ended.
+/// The outcome of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum End {
     Evaluated,
@@ -62,7 +62,8 @@ fn end_of(error: &StepError) -> End {
     }
 }
 
-/// What is wrong with the forces of a world that has been evaluated, if its numbers are finite.
+/// Whether the forces of an evaluated world are wrong; forces that are not finite are wrong only for
+/// ordinary magnitudes.
 fn is_wrong(world: &World, range: Range) -> bool {
     let (force, torque) = (&world.forces().force, &world.forces().torque);
     let is_finite =
@@ -105,11 +106,12 @@ fn outcome(case: u64, range: Range, stepped: u64) -> End {
         .map_or_else(|error| end_of(&error), |()| End::Finite)
 }
 
-/// Try so many cases, half of them over the whole range; one of `stepped` goes on after its evaluation.
+/// Runs random cases, half of them over the whole range; one in `stepped` continues after its
+/// evaluation.
 fn survive(cases: u64, stepped: u64) -> Outcome {
     let mut table = Table::new(
-        "Ends of random cases",
-        &["end", "ordinary magnitudes", "all magnitudes"],
+        "Outcomes of random cases",
+        &["outcome", "ordinary magnitudes", "all magnitudes"],
     );
     let ends = [Range::Ordinary, Range::Whole].map(|range| -> Vec<End> {
         (0..cases / 2)

@@ -1,4 +1,4 @@
-//! One dimensionless collision over all stiffnesses, sizes, dampings and places.
+//! One dimensionless collision over all stiffnesses, sizes, damping ratios and positions.
 
 use super::pairs::{free, kelvin_voigt, mass, model, restitution, world};
 use crate::checks::{
@@ -18,7 +18,7 @@ pub(super) fn checks() -> Vec<Check> {
         claim,
         equations: thesis("(36), (54)"),
         scene,
-        oracle: "Closed form of the truncated oscillator's restitution",
+        oracle: "Closed form of the restitution of the truncated oscillator",
         norm: "Error of the restitution over its bound",
         origin: Origin::Convergent,
         reason,
@@ -28,30 +28,30 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         check(
             "extremes.stiffness",
-            "Over twelve decades of stiffness the restitution of a collision is the same, up to rounding of places.",
-            "Two spheres of 1 mm head on at 0.1 m/s, damping ratio 0.2, stiffness 1e2 to 1e14 kg/s^2 in half decades; velocity Verlet, step 1e-3 over the frequency",
-            "h^2 of the method and, where the overlap v / w is so small that places are coarse, a rounding of half a unit in the last place of the radius a step, added like a random walk of N steps, four standard deviations: 4 sqrt(N / 12) ulp / (v / w)",
+            "Over twelve decades of stiffness the restitution of a collision is the same, up to rounding of positions.",
+            "Two spheres of 1 mm collide head on at 0.1 m/s, damping ratio 0.2, stiffness 1e2 to 1e14 kg/s^2 in half decades; velocity Verlet, time step 1e-3 over the frequency",
+            "h^2 from the method. If the overlap v / w is so small that positions are coarse, each step rounds by half a unit in the last place of the radius; four standard deviations of a random walk of N steps are 4 sqrt(N / 12) ulp / (v / w)",
             stiffness,
         ),
         check(
             "extremes.sizes",
-            "A sphere rebounds from one that is up to 1e4 times as large, 1e12 times as heavy, as from a wall.",
-            "Spheres of radius 1 mm and up to 10 m head on at 0.1 m/s, damping ratio 0.2, stiffness 1e4 kg/s^2; velocity Verlet, step 1e-3 over the frequency",
-            "h^2, and a random walk of roundings of the larger place, as for the stiffness",
+            "A sphere rebounds from a sphere up to 1e4 times as large, 1e12 times as heavy, with the same restitution as from a wall.",
+            "A sphere of radius 1 mm and one of up to 10 m collide head on at 0.1 m/s, damping ratio 0.2, stiffness 1e4 kg/s^2; velocity Verlet, time step 1e-3 over the frequency",
+            "h^2, and a random walk of roundings of the larger position, as for extremes.stiffness",
             sizes,
         ),
         check(
             "extremes.damping",
             "The restitution follows its closed form from one, at damping ratios down to 1e-9, to zero, at 1e4.",
-            "Two spheres of 1 mm head on, damping ratios 1e-9 to 1e4 in decades; velocity Verlet, step 1e-3 over the fastest rate",
-            "h^2 at most; above critical damping h of the restitution itself, because the force vanishes within a step, and the rounding of places over the overlap",
+            "Two spheres of 1 mm collide head on, damping ratios 1e-9 to 1e4 in decades; velocity Verlet, time step 1e-3 over the fastest rate",
+            "At most h^2; above critical damping h times the restitution, because the force vanishes within a step; plus the rounding of positions over the overlap",
             damping,
         ),
         check(
             "extremes.places",
-            "A collision up to 1e9 box widths from the origin is that at the origin, up to rounding of places; in a periodic box, where places are wrapped, bit for bit.",
-            "Two spheres head on, overlap of 0.1 mm, up to 1.25e8 m from the origin; a box of 0.125 m, open and periodic",
-            "h^2; the overlap at the beginning, 2^-26 m, times twice the damping ratio; and half a unit in the last place of the place a step, all of one sign at worst; over the overlap",
+            "A collision up to 1e9 box widths from the origin has the same restitution as at the origin, up to rounding of positions. In a periodic box, where positions are wrapped, it is the same to the last bit.",
+            "Two spheres collide head on with an overlap of 0.1 mm, up to 1.25e8 m from the origin; a box of 0.125 m, open and periodic",
+            "h^2, plus the initial overlap of 2^-26 m times twice the damping ratio, and half a unit in the last place of the position per step, in the worst case all of the same sign; both over the overlap",
             places,
         ),
     ]
@@ -60,12 +60,12 @@ pub(super) fn checks() -> Vec<Check> {
 const SPEED: f64 = 0.1;
 const H: f64 = 1e-3;
 
-/// Four standard deviations of the sum of so many roundings at a place.
+/// Four standard deviations of the sum of the roundings of a position over the given number of steps.
 fn walk(steps: f64, place: f64) -> f64 {
     4.0 * (steps / 12.0).sqrt() * unit_in_last_place(place)
 }
 
-/// The measurements of a sweep, drawn against what was swept.
+/// The measurements of a parameter sweep, plotted against the parameter.
 fn sweep(title: &str, label: &str, found: Vec<(f64, Measurement)>) -> Outcome {
     let points = |of: fn(&Measurement) -> f64| {
         found
@@ -84,8 +84,8 @@ fn sweep(title: &str, label: &str, found: Vec<(f64, Measurement)>) -> Outcome {
     Ok(Measurement::worst(found.iter().map(|(_, one)| *one)).showing([Exhibit::Plot(plot)]))
 }
 
-/// Two touching spheres of the given radii that meet along x, the first one moving, with a damping
-/// ratio; their restitution and the overlap scale.
+/// Two touching spheres of the given radii and damping ratio collide along x, the first one moving.
+/// Returns their restitution and the scale of the overlap.
 fn collide(radii: [f64; 2], k: f64, zeta: f64, h: f64) -> Result<[f64; 2], Failure> {
     let [a, b] = radii.map(mass);
     let reduced = a * b / (a + b);
@@ -93,14 +93,16 @@ fn collide(radii: [f64; 2], k: f64, zeta: f64, h: f64) -> Result<[f64; 2], Failu
     let damping = 2.0 * zeta * (k * reduced).sqrt();
     let contact = kelvin_voigt(k, damping, ContactDistance::Radius, None);
     let step = h / (rate * (1.0_f64).max(2.0 * zeta));
-    // The point of contact is the origin, but for three units in the last place, which make a contact.
+    // The contact point is the origin, up to three units in the last place, which make the spheres
+    // overlap.
     let place = radii[1] - 3.0 * unit_in_last_place(radii[0] + radii[1]);
     let particles = [
         free([-radii[0], 0.0], [SPEED, 0.0], radii[0]),
         free([place, 0.0], [0.0; 2], radii[1]),
     ];
     let mut world = world(model(contact, step), &particles)?;
-    // The force is gone after at most thirty units of the fastest rate; an overdamped pair parts much later.
+    // The force vanishes within thirty units of the fastest rate; an overdamped pair separates much
+    // later.
     Ok([restitution(&mut world, (30.0 / h) as u64)?, SPEED / rate])
 }
 
@@ -158,12 +160,12 @@ fn damping() -> Outcome {
 
 /// Width of the box, a power of two, so that its multiples are exact.
 const WIDTH: f64 = 0.125;
-/// Overlap at the beginning: the spacing of numbers at the farthest place.
+/// Initial overlap: the spacing of numbers at the largest distance.
 const GAP: f64 = 1.0 / 67_108_864.0;
 
-/// Restitution of a collision at a distance from the origin, and the final places from there.
+/// Restitution of a collision at a distance from the origin, and the final positions.
 fn far(distance: f64, periodic: bool) -> Result<(f64, [f64; 2]), Failure> {
-    // Radius, gap and speed are multiples of 2^-26 m, the spacing of numbers at 1.25e8 m.
+    // Radius, overlap and speed are multiples of 2^-26 m, the spacing of numbers at 1.25e8 m.
     let (radius, gap, speed) = (0.0078125, GAP, 0.25);
     let k = 2.0 * mass(radius) * (speed / 1e-4) * (speed / 1e-4);
     let damping = 2.0 * 0.2 * (k * 0.5 * mass(radius)).sqrt();

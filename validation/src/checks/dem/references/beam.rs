@@ -1,4 +1,4 @@
-//! Forces of a bond beside those of an engine whose beam grows stiffer as it is stretched.
+//! Forces of a bond compared with an engine whose beam becomes stiffer when stretched.
 
 use super::motion::recorded_motion;
 use crate::checks::dem::scenes::world;
@@ -7,7 +7,7 @@ use crate::references::{Case, RecordedRun, Run};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 
-/// Compare the forces on the first particle and both torques, with the difference of the laws added.
+/// Compares the forces on the first particle and both torques after adding the difference of the laws.
 pub(super) fn compare(case: &Case) -> Outcome {
     let mut table = Table::new(
         "Torque on the first particle in N m",
@@ -68,20 +68,20 @@ fn compare_run(
     ])
 }
 
-/// What the engine's beam adds to the thesis's.
+/// The difference between the engine's beam and the thesis's.
 struct Stiffening {
     strain: f64,
     force: Vec2,
     torque: f64,
 }
 
-/// The difference of the laws for equal radii: the engine's shearing moment is that of the thesis times the
-/// square of the distance over that at rest.
+/// The difference of the laws for equal radii: the engine's shearing moment is the thesis's, times the
+/// squared ratio of the distance to the rest length.
 fn stiffening(world: &World) -> Result<Stiffening, Failure> {
     let links = world.interactions();
     let bond = world.model().bond.and_then(|bond| bond.tangential);
     let (Some(link), Some(beam)) = (links.first(), bond) else {
-        return Err(Failure::Oracle("the scene has no bent bond".to_owned()));
+        return Err(Failure::Oracle("the scene has no bond with bending".to_owned()));
     };
     let [first, second] = link.tangential_displacement;
     let radius = world.particles().radius[0];

@@ -1,4 +1,4 @@
-//! Where the laws of other programs are not those of the thesis: by how much, and why.
+//! Differences between the laws of other programs and of the thesis: their size and their origin.
 
 use super::motion::{difference, recorded_motion};
 use super::stored;
@@ -18,49 +18,49 @@ pub fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "references.differences.cundall-strack",
-            claim: "The spring of (42) as printed and the spring that LAMMPS and YADE cut back give the same bits until a contact at the Coulomb limit is to unload: then the printed force stays at the limit, against the velocity, and the other follows its spring.",
+            claim: "The printed spring of (42) and the truncated spring of LAMMPS and YADE give the same bits until a contact at the Coulomb limit should unload. Then the printed force stays at the limit, against the velocity, and the truncated force follows its spring.",
             equations: thesis("(42), E15"),
             scene: "The runs of lammps/cundall-strack with both laws",
-            oracle: "In the first step that differs: the printed force is the Coulomb limit, and the cut-back spring is below it or points the other way",
-            norm: "Runs that part otherwise",
+            oracle: "In the first step that differs, the printed force is the Coulomb limit, and the truncated force is below it or has the opposite sign",
+            norm: "Number of runs that diverge in another way",
             origin: Origin::Exact,
-            reason: "The same operations on the same numbers before; magnitudes are compared to 1e-12",
+            reason: "The operations and numbers are the same before that step; magnitudes are compared to 1e-12",
             effort: Effort::Quick,
             measure: cundall_strack,
         },
         Check {
             id: "references.differences.inertia",
-            claim: "Where a contact slides from first to last, discs with the inertia of cylinders move as spheres do and their spins change by four fifths; with the inertia factor 1/2 the kernel spins as they do.",
+            claim: "If a contact slides throughout, discs with the inertia of cylinders move like spheres, and their spins change by four fifths as much; with an inertia factor of 1/2 the kernel reproduces these spins.",
             equations: thesis("(41), (53)"),
             scene: "The runs of lammps/disc-inertia",
-            oracle: "LAMMPS with the moment of inertia of a disc, for spheres with the ratio of 2/5 to 1/2",
-            norm: "Largest difference of a position, velocity or spin after the impact, in units of the largest displacement, speed and spin",
+            oracle: "LAMMPS with the moment of inertia of a disc; the spheres' change of spin is multiplied by (2/5) / (1/2)",
+            norm: "Largest error of a position, velocity or spin after the impact, in units of the distance travelled, the speed and the spin",
             origin: Origin::Exact,
-            reason: "Both make the same steps; only the sign of the sliding velocity, which never changes, depends on the spins: rounding of 4000 steps",
+            reason: "Both programs make the same steps, and only the sign of the sliding velocity, which never changes, depends on the spins: rounding of 4000 steps",
             effort: Effort::Quick,
             measure: inertia,
         },
         Check {
             id: "references.differences.damping",
-            claim: "A coefficient of damping means three things: in LAMMPS gamma itself or gamma over the effective mass, in YADE twice gamma, as two materials act in series; so read, all rebounds have the restitution of (36).",
+            claim: "A damping coefficient has three meanings: gamma itself or gamma over the effective mass in LAMMPS, and twice gamma in YADE, where two materials act in series. Interpreted accordingly, all rebounds have the restitution of (36).",
             equations: thesis("(35), (36)"),
             scene: "The runs of lammps/kelvin-voigt, lammps/mass-damping and yade/kelvin-voigt",
             oracle: "Closed form of the truncated Kelvin-Voigt collision",
-            norm: "Difference of the restitution in units of 2 zeta w dt + (w dt)^2",
+            norm: "Error of the restitution in units of 2 zeta w dt + (w dt)^2",
             origin: Origin::Convergent,
-            reason: "Forces from velocities half a step old change the damping by 2 zeta w dt, the step in which contact begins by as much, and Verlet the frequency by (w dt)^2 / 24: less than one unit in all",
+            reason: "Forces from velocities half a step old change the damping by 2 zeta w dt, the step in which contact begins by as much, and Verlet changes the frequency by (w dt)^2 / 24: less than one unit in total",
             effort: Effort::Quick,
             measure: damping,
         },
         Check {
             id: "references.differences.arms",
-            claim: "With the thesis's lever arms, all of them the radius or all the distance to the focal point, motion differs from that of programs that mix them by no more than eight overlaps in units of the smallest radius.",
+            claim: "With the thesis's lever arms, all equal to the radius or all to the distance to the focal point, the motion differs from that of programs that mix them by at most eight overlaps, in units of the smallest radius.",
             equations: thesis("(7), (34), (45), (112)"),
-            scene: "Oblique impacts of LAMMPS and YADE, with their steps but the thesis's arms",
+            scene: "Oblique impacts of LAMMPS and YADE, with their time stepping but the thesis's lever arms",
             oracle: "The recorded motion",
-            norm: "Largest difference of a recorded quantity, in units of the largest of its kind and of the largest overlap over the smallest radius",
+            norm: "Largest error of a recorded quantity, in units of the largest of its kind and of the largest overlap over the smallest radius",
             origin: Origin::Convergent,
-            reason: "Rotation, translation and torque each enter with a factor that differs by at most one overlap over the diameter of the smaller disc: together the tangential force by less than two overlaps over the radius, and the phase of its swings by one for each radian, of which a contact lasts pi sqrt(7 k_t / 2 k_n), 5.6 at most",
+            reason: "Rotation, translation and torque each enter with a factor that differs by at most one overlap over the diameter of the smaller disc. Together they change the tangential force by less than two overlaps over the radius, and the phase of its oscillation by one per radian; a contact lasts pi sqrt(7 k_t / 2 k_n), at most 5.6 radians",
             effort: Effort::Quick,
             measure: arms,
         },
@@ -84,7 +84,7 @@ fn arms() -> Outcome {
             "case",
             "run",
             "overlap / radius",
-            "their arms",
+            "mixed, as recorded",
             "all radius",
             "all focal",
         ],
@@ -119,7 +119,7 @@ fn arms() -> Outcome {
     Ok(measurement.showing([Exhibit::Table(table)]))
 }
 
-/// The world of a run, with a part of its scene replaced.
+/// The world of a run, with one part of its scene replaced.
 fn world_with(case: &Case, run: &Run, replace: &str, with: &str) -> Result<World, Failure> {
     let text = case.scene(run).map_err(Failure::Oracle)?;
     world(&text.replace(replace, with))
@@ -131,15 +131,15 @@ const STEPS: u64 = 4000;
 fn cundall_strack() -> Outcome {
     let case = stored("lammps/cundall-strack")?;
     let mut table = Table::new(
-        "Spin of the first disc after the impact in rad/s, with lever arms and steps of LAMMPS",
+        "Spin of the first disc after the impact in rad/s, with the lever arms and time stepping of LAMMPS",
         &[
             "run",
-            "laws part in step",
-            "where",
+            "laws diverge in step",
+            "how",
             "LAMMPS",
-            "cut back",
-            "as printed",
-            "difference, % of its change",
+            "truncated",
+            "printed",
+            "difference, % of the spin change",
         ],
     );
     let mut wrong = 0;
@@ -166,13 +166,13 @@ fn cundall_strack() -> Outcome {
     Ok(Measurement::count(wrong).showing([Exhibit::Table(table)]))
 }
 
-/// Where the two springs part.
+/// The state in which the two springs diverge.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     Nowhere,
-    /// The cut-back spring has fallen below the limit.
+    /// The truncated spring has fallen below the limit.
     Holds,
-    /// The cut-back spring, at the limit, points against the printed force.
+    /// The truncated spring, at the limit, points against the printed force.
     Turned,
     Elsewhere,
 }
@@ -181,13 +181,13 @@ impl Place {
     fn text(self) -> &'static str {
         match self {
             Self::Nowhere => "",
-            Self::Holds => "the contact holds again",
+            Self::Holds => "the contact sticks again",
             Self::Turned => "the limit falls below a spring that unloads",
-            Self::Elsewhere => "elsewhere",
+            Self::Elsewhere => "otherwise",
         }
     }
 
-    /// By the tangential forces of both laws, cut back and printed, and the Coulomb limit.
+    /// From the tangential forces of both laws, truncated and printed, and the Coulomb limit.
     fn of([truncated, printed]: [f64; 2], limit: f64) -> Self {
         let is_limit = (printed.abs() - limit).abs() <= 1e-12 * limit;
         if is_limit && truncated.abs() < limit * (1.0 - 1e-12) {
@@ -200,11 +200,11 @@ impl Place {
     }
 }
 
-/// How the two springs part in an impact.
+/// How the two springs diverge in an impact.
 struct Parting {
     step: Option<u64>,
     place: Place,
-    /// Spins of the first disc: before, after with the spring cut back, after as printed.
+    /// Spins of the first disc: before, after with the truncated law, after with the printed law.
     spins: [f64; 3],
 }
 
@@ -244,7 +244,7 @@ fn friction(world: &World) -> Result<f64, Failure> {
     match world.model().contact.and_then(|contact| contact.tangential) {
         Some(ContactTangential::CundallStrackTruncated(law)) => Ok(law.friction),
         _ => Err(Failure::Oracle(
-            "the scene has no spring to cut back".to_owned(),
+            "the scene has no truncated spring".to_owned(),
         )),
     }
 }
@@ -307,15 +307,15 @@ fn inertia() -> Outcome {
 
 fn damping() -> Outcome {
     let mut table = Table::new(
-        "Restitution of the recorded rebounds, and of the same number taken for gamma in kg/s",
+        "Restitution of the recorded rebounds, and restitution if the engine's coefficient is taken as gamma in kg/s",
         &[
             "case",
             "run",
             "gamma in kg/s",
-            "given to the engine",
+            "coefficient of the engine",
             "restitution",
             "closed form",
-            "number taken for gamma",
+            "coefficient taken as gamma",
         ],
     );
     let mut measured = Vec::new();
@@ -353,7 +353,7 @@ fn damping() -> Outcome {
     Ok(Measurement::worst(measured).showing([Exhibit::Table(table)]))
 }
 
-/// What an engine's coefficient of damping is.
+/// The meaning of an engine's damping coefficient.
 #[derive(Clone, Copy)]
 enum Given {
     Itself,
@@ -400,7 +400,7 @@ impl Collision {
     }
 }
 
-/// Relative speed after a recorded collision over that before.
+/// Relative speed after a recorded collision over the relative speed before it.
 fn restitution(recorded: &RecordedRun) -> Result<f64, Failure> {
     let motion = recorded_motion(recorded)?;
     let place = motion.column("vx").map_err(Failure::Oracle)?;

@@ -1,8 +1,8 @@
-//! Averages over many runs of chaotic motion, by tests of equivalence.
+//! Averages over many runs of chaotic motion, compared by equivalence tests.
 //!
-//! Both programs begin with the same states. For each observable the differences d of the runs have a mean
-//! and a standard error s; two one-sided t tests at the level a reject a difference of means beyond the
-//! margin M if |mean| + t(1 - a) s < M.
+//! Both programs start from the same states. For each observable the differences d between the runs
+//! have a mean and a standard error s. Two one-sided t tests at level a reject a difference of the
+//! means beyond the margin M if |mean| + t(1 - a) s < M.
 
 use super::observables::{Course, value};
 use crate::checks::dem::scenes::world;
@@ -11,14 +11,14 @@ use crate::references::{Case, Control, Observable, RecordedRun, Run};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// Values of an observable in all runs, by the engine and by the kernel.
+/// Values of an observable in all runs, from the engine and from the kernel.
 type Pairs = Vec<[f64; 2]>;
 
-/// Test every observable of a case.
+/// Tests every observable of a case.
 pub(super) fn compare(case: &Case) -> Outcome {
     let courses = courses(case, None)?;
     let mut table =
-        table("Differences of the means, kernel less engine, in units of the engine's mean");
+        table("Differences of the means, kernel minus engine, in units of the engine's mean");
     let mut measured = Vec::new();
     for observable in &case.observables {
         let test = Test::of(
@@ -38,12 +38,12 @@ pub(super) fn compare(case: &Case) -> Outcome {
     Ok(Measurement::worst(measured).showing(exhibits))
 }
 
-/// Test the observables that a wrong kernel must fail.
+/// Tests that a wrong kernel fails for the stated observables.
 pub(super) fn compare_wrong(case: &Case) -> Outcome {
     let control = case.control.as_ref();
     let control = control.ok_or_else(|| Failure::Oracle("the case has no control".to_owned()))?;
     let courses = courses(case, Some(control))?;
-    let mut table = table("The same tests with the wrong kernel");
+    let mut table = table("The same tests with a wrong kernel");
     let mut rejected = Vec::new();
     for observable in &case.observables {
         let test = Test::of(
@@ -66,7 +66,7 @@ pub(super) fn compare_wrong(case: &Case) -> Outcome {
     Ok(Measurement::count(missed.count()).showing([Exhibit::Table(table)]))
 }
 
-/// Repeat all runs.
+/// Repeats all runs with the kernel.
 fn courses(case: &Case, control: Option<&Control>) -> Result<Vec<Course>, Failure> {
     let runs = case.runs.par_iter().zip(&case.result.runs);
     let course = |(run, recorded): (&Run, &RecordedRun)| {
@@ -101,14 +101,14 @@ fn pairs(case: &Case, observable: &Observable, courses: &[Course]) -> Result<Pai
     runs.map(pair).collect()
 }
 
-/// Outcome of the tests of one observable, in units of the engine's mean.
+/// Result of the tests of one observable; differences are in units of the engine's mean.
 struct Test {
     means: [f64; 2],
     difference: f64,
     deviation: f64,
-    /// Largest difference that the test cannot reject.
+    /// Smallest margin at which both tests would establish equivalence.
     bound: f64,
-    /// Probability that equal means are found equivalent.
+    /// Probability of establishing equivalence if the means are equal.
     power: f64,
 }
 
@@ -156,8 +156,8 @@ fn table(title: &str) -> Table {
         "engine",
         "kernel",
         "difference",
-        "deviation of the differences",
-        "bound of both tests",
+        "standard deviation of the differences",
+        "bound from both tests",
         "margin",
         "power",
     ];
@@ -166,7 +166,7 @@ fn table(title: &str) -> Table {
 
 fn reasons(case: &Case) -> Table {
     let mut table = Table::new(
-        "What is averaged, and why a margin is what it is",
+        "The averages, and the reason for each margin",
         &["observable", "steps", "reason"],
     );
     for observable in &case.observables {

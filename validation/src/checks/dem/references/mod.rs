@@ -20,12 +20,12 @@ pub fn topic() -> Topic {
     Topic {
         id: "references",
         title: "Other programs",
-        about: "What LAMMPS and YADE computed with their own inputs, repeated by the kernel with their conventions for lever arms and their steps. Nothing of it was produced by this program; references/regenerate runs the engines again.",
+        about: "Results of LAMMPS and YADE from their own inputs, repeated by the kernel with their conventions for lever arms and time stepping. Nothing in references/ was computed by this program; references/regenerate runs the engines again.",
         checks,
     }
 }
 
-/// Checks of the cases: every folder of `references` stands here.
+/// Checks of the cases: every folder of `references` is listed here.
 fn cases() -> Vec<Check> {
     let mut checks = Vec::new();
     macro_rules! compare {
@@ -81,13 +81,12 @@ fn cases() -> Vec<Check> {
     checks
 }
 
-/// A case of the folder.
+/// The stored case of a path.
 fn stored(path: &str) -> Result<&'static Case, Failure> {
     case(path).map_err(Failure::Oracle)
 }
 
-/// The check of a case that is repeated step by step; what its files state stands in for the words of
-/// other checks.
+/// The check of a case that is repeated step by step. Its texts come from the files of the case.
 fn step_by_step(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Check {
     let text = |pick: fn(&'static Case) -> &'static str| case(path).map_or(path, pick);
     Check {
@@ -96,7 +95,7 @@ fn step_by_step(path: &'static str, id: &'static str, measure: fn() -> Outcome) 
         equations: Evidence::parse(text(|case| &case.equations)).unwrap_or_default(),
         scene: text(|case| &case.laws),
         oracle: text(|case| &case.settings),
-        norm: "Largest difference of a position, velocity, spin, force or torque at any recorded step, in units of the largest displacement, speed, spin, force or torque of the run; rotation and translation count alike at the smallest radius",
+        norm: "Largest error of a position, velocity, spin, force or torque at any recorded step, in units of the largest displacement, speed, spin, force or torque of the run; rotations are converted to translations at the smallest radius",
         origin: Origin::Exact,
         reason: text(|case| &case.reason),
         effort: Effort::Quick,
@@ -107,7 +106,7 @@ fn step_by_step(path: &'static str, id: &'static str, measure: fn() -> Outcome) 
 /// The check of a case that agrees on average.
 fn on_average(path: &'static str, id: &'static str, measure: fn() -> Outcome) -> Check {
     Check {
-        norm: "Of the observable worst for its margin: mean difference of the runs plus the quantile of Student's t times its standard error, in units of the engine's mean",
+        norm: "For the observable closest to its margin: mean difference of the runs plus the quantile of Student's t times its standard error, in units of the engine's mean",
         origin: Origin::Statistical,
         effort: Effort::Thorough,
         ..step_by_step(path, id, measure)
@@ -119,8 +118,8 @@ fn wrong_on_average(path: &'static str, id: &'static str, measure: fn() -> Outco
     let claim = case(path).ok().and_then(|case| case.control.as_ref());
     Check {
         claim: claim.map_or(path, |control| &control.claim),
-        norm: "Observables that should be rejected and are not",
-        reason: "The parameter moves them by more than their margins",
+        norm: "Number of observables that should be rejected and are not",
+        reason: "The wrong parameter changes them by more than their margins",
         ..on_average(path, id, measure)
     }
 }

@@ -1,11 +1,11 @@
-//! Motion step by step: the kernel beside the particles that an engine recorded.
+//! Step-by-step motion: the kernel compared with the particles recorded by an engine.
 
 use crate::checks::dem::scenes::{advance, world};
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot};
 use crate::references::{Case, RecordedRun, Table};
 use gouge_dem::World;
 
-/// Kinds of recorded quantities: each has its own scale.
+/// Kinds of recorded quantities, each with its own scale.
 const KINDS: [(&str, &[&str]); 5] = [
     ("displacement", &["x", "y"]),
     ("velocity", &["vx", "vy"]),
@@ -14,7 +14,7 @@ const KINDS: [(&str, &[&str]); 5] = [
     ("torque", &["tqz"]),
 ];
 
-/// The difference of a run from the engine's.
+/// The difference between the kernel's run and the engine's.
 pub(super) struct Difference {
     /// Largest difference at each recorded time in s, in units of its scale.
     pub course: Vec<[f64; 2]>,
@@ -22,17 +22,17 @@ pub(super) struct Difference {
     pub depth: f64,
     /// Speeds or spins of the first particles at the recorded times.
     tracks: Vec<Track>,
-    /// What the tracks show.
+    /// The quantity in the tracks.
     shown: &'static str,
 }
 
-/// A number of a particle over time, by the engine and by the kernel.
+/// A quantity of a particle over time, from the engine and from the kernel.
 struct Track {
     engine: Vec<[f64; 2]>,
     kernel: Vec<[f64; 2]>,
 }
 
-/// Particles whose motion is drawn.
+/// Number of particles whose motion is plotted.
 const DRAWN: usize = 3;
 
 impl Difference {
@@ -42,7 +42,7 @@ impl Difference {
     }
 }
 
-/// Compare all runs of a case.
+/// Compares all runs of a case.
 pub(super) fn compare(case: &Case) -> Outcome {
     let mut measured = Vec::new();
     let (mut residuals, mut motions, mut shown) = (Vec::new(), Vec::new(), "");
@@ -70,7 +70,7 @@ pub(super) fn compare(case: &Case) -> Outcome {
         curves: motions,
     };
     let residual = Plot {
-        title: "Largest difference at the recorded steps, in units of the largest of its kind; none where it is exactly zero".to_owned(),
+        title: "Largest difference at the recorded steps, in units of the largest value of its kind; exact agreement is not shown".to_owned(),
         x: Axis::linear("time in s"),
         y: Axis::logarithmic("difference"),
         curves: residuals,
@@ -87,7 +87,7 @@ pub(super) fn compare(case: &Case) -> Outcome {
 pub(super) fn differences(case: &Case) -> Result<Vec<(&str, Difference)>, Failure> {
     if case.runs.len() != case.result.runs.len() {
         return Err(Failure::Oracle(
-            "case.toml and result.json list other runs".to_owned(),
+            "case.toml and result.json list different numbers of runs".to_owned(),
         ));
     }
     let pairs = case.runs.iter().zip(&case.result.runs);
@@ -105,7 +105,7 @@ pub(super) fn recorded_motion(recorded: &RecordedRun) -> Result<&Table, Failure>
     recorded.motion.as_ref().ok_or_else(missing)
 }
 
-/// Repeat a run by a scene and compare it at the recorded steps.
+/// Repeats a run from its scene and compares it at the recorded steps.
 pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Difference, Failure> {
     let table = recorded_motion(recorded)?;
     let mut world = world(scene)?;
@@ -154,12 +154,12 @@ fn smallest_radius(world: &World) -> f64 {
     radii.fold(f64::INFINITY, f64::min)
 }
 
-/// Where the recorded quantities stand in a row, and their scales.
+/// Positions of the recorded quantities in a row, and their scales.
 struct Columns {
     id: usize,
-    /// Kind, axis within the kind, place in the row, scale.
+    /// Kind, axis within the kind, position in the row, scale.
     places: Vec<(usize, usize, usize, f64)>,
-    /// Whether surfaces move by rotation more than by translation.
+    /// Whether surfaces move faster by rotation than by translation.
     spins: bool,
 }
 
@@ -195,7 +195,7 @@ impl Columns {
         })
     }
 
-    /// What is drawn.
+    /// Label of the quantity in the tracks.
     fn shown(&self) -> &'static str {
         if self.spins {
             "spin in rad/s"
@@ -204,7 +204,7 @@ impl Columns {
         }
     }
 
-    /// What is drawn of a particle, by the engine and by the kernel.
+    /// Plotted quantity of a particle, from the engine and from the kernel.
     fn drawn(&self, row: &[f64], world: &World) -> [f64; 2] {
         let i = row[self.id] as usize - 1;
         let of = |wanted: usize| self.places.iter().filter(move |(kind, ..)| *kind == wanted);
@@ -217,8 +217,9 @@ impl Columns {
     }
 }
 
-/// Scales of all kinds: the largest recorded value, where translation and rotation are the same at the
-/// smallest radius, and a displacement is at least what the speed covers between two records.
+/// Scales of all kinds: the largest recorded value. Translation and rotation are converted at the
+/// smallest radius, and the scale of displacements is at least the distance covered between two records
+/// at the largest speed.
 fn scales(table: &Table, id: usize, world: &World) -> Result<[f64; KINDS.len()], Failure> {
     let [length, speed, spin, force, torque] = [0, 1, 2, 3, 4].map(|kind| largest(table, kind, id));
     let radius = smallest_radius(world);
@@ -231,7 +232,8 @@ fn scales(table: &Table, id: usize, world: &World) -> Result<[f64; KINDS.len()],
     Ok([length, speed, speed / radius, force, force * radius])
 }
 
-/// The largest recorded value of a kind; of positions, the largest displacement since the first record.
+/// The largest recorded value of a kind; for positions, the largest displacement since the first
+/// record.
 fn largest(table: &Table, kind: usize, id: usize) -> f64 {
     let mut largest = 0.0_f64;
     for place in KINDS[kind]

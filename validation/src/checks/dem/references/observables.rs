@@ -1,4 +1,4 @@
-//! Numbers of the whole, as engines record them in a series.
+//! Observables of the whole system, as engines record them in a series.
 
 use crate::checks::Failure;
 use crate::checks::dem::scenes::advance;
@@ -6,14 +6,14 @@ use crate::references::{Observable, Statistic, Table};
 use gouge_dem::World;
 use gouge_dem::particles::Role;
 
-/// Mass in kg above which a free particle is a wall that moves.
+/// Mass in kg above which a free particle represents a moving wall.
 const WALL: f64 = 1.0;
 
-/// The series of a run by the kernel, in the columns and at the steps of the engine's.
+/// The kernel's series of a run, with the columns and steps of the engine's series.
 pub(super) struct Course(pub Table);
 
 impl Course {
-    /// Run a world beside a recorded series.
+    /// Runs a world and measures at the steps of a recorded series.
     pub fn beside(world: &mut World, recorded: &Table) -> Result<Self, Failure> {
         let place = recorded.column("step").map_err(Failure::Oracle)?;
         let mut rows = Vec::with_capacity(recorded.rows.len());
@@ -35,10 +35,10 @@ impl Course {
     }
 }
 
-/// What an observable is in a series.
+/// Value of an observable in a series.
 ///
 /// # Errors
-/// Columns that are not there, no record in the steps of the observable.
+/// A missing column, or no record within the steps of the observable.
 pub(super) fn value(series: &Table, observable: &Observable) -> Result<f64, String> {
     let step = series.column("step")?;
     let [first, last] = observable.steps;
@@ -71,7 +71,7 @@ pub(super) fn value(series: &Table, observable: &Observable) -> Result<f64, Stri
     }
 }
 
-/// A column of a series by the kernel, in SI units.
+/// A column of the kernel's series, in SI units.
 fn measured(world: &World, name: &str) -> Result<f64, Failure> {
     let p = world.particles();
     let grains = || (0..p.len()).filter(|&i| is_grain(world, i));
@@ -88,7 +88,7 @@ fn measured(world: &World, name: &str) -> Result<f64, Failure> {
         "wall_force_y" => pulled().map(|i| world.forces().force[i].y).sum(),
         "tension" => -pulled().map(|i| world.forces().force[i].y).sum::<f64>(),
         "bonds" => world.bonds().map_or(0, |strong| strong.len()) as f64,
-        _ => return Err(Failure::Oracle(format!("nobody measures {name}"))),
+        _ => return Err(Failure::Oracle(format!("unknown observable {name}"))),
     })
 }
 
@@ -97,7 +97,7 @@ fn is_grain(world: &World, i: usize) -> bool {
     p.role[i] == Role::Free && p.mass[i] <= WALL
 }
 
-/// Contacts of all grains, with each other counted twice.
+/// Contacts of all grains; a contact between two grains counts twice.
 fn touches(world: &World) -> usize {
     let links = world.interactions();
     let ends = |(i, j): (usize, usize)| [i, j].into_iter().filter(|&i| is_grain(world, i)).count();

@@ -10,13 +10,13 @@ use crate::references::{Case, Compared, case, paths};
 pub fn check() -> Check {
     Check {
         id: "references.overview",
-        claim: "Every stored case names its engine, version, inputs and runs, and every stored motion is the kernel's within its tolerance.",
+        claim: "Every stored case names its engine, version, inputs and runs, and the kernel reproduces every stored motion within its tolerance.",
         equations: thesis("(28)-(58)"),
         scene: "All cases of the folder references",
         oracle: "LAMMPS and YADE",
-        norm: "Cases without a version or a run, with inputs that are not those that the engine was given, by SHA-256, or whose motion differs by more than their tolerance",
+        norm: "Number of cases that lack a version or a run, whose inputs differ from those given to the engine (by SHA-256), or whose motion differs by more than their tolerance",
         origin: Origin::Exact,
-        reason: "None may be incomplete",
+        reason: "No case may be incomplete",
         effort: Effort::Quick,
         measure: overview,
     }
@@ -53,12 +53,13 @@ fn overview() -> Outcome {
     Ok(Measurement::count(wrong).showing([Exhibit::Table(table)]))
 }
 
-/// Digits of agreement of a motion, and whether they suffice; those of others are their own checks'.
+/// Digits of agreement of a motion, and whether they suffice; other cases are judged by their own
+/// checks.
 fn digits(case: &Case) -> Result<Option<(String, bool)>, Failure> {
     let said = |words: &str| Ok(Some((words.to_owned(), true)));
     match case.compares {
         Compared::Ensemble => return said("equivalent within margins"),
-        Compared::Beam | Compared::Inertia => return said("after the difference of the laws"),
+        Compared::Beam | Compared::Inertia => return said("after adding the difference of the laws"),
         Compared::Motion => {}
     }
     let differences = motion::differences(case)?;

@@ -1,4 +1,4 @@
-//! The bond of LAMMPS, moved by an integration of its own.
+//! The bond of LAMMPS, integrated independently.
 
 use super::motion::recorded_motion;
 use super::stored;
@@ -12,13 +12,13 @@ use gouge_dem::World;
 pub fn check() -> Check {
     Check {
         id: "references.differences.beam",
-        claim: "What is left between the kernel and the bond of LAMMPS while its line turns is the growth of the shearing moment with the square of the distance: with it, an integration of its own follows LAMMPS.",
+        claim: "While the line of a bond rotates, the remaining difference between the kernel and the bond of LAMMPS is the growth of the shearing moment with the squared distance: an independent integration with this moment follows LAMMPS.",
         equations: thesis("(29)-(34), (43)-(45)"),
         scene: "The runs of lammps/bond-frame",
-        oracle: "Recorded motion; the beam with that moment, stepped as LAMMPS steps",
-        norm: "Largest difference of a place, velocity or spin at any recorded step, in units of the largest displacement, speed and spin",
+        oracle: "Recorded motion; the beam with that moment, integrated with LAMMPS's time stepping",
+        norm: "Largest error of a position, velocity or spin at any recorded step, in units of the largest displacement, speed and spin",
         origin: Origin::Exact,
-        reason: "LAMMPS finds angles by an arccosine, which is zero below 2.1e-8 rad: as in symmetric bending its impulse stays below 1e-9 of the swing, over swings of a fifth of the angle 5e-9",
+        reason: "LAMMPS computes angles by an arccosine, which is zero below 2.1e-8 rad: in symmetric bending this error of the impulse stays below 1e-9 of the amplitude; for oscillations of a fifth of the angle it is 5e-9",
         effort: Effort::Quick,
         measure: follow,
     }
@@ -76,7 +76,7 @@ fn begin(world: &World) -> Result<(Stretched, Pair), Failure> {
     let p = world.particles();
     let bond = world.model().bond;
     let (Some(bond), Some(beam)) = (bond, bond.and_then(|bond| bond.tangential)) else {
-        return Err(Failure::Oracle("the scene has no bent bond".to_owned()));
+        return Err(Failure::Oracle("the scene has no bond with bending".to_owned()));
     };
     let radius = p.radius[0];
     let half = |constant: f64| 0.5 * constant;

@@ -1,24 +1,24 @@
-//! What follows from the curves: who is fastest at an accuracy, and what other choices cost.
+//! Conclusions from the curves: the fastest integrator for an accuracy, and the cost of other choices.
 
 use super::case::Case;
 use super::sweep::{Rung, Sweep};
 
-/// Accuracies that the advice is given for.
+/// Accuracies for which advice is given.
 pub const TARGETS: [f64; 4] = [1e-2, 1e-3, 1e-6, 1e-9];
 
-/// A run with error and time.
+/// Wall time and error of each timed run.
 fn points(sweep: &Sweep) -> impl Iterator<Item = [f64; 2]> + '_ {
     let point = |rung: &Rung| Some([rung.time?.median, rung.error]);
     sweep.rungs.iter().filter_map(point)
 }
 
-/// Between two points of a doubly logarithmic diagram, the second coordinate at a value of the first.
+/// Linear interpolation in a doubly logarithmic diagram: the second coordinate at a value of the first.
 fn between(a: [f64; 2], b: [f64; 2], x: f64) -> f64 {
     let fraction = (x / a[0]).ln() / (b[0] / a[0]).ln();
     a[1] * (b[1] / a[1]).powf(fraction)
 }
 
-/// Wall time in s at which a sweep first comes within an error, if it does.
+/// Wall time in s at which a sweep first reaches an error, if it does.
 pub fn time_for(sweep: &Sweep, error: f64) -> Option<f64> {
     let points: Vec<[f64; 2]> = points(sweep).collect();
     let first = points.iter().position(|point| point[1] <= error)?;
@@ -29,7 +29,7 @@ pub fn time_for(sweep: &Sweep, error: f64) -> Option<f64> {
     Some(between([before[1], before[0]], [reached, time], error))
 }
 
-/// Error that a sweep has after a wall time in s, if its runs go so far.
+/// Error of a sweep for a wall time in s, if its runs cover that time.
 pub fn error_after(sweep: &Sweep, time: f64) -> Option<f64> {
     let points: Vec<[f64; 2]> = points(sweep).collect();
     let mut pairs = points.windows(2);
@@ -37,7 +37,7 @@ pub fn error_after(sweep: &Sweep, time: f64) -> Option<f64> {
     Some(between(pair[0], pair[1], time))
 }
 
-/// The fastest sweep at an error, and its wall time in s.
+/// The fastest sweep for an error, and its wall time in s.
 pub fn fastest(sweeps: &[Sweep], error: f64) -> Option<(&Sweep, f64)> {
     let timed = sweeps
         .iter()
@@ -45,7 +45,7 @@ pub fn fastest(sweeps: &[Sweep], error: f64) -> Option<(&Sweep, f64)> {
     timed.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// The runs that no other beats in both error and time, from the fastest to the most accurate.
+/// The runs that no other run beats in both error and time, from the fastest to the most accurate.
 pub fn front<'a>(sweeps: impl IntoIterator<Item = &'a Sweep>) -> Vec<[f64; 2]> {
     let mut all: Vec<[f64; 2]> = sweeps.into_iter().flat_map(points).collect();
     all.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -58,17 +58,18 @@ pub fn front<'a>(sweeps: impl IntoIterator<Item = &'a Sweep>) -> Vec<[f64; 2]> {
     all
 }
 
-/// The choice of the thesis: forward Euler with its step, and what else could be had.
+/// The thesis's choice, forward Euler with its time step, compared with the alternatives.
 pub struct Thesis {
     /// Error of the choice.
     pub error: f64,
-    /// How many times longer it takes than the fastest for the same error; with that method's name.
+    /// Ratio of its time to that of the fastest method for the same error, with the name of that
+    /// method.
     pub slower: Option<(f64, &'static str)>,
-    /// The smallest error that can be had in the same time, as a fraction of its own.
+    /// The smallest error available in the same time, as a fraction of its own error.
     pub fraction: Option<(f64, &'static str)>,
 }
 
-/// What the choice of the thesis costs.
+/// The cost of the thesis's choice.
 pub fn cost_of_thesis(case: &Case, sweeps: &[Sweep]) -> Option<Thesis> {
     let rung = sweeps.first()?.rungs.get(case.doublings as usize)?;
     let time = rung.time?.median;
@@ -83,12 +84,13 @@ pub fn cost_of_thesis(case: &Case, sweeps: &[Sweep]) -> Option<Thesis> {
     })
 }
 
-/// Times within this ratio count as equal: two that are taken on a busy machine differ by as much.
+/// Times within this ratio count as equal, because timings on a busy machine scatter by as much.
 const ALIKE: f64 = 1.25;
-/// An error that is smaller by this factor is clearly smaller.
+/// An error smaller by this factor counts as clearly smaller.
 const CLEARLY: f64 = 2.0;
 
-/// Methods no run of which is worth its time: in as much, another method has clearly the smaller error.
+/// Methods that are dominated: for each of their runs, another method has a clearly smaller error in
+/// about the same time.
 pub fn useless(sweeps: &[Sweep]) -> Vec<&'static str> {
     let beaten = |sweep: &Sweep, [time, error]: [f64; 2]| {
         let others = sweeps
@@ -118,24 +120,23 @@ pub fn words(case: &Case, sweeps: &[Sweep]) -> String {
     let mut sentences = Vec::new();
     for error in TARGETS {
         let Some((best, time)) = fastest(sweeps, error) else {
-            sentences.push(format!("No run comes within {error:e}."));
+            sentences.push(format!("No run reaches an error of {error:e}."));
             continue;
         };
         let name = best.integrator;
         sentences.push(match time_for(&sweeps[0], error) {
-            Some(euler) if euler <= ALIKE * time => format!("For {error:e} even euler will do."),
+            Some(euler) if euler <= ALIKE * time => format!("For an error of {error:e}, euler is sufficient."),
             Some(euler) => {
                 let ratio = factor(euler / time);
-                format!("For {error:e} take {name}; euler needs {ratio} times its time.")
+                format!("For an error of {error:e}, use {name}; euler takes {ratio} times as long.")
             }
-            None => format!("For {error:e} take {name}; no run of euler is so accurate."),
+            None => format!("For an error of {error:e}, use {name}; no run of euler reaches it."),
         });
     }
     sentences.push(match useless(sweeps).as_slice() {
-        [] => "No method is useless.".to_owned(),
+        [] => "No method is dominated by the others.".to_owned(),
         names => format!(
-            "Nobody should use {}: in at most {ALIKE} times the time of any of its runs, another method has \
-             at most half the error.",
+            "Do not use {}: within {ALIKE} times the time of any of its runs, another method has at most half the error.",
             names.join(" or ")
         ),
     });
@@ -146,14 +147,14 @@ pub fn words(case: &Case, sweeps: &[Sweep]) -> String {
 fn thesis_words(case: &Case, thesis: &Thesis) -> String {
     let step = case.thesis_step;
     if !thesis.error.is_finite() {
-        return format!("Forward Euler with the step of the thesis, {step:e} s, is unstable here.");
+        return format!("Forward Euler with the thesis's time step, {step:e} s, is unstable here.");
     }
     let error = thesis.error;
     let mut text = format!(
-        "Forward Euler with the step of the thesis, {step:e} s, has an error of {error:.1e}"
+        "Forward Euler with the thesis's time step, {step:e} s, has an error of {error:.1e}"
     );
     if let Some((ratio, name)) = thesis.slower {
-        text += &format!("; {name} has it {} times faster", factor(ratio));
+        text += &format!("; {name} reaches it {} times faster", factor(ratio));
     }
     if let Some((fraction, name)) = thesis.fraction {
         text += &format!(
@@ -164,7 +165,7 @@ fn thesis_words(case: &Case, thesis: &Thesis) -> String {
     text + "."
 }
 
-/// A ratio for a table.
+/// A ratio as text for a table.
 pub fn ratio(x: Option<f64>) -> String {
     x.map_or_else(|| "-".to_owned(), factor)
 }

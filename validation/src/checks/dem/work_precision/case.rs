@@ -1,4 +1,4 @@
-//! What is run: a scene, its steps, its orders, and where its truth comes from.
+//! A case: the scene, its time steps, its orders, and the source of its reference solution.
 
 use crate::checks::dem::scenes::scene;
 use crate::checks::{Failure, largest};
@@ -14,30 +14,30 @@ use xprec::Df64;
 pub struct Case {
     /// Name.
     pub name: &'static str,
-    /// Orders that theory predicts for the integrators, in the order of `INTEGRATORS`.
+    /// Theoretical orders of the integrators, in the order of `INTEGRATORS`.
     pub orders: [f64; 5],
-    /// Largest distance of an observed order from that of theory.
+    /// Largest admissible distance of an observed order from the theoretical one.
     pub margin: f64,
-    /// The step in s that stands for the 10 ns of the thesis: the same fraction of the time scale of two
-    /// equal grains in contact, sqrt(m / 2 k).
+    /// The time step in s that corresponds to the thesis's 10 ns: the same fraction of the time scale
+    /// of two equal grains in contact, sqrt(m / 2 k).
     pub thesis_step: f64,
-    /// Number of these steps to the end.
+    /// Number of these steps until the end.
     pub thesis_steps: u64,
-    /// How often that step is doubled for the coarsest.
+    /// Number of doublings from that step to the coarsest one.
     pub doublings: u32,
-    /// Number of steps tried, each half the one before.
+    /// Number of time steps tried, each half the previous one.
     pub rungs: u32,
-    /// Rungs that show the order: from the first the error is asymptotic, and the last is enough for a look
-    /// in passing.
+    /// Rungs from which the order is fitted: the error is asymptotic from the first one on, and the
+    /// last one suffices for a quick check.
     pub brief: Range<u32>,
     /// The state from which all runs start.
     pub origin: fn() -> Result<Origin, Failure>,
-    /// The state at the end, good enough for runs up to a rung.
+    /// The state at the end, accurate enough for runs up to the given rung.
     pub truth: fn(&Case, &Origin, u32) -> Result<Truth, Failure>,
 }
 
 impl Case {
-    /// Step in s and number of steps of a rung; the same end for each, exactly.
+    /// Time step in s and number of steps of a rung; all rungs end at exactly the same time.
     pub fn rung(&self, rung: u32) -> (f64, u64) {
         let coarsest = self.thesis_step * f64::from(1 << self.doublings);
         let step = coarsest / (1_u64 << rung) as f64;
@@ -49,9 +49,9 @@ impl Case {
     }
 }
 
-/// An initial state in plain doubles, from which every number type starts.
+/// An initial state in plain doubles, from which runs in every number type start.
 pub struct Origin {
-    /// The model; integrator and step are those of a run.
+    /// The model; integrator and time step are set for each run.
     pub model: Model,
     /// The particles.
     pub particles: Particles,
@@ -85,14 +85,14 @@ impl Origin {
         Ok(World::new(model, cast(&self.particles), &self.start)?)
     }
 
-    /// Largest error of a position in units of the largest displacement of the truth.
+    /// Largest error of a position in units of the largest displacement of the reference solution.
     pub fn error<S: Real>(&self, particles: &Particles<S>, truth: &Truth) -> f64 {
         let pairs = particles.position.iter().zip(&truth.positions);
         let errors = pairs.map(|(x, end)| self.distance(*end, [wide(x.x), wide(x.y)]));
         largest(errors) / truth.scale
     }
 
-    /// Distance of two places in m, that of the nearest image.
+    /// Distance of two positions in m, to the nearest image.
     pub fn distance(&self, a: [Df64; 2], b: [Df64; 2]) -> f64 {
         let [dx, dy] = [0, 1].map(|k| (a[k] - b[k]).hi());
         let dx = self.model.period().map_or(dx, |period| {
@@ -101,7 +101,7 @@ impl Origin {
         dx.hypot(dy)
     }
 
-    /// The truth of the given places, with an estimate in m of how far off they are.
+    /// The reference solution with the given positions and an estimate in m of their error.
     pub fn truth(&self, positions: Vec<[Df64; 2]>, uncertainty: f64) -> Truth {
         let start = &self.particles.position;
         let moved = start
@@ -126,9 +126,9 @@ impl Origin {
     }
 }
 
-/// Where the particles are at the end.
+/// Positions of the particles at the end.
 pub struct Truth {
-    /// Places in m.
+    /// Positions in m.
     pub positions: Vec<[Df64; 2]>,
     /// Largest displacement in m, the unit of errors.
     pub scale: f64,
@@ -136,7 +136,7 @@ pub struct Truth {
     pub uncertainty: f64,
 }
 
-/// A number of any type here, all its digits.
+/// A number of any type, with all its digits.
 pub fn wide<S: Real>(number: S) -> Df64 {
     let high = number.to_f64();
     Df64::from(high) + (number - S::from_f64(high)).to_f64()

@@ -1,4 +1,4 @@
-//! The limit of vanishing steps, from runs of the kernel in double-double or of another program.
+//! The limit of zero time step, from runs of the kernel in double-double or of another program.
 
 use super::case::{Case, Origin, Truth, wide};
 use crate::checks::dem::scenes::advance;
@@ -11,7 +11,7 @@ use xprec::Df64;
 
 type Places = Vec<[Df64; 2]>;
 
-/// Where the particles end with a rung's step.
+/// Final positions of the particles with the time step of a rung.
 fn ending(case: &Case, origin: &Origin, method: Integrator, rung: u32) -> Result<Places, Failure> {
     let (step, steps) = case.rung(rung);
     let mut world = origin.world::<DoubleDouble>(method, step)?;
@@ -20,7 +20,7 @@ fn ending(case: &Case, origin: &Origin, method: Integrator, rung: u32) -> Result
     Ok(positions.iter().map(|x| [wide(x.x), wide(x.y)]).collect())
 }
 
-/// Eliminate a power of the step from neighbouring results: (2^p fine - coarse) / (2^p - 1).
+/// Eliminates a power of the time step from neighbouring results: (2^p fine - coarse) / (2^p - 1).
 fn eliminate(results: &[Places], power: i32) -> Vec<Places> {
     let weight = Df64::from(1.0) / (2.0_f64.powi(power) - 1.0);
     let better = |coarse: &Places, fine: &Places| -> Places {
@@ -35,8 +35,9 @@ fn apart(origin: &Origin, a: &Places, b: &Places) -> f64 {
     largest(a.iter().zip(b).map(|(a, b)| origin.distance(*a, *b)))
 }
 
-/// The best extrapolation of results, each with half the step of the one before, which eliminates as many
-/// powers of the step as it can from the first on, and the one with a power less.
+/// The best extrapolation of results, each with half the time step of the previous one, which
+/// eliminates as many powers of the step as possible starting with the first; and the extrapolation
+/// that eliminates one power less.
 fn extrapolated(mut results: Vec<Places>, first: i32) -> [Places; 2] {
     let mut before = Places::new();
     for power in (first..).take(results.len().saturating_sub(1)) {
@@ -58,8 +59,8 @@ fn of_method(
     Ok(extrapolated(results.collect::<Result<_, _>>()?, 2))
 }
 
-/// The limit of velocity Verlet. How far off it is tell the last power that was eliminated and the limit
-/// of Beeman's method, whichever lies farther.
+/// The limit of velocity Verlet. Its error is estimated by the larger distance to two other results:
+/// the limit with one power less eliminated, and the limit of Beeman's method.
 pub fn limit(case: &Case, origin: &Origin, rungs: Range<u32>) -> Result<Truth, Failure> {
     let [best, before] = of_method(case, origin, Integrator::VelocityVerlet, rungs.clone())?;
     let [other, _] = of_method(case, origin, Integrator::Beeman, rungs)?;
@@ -67,9 +68,9 @@ pub fn limit(case: &Case, origin: &Origin, rungs: Range<u32>) -> Result<Truth, F
     Ok(origin.truth(best, off))
 }
 
-/// The limit of places in m where a program's runs end, each with half the step of the one before and with
-/// errors of all powers of the step from the first on. How far off it is tells the last power that was
-/// eliminated.
+/// The limit of a program's final positions in m, from runs each with half the time step of the
+/// previous one and errors of all powers of the step. The error is estimated by the limit with one
+/// power less eliminated.
 pub fn limit_of(origin: &Origin, endings: &[Vec<Vec2>]) -> Truth {
     let places = |ending: &Vec<Vec2>| ending.iter().map(|x| [wide(x.x), wide(x.y)]).collect();
     let [best, before] = extrapolated(endings.iter().map(places).collect(), 1);

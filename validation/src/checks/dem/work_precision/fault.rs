@@ -1,4 +1,4 @@
-//! The initial state of the sheared fault: made once, by the protocol of the thesis, in doubles.
+//! The initial state of the sheared fault, prepared once by the thesis's protocol, in doubles.
 
 use super::case::Origin;
 use crate::checks::Failure;
@@ -7,8 +7,8 @@ use crate::checks::dem::scenes::scene;
 use gouge_dem::particles::{Particles, Role};
 use gouge_runner::run::run_setup;
 
-/// The protocol of granite-fault on a box of a few grains; the upper block is driven at its target speed
-/// from the first step, by the controller that holds the constraints.
+/// The protocol of granite-fault for a box of a few grains; the upper block is driven at its target
+/// speed from the first step by the exact controller.
 const TEXT: &str = r#"
 [time]
 step = 10e-9
@@ -81,7 +81,7 @@ speed = 0.0
 ambient = { law = "creeping", viscosity = 1.0 }
 "#;
 
-/// The two blocks, pressed.
+/// The two blocks under pressure.
 pub fn origin() -> Result<Origin, Failure> {
     let world = run_setup(&scene(TEXT)?)?;
     let mut particles = world.particles().clone();
@@ -96,7 +96,8 @@ pub fn origin() -> Result<Origin, Failure> {
     })
 }
 
-/// Give the driven particles a mean velocity, so that the driving has nothing to make up at once.
+/// Gives the driven particles the target mean velocity, so that the controller starts without a
+/// velocity error.
 fn drive_at(particles: &mut Particles, speed: f64) {
     let driven: Vec<usize> = particles.with_role(Role::Driven).collect();
     let sum: f64 = driven.iter().map(|&i| particles.velocity[i].x).sum();

@@ -1,8 +1,9 @@
-//! LAMMPS beside our velocity Verlet, from the latest run of `gouge-bench precision`.
+//! LAMMPS compared with our velocity Verlet, from the latest run of `gouge-bench precision`.
 //!
-//! LAMMPS finds the force at the end of a step h from positions there and velocities half a step older, which
-//! are h a / 2 + O(h^2) off, a being the acceleration. A dashpot gamma then errs by gamma h a / 2 in every step,
-//! and its impulse by gamma h / 2 times the change of velocity: order one. Without dashpots the method is
+//! LAMMPS computes the force at the end of a step h from positions at that time and velocities half a
+//! step older, which differ by h a / 2 + O(h^2), with a the acceleration. A dashpot gamma then has an
+//! error of gamma h a / 2 in every step, and its impulse an error of gamma h / 2 times the change of
+//! velocity: order one. Without dashpots the method is velocity Verlet, of order two.
 //! velocity Verlet, of order two.
 
 use super::case::Case;
@@ -17,18 +18,18 @@ struct Run {
     precision: Vec<Scene>,
 }
 
-/// A case that LAMMPS ran.
+/// A case that was run with LAMMPS.
 #[derive(Deserialize)]
 struct Scene {
     scene: String,
-    /// The program with the date of its version.
+    /// The program and the date of its version.
     peer: String,
-    /// Whether errors are those against its own limit of vanishing steps instead of our truth.
+    /// Whether errors refer to LAMMPS's own limit of zero time step instead of our reference solution.
     own_limit: bool,
     rungs: Vec<Beside>,
 }
 
-/// A run of LAMMPS, with times of both in s in the order in which they were taken in turns.
+/// A run of LAMMPS, with the times of both programs in s in the order of their alternating runs.
 #[derive(Deserialize)]
 struct Beside {
     step: f64,
@@ -39,14 +40,14 @@ struct Beside {
     ours: Vec<f64>,
 }
 
-/// What was recorded of a case, and when.
+/// The recorded runs of a case, and their date.
 pub struct Recorded {
     date: String,
     scene: Scene,
 }
 
 impl Recorded {
-    /// What was recorded of a case, if anything was.
+    /// The recorded runs of a case, if there are any.
     pub fn of(case: &Case) -> Option<Self> {
         let (date, run) = latest::<Run>("precision")?;
         let mut scenes = run.precision.into_iter();
@@ -54,7 +55,7 @@ impl Recorded {
         Some(Self { date, scene })
     }
 
-    /// Recorded runs, each with the run of a sweep that has as many steps.
+    /// Recorded runs, each with the run of a sweep that has the same number of steps.
     fn pairs<'a>(&'a self, sweep: &'a Sweep) -> impl Iterator<Item = (&'a Beside, &'a Rung)> {
         self.scene.rungs.iter().filter_map(|beside| {
             let mut rungs = sweep.rungs.iter();
@@ -62,8 +63,8 @@ impl Recorded {
         })
     }
 
-    /// Times in s and errors: the time of the same steps of our velocity Verlet, now, times the recorded
-    /// ratio.
+    /// Times in s and errors: the time is that of our velocity Verlet with the same steps, measured
+    /// now, times the recorded ratio.
     pub fn points(&self, verlet: &Sweep) -> Vec<[f64; 2]> {
         let point = |(beside, rung): (&Beside, &Rung)| {
             let ratio = quantile(&ratios(&beside.theirs, &beside.ours), 0.5);
@@ -72,9 +73,9 @@ impl Recorded {
         self.pairs(verlet).filter_map(point).collect()
     }
 
-    /// All runs beside ours.
+    /// All runs next to ours.
     pub fn table(&self, verlet: &Sweep) -> Table {
-        let title = format!("{}: LAMMPS beside our velocity Verlet", self.scene.scene);
+        let title = format!("{}: LAMMPS compared with our velocity Verlet", self.scene.scene);
         let columns = [
             "step in s",
             "error of LAMMPS",
@@ -93,7 +94,7 @@ impl Recorded {
         table
     }
 
-    /// Where the points come from.
+    /// The source of the points.
     pub fn words(&self) -> String {
         let Self {
             date,
@@ -102,15 +103,12 @@ impl Recorded {
             },
         } = self;
         let against = if *own_limit {
-            "against the limit of its own vanishing steps, found by extrapolation: its beams have the same \
-             stiffness at both ends, so that it runs the beam of two grains of the mean radius instead of ours"
+            "relative to its own limit of zero time step, found by extrapolation, because its beams have the same stiffness at both ends: it computes the beam of two grains of the mean radius instead of ours"
         } else {
-            "against the same reference as ours"
+            "relative to the same reference as ours"
         };
         format!(
-            "The points of LAMMPS are of {date}, {peer}: its errors are {against}; its times are those of our \
-             velocity Verlet with the same step, taken now, multiplied by the ratio of both that was measured \
-             then, in turns on one machine."
+            "The points of LAMMPS are from {date}, {peer}. Its errors are {against}. Its times are those of our velocity Verlet with the same time step, measured now, multiplied by the recorded ratio of the two, which was measured in alternating runs on one machine."
         )
     }
 }
@@ -128,7 +126,7 @@ mod tests {
     use approx::abs_diff_eq;
     use gouge_runner::scene::INTEGRATORS;
 
-    /// Dashpots act in both scenes.
+    /// Both scenes have dashpots.
     const ORDER: f64 = 1.0;
 
     fn rung(beside: &Beside) -> Rung {
@@ -144,7 +142,7 @@ mod tests {
     fn recorded_errors_fall_at_the_order_of_theory() {
         for case in [&PAIR, &PACKING] {
             let recorded = Recorded::of(case);
-            assert!(recorded.is_some(), "nothing of {}", case.name);
+            assert!(recorded.is_some(), "no recorded runs of {}", case.name);
             let Some(recorded) = recorded else { return };
             let (coarsest, _) = case.rung(case.brief.start);
             let rungs: Vec<Rung> = recorded.scene.rungs.iter().map(rung).collect();

@@ -22,7 +22,7 @@ use std::ops::Range;
 use std::sync::OnceLock;
 use sweep::{Bench, Clock, Precision, Sweep};
 
-/// Place of velocity Verlet among the integrators.
+/// Index of velocity Verlet among the integrators.
 const VERLET: usize = 3;
 
 /// The topic.
@@ -33,9 +33,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "work-precision",
         title: "Error against run time",
-        about: "What accuracy costs, for each integrator and number type. Errors decide; times, taken one \
-                run at a time on one thread without the ledger, are shown as medians of at least five \
-                repetitions (21 of runs below 5 ms) after one to warm up, and only stepping is timed.",
+        about: "The cost of accuracy for each integrator and number type. Errors decide the checks. Times are shown as medians of at least five repetitions (21 for runs below 5 ms) after one warm-up run, one run at a time on one thread without the ledger; only stepping is timed.",
         checks,
     }
 }
@@ -43,13 +41,13 @@ pub fn topic() -> Topic {
 fn scalars() -> Check {
     Check {
         id: "work-precision.scalars",
-        claim: "Where the error in single precision no longer falls with the step, that in double and double-double still falls at order two, towards the limit of vanishing steps.",
+        claim: "Where the error in single precision no longer falls with the time step, the errors in double and double-double still fall at order two towards the limit of zero time step.",
         equations: thesis("(43)-(45), (51)-(55)"),
-        scene: "Two bonded grains, velocity Verlet, steps from 1.25 to 0.16 ns; double-double from 40 to 5 ns",
-        oracle: "Limit of vanishing steps in double-double, by extrapolation, the same for velocity Verlet and Beeman",
-        norm: "Largest distance of an order from two, of the order in single from none if it is positive, of an error in single over its bound, and of the uncertainty of the reference from zero in units of the smallest error",
+        scene: "Two bonded grains, velocity Verlet, time steps from 1.25 to 0.16 ns; double-double from 40 to 5 ns",
+        oracle: "Limit of zero time step in double-double, by extrapolation, the same for velocity Verlet and Beeman",
+        norm: "Each over its tolerance: distance of the orders in double and double-double from two, order in single if it is positive, error in single over its rounding bound, and uncertainty of the reference in units of the smallest error",
         origin: Origin::Convergent,
-        reason: "The next term of the error is smaller by the step over the time scale, at most 0.05 here; rounding is bounded by half a unit in the last place of the largest coordinate a step; the reference may be off by a tenth of the smallest error",
+        reason: "The next term of the error is smaller by the time step over the time scale, at most 0.05 here. Rounding is bounded by half a unit in the last place of the largest coordinate per step. The reference may be off by a tenth of the smallest error",
         effort: Effort::Quick,
         measure: || Ok(verdict::scalars(&Bench::new(CASES[0], Clock::Ignored)?)?.into()),
     }
@@ -58,11 +56,11 @@ fn scalars() -> Check {
 fn orders() -> Check {
     Check {
         id: "work-precision.orders",
-        claim: "In seven scenes from two bonded grains to a sheared fault each integrator reaches its order: that of theory where forces have no more than kinks, 3/2 at most where they begin like a root, one where they jump.",
+        claim: "In seven scenes, from two bonded grains to a sheared fault, each integrator reaches its expected order: the theoretical order where forces have at most kinks, at most 3/2 where they begin like a square root, and one where they jump.",
         equations: thesis("(35)-(45), (51)-(58)"),
-        scene: "The seven scenes of the diagrams, four to nine steps each",
-        oracle: "High-order integration from event to event in double-double (bouncing, rolling, packings), or the limit of vanishing steps in double-double (bonded pair and beam, fault)",
-        norm: "Largest distance of an observed order from the predicted one, and of the uncertainty of the reference from zero in units of the smallest error, each over what it may be",
+        scene: "The seven scenes of the diagrams, four to eight time steps each",
+        oracle: "High-order integration from event to event in double-double (bouncing, rolling, packings), or the limit of zero time step in double-double (bonded pair, beam, fault)",
+        norm: "Largest distance of an observed order from the predicted one, and uncertainty of the reference in units of the smallest error, each over its tolerance",
         origin: Origin::Convergent,
         reason: ORDER_REASON,
         effort: Effort::Thorough,
@@ -74,11 +72,9 @@ fn orders() -> Check {
     }
 }
 
-const ORDER_REASON: &str = "The next term changes an order by less than 0.05 where all is smooth; where an event falls \
-     within a step varies its error, and half the distance between the orders 1, 3/2 and 2 tells them apart; \
-     the reference may be off by a tenth of the smallest error";
+const ORDER_REASON: &str = "The next term changes an order by less than 0.05 if the motion is smooth. The position of an event within a step scatters the error; half the distance between the orders 1, 3/2 and 2 distinguishes them. The reference may be off by a tenth of the smallest error";
 
-/// A diagram: identifier, claim, what is run, what it is compared with, and how.
+/// A diagram: identifier, claim, scene, oracle and measurement.
 type Diagram = (
     &'static str,
     &'static str,
@@ -87,56 +83,56 @@ type Diagram = (
     fn() -> Outcome,
 );
 
-const LIMIT: &str = "Limit of vanishing steps in double-double: all powers that the runs allow are eliminated, by two methods";
+const LIMIT: &str = "Limit of zero time step in double-double: all powers that the runs allow are eliminated, for two methods";
 const EVENTS: &str = "Integration from event to event in double-double, twice with different steps";
 
 const DIAGRAMS: [Diagram; 7] = [
     (
         "work-precision.pair",
-        "On two bonded grains both Euler methods and Taylor are of order one, velocity Verlet and Beeman of order two, down to rounding.",
-        "Two bonded grains of 1 and 0.8 mm that swing, bend and turn by half a radian, for 20.48 us",
+        "On two bonded grains both Euler methods and Taylor have order one, and velocity Verlet and Beeman order two, down to rounding.",
+        "Two bonded grains of 1 and 0.8 mm that oscillate, bend and rotate by half a radian, for 20.48 us",
         LIMIT,
         || diagram(0),
     ),
     (
         "work-precision.bouncing",
-        "Through collisions of viscoelastic spheres, whose force begins like the root of time, velocity Verlet and Beeman are of order 3/2.",
+        "In collisions of viscoelastic spheres, whose force begins like the square root of time, velocity Verlet and Beeman have order 3/2.",
         "Four granite grains that each bounce between two fixed ones at 8 to 12 m/s, for 40.96 us",
         EVENTS,
         || diagram(1),
     ),
     (
         "work-precision.rolling",
-        "Where a rolling ball begins to slip the force has a kink, and velocity Verlet and Beeman keep order two.",
-        "A ball of 5 mm that rolls down a fixed one at 0.15 m/s until it slips, for 20.48 ms",
+        "When a rolling ball begins to slip, the force has a kink, and velocity Verlet and Beeman keep order two.",
+        "A ball of radius 5 mm that rolls down a fixed one at 0.15 m/s until it slips, for 20.48 ms",
         EVENTS,
         || diagram(2),
     ),
     (
         "work-precision.beam",
-        "On a beam of bonded grains velocity Verlet and Beeman are of order two, the others of order one.",
+        "On a beam of bonded grains velocity Verlet and Beeman have order two, the other integrators order one.",
         "Seven grains bonded in a row to a fixed one, tip at 20 m/s, bonds of the thesis, for 20.48 us",
         LIMIT,
         || diagram(3),
     ),
     (
         "work-precision.packing",
-        "Where grains collide whose dashpots act at once, the force jumps and no integrator exceeds order one.",
-        "Twelve grains that fall onto each other at up to 44 m/s in a harmonic well under drag, for 40.96 us, in which 26 contacts begin",
+        "When damped grains collide, the force jumps at touch, and no integrator exceeds order one.",
+        "Twelve grains that fall onto each other at up to 44 m/s in a harmonic well with drag, for 40.96 us, during which 26 contacts begin",
         EVENTS,
         || diagram(4),
     ),
     (
         "work-precision.viscoelastic-packing",
-        "Where viscoelastic grains fall onto each other velocity Verlet and Beeman keep order 3/2.",
-        "The same twelve grains with the viscoelastic law of the bouncing ones",
+        "When viscoelastic grains fall onto each other, velocity Verlet and Beeman keep order 3/2.",
+        "The same twelve grains with the viscoelastic law of work-precision.bouncing",
         EVENTS,
         || diagram(5),
     ),
     (
         "work-precision.fault",
-        "On a pressed and sheared fault, while no contact begins, velocity Verlet and Beeman are of order two.",
-        "Two blocks of 32 grains with 71 bonds and 10 contacts between them, made by the protocol of the thesis, under 28 MPa and sheared at 2 m/s by the exact controller, for 5.12 us; contacts slip, none begins or ends, nothing breaks",
+        "On a compressed and sheared fault, while no contact begins, velocity Verlet and Beeman have order two.",
+        "Two blocks of 32 grains with 71 bonds and 10 contacts between them, prepared by the thesis's protocol, under 28 MPa and sheared at 2 m/s by the exact controller, for 5.12 us; contacts slip, but none begins or ends, and no bond breaks",
         LIMIT,
         || diagram(6),
     ),
@@ -149,7 +145,7 @@ fn diagrams() -> impl Iterator<Item = Check> {
         equations: thesis("(35)-(45), (51)-(58)"),
         scene,
         oracle,
-        norm: "Largest error of a position at the end over the largest displacement; of its observed orders the one farthest from prediction",
+        norm: "Largest error of a position at the end over the largest displacement; the check uses the observed order farthest from the predicted one, and the uncertainty of the reference",
         origin: Origin::Convergent,
         reason: ORDER_REASON,
         effort: Effort::Report,
@@ -157,10 +153,10 @@ fn diagrams() -> impl Iterator<Item = Check> {
     })
 }
 
-/// What a case gave: its verdict and its curves.
+/// The result of a case: its verdict and its curves.
 type Taken = (Measurement, Curves);
 
-/// Curves of the cases, each taken once in a run of the program.
+/// Curves of the cases; each is computed once per run of the program.
 static TAKEN: [OnceLock<Taken>; CASES.len()] = [const { OnceLock::new() }; CASES.len()];
 
 fn curves(at: usize) -> Result<&'static Taken, Failure> {
@@ -203,7 +199,7 @@ fn take(at: usize) -> Result<Taken, Failure> {
     Ok((measurement, curves))
 }
 
-/// The method that is fastest at the smallest error of the advice that any reaches.
+/// The fastest method for the smallest of the advised accuracies that any method reaches.
 fn best(methods: &[Sweep]) -> usize {
     let mut targets = advice::TARGETS.iter().rev();
     let fastest = targets.find_map(|&error| advice::fastest(methods, error));

@@ -12,14 +12,14 @@ use rand_pcg::Pcg64;
 use std::f64::consts::PI;
 use xprec::Df64;
 
-/// Orders of theory where the force is smooth, or has no more than kinks.
+/// Theoretical orders where the force is smooth or has at most kinks.
 const SMOOTH: [f64; 5] = [1.0, 1.0, 1.0, 2.0, 2.0];
-/// What a force that begins like the root of time leaves of them.
+/// Orders where a force begins like the square root of time.
 const ROOT: [f64; 5] = [1.0, 1.0, 1.0, 1.5, 1.5];
-/// What a force that jumps leaves of them.
+/// Orders where a force jumps.
 const JUMP: [f64; 5] = [1.0; 5];
 
-/// What the next term of the error may change in an order.
+/// Largest change of an order by the next term of the error.
 const NEXT_TERM: f64 = 0.05;
 /// Half the distance between the orders 1, 3/2 and 2.
 const HALF_WAY: f64 = 0.25;
@@ -39,7 +39,7 @@ pub const CASES: [&Case; 7] = [
     &FAULT,
 ];
 
-/// Two bonded grains that swing, bend and turn.
+/// Two bonded grains that oscillate, bend and rotate.
 pub const PAIR: Case = Case {
     name: "smooth pair",
     orders: SMOOTH,
@@ -53,7 +53,7 @@ pub const PAIR: Case = Case {
     truth: |case, origin, _| extrapolation::limit(case, origin, 3..10),
 };
 
-/// Grains that bounce, each between two others.
+/// Grains that each bounce between two fixed ones.
 pub const BOUNCING: Case = Case {
     name: "bouncing",
     orders: ROOT,
@@ -81,7 +81,8 @@ pub const ROLLING: Case = Case {
     name: "rolling to slip",
     orders: SMOOTH,
     margin: HALF_WAY,
-    // A mass 125 times that of a granite grain and a stiffness 500 times smaller: 250 times the time scale.
+    // The mass is 125 times that of a granite grain and the stiffness 500 times smaller: 250 times the
+    // time scale.
     thesis_step: 250.0 * GRANITE_STEP,
     thesis_steps: 8192,
     doublings: 6,
@@ -91,7 +92,7 @@ pub const ROLLING: Case = Case {
     truth: rolling_truth,
 };
 
-/// A clamped row of bonded grains that swings.
+/// A clamped row of bonded grains that oscillates.
 pub const BEAM: Case = Case {
     name: "bonded beam",
     orders: SMOOTH,
@@ -127,7 +128,7 @@ pub const PACKING: Case = Case {
     },
 };
 
-/// The same grains, viscoelastic, so that no force jumps and eight decades of error are within reach.
+/// The same grains, viscoelastic, so that no force jumps and errors can fall over eight decades.
 pub const VISCOELASTIC_PACKING: Case = Case {
     name: "viscoelastic packing",
     orders: ROOT,
@@ -179,7 +180,7 @@ fn fixed(position: [f64; 2], radius: f64) -> String {
     particle(position, [0.0; 2], 0.0, radius) + "role = \"fixed\"\n"
 }
 
-/// Head of a scene; integrator and step are chosen later.
+/// Head of a scene; integrator and time step are set later.
 fn start() -> String {
     head("velocity-verlet", GRANITE_STEP)
 }
@@ -216,8 +217,8 @@ fn viscoelastic_law() -> String {
     )
 }
 
-/// Four grains in lanes of their own, so that the largest error depends less on where within a step a
-/// collision happens to begin.
+/// Four grains in separate lanes, so that the largest error depends less on where within a step a
+/// collision begins.
 fn bouncing() -> Result<Origin, Failure> {
     let mut text = start() + &viscoelastic_law();
     for (lane, speed) in [10.0, 8.0, 12.0, 9.0].iter().enumerate() {
@@ -245,7 +246,7 @@ const DAMPING: f64 = 10.0;
 const VISCOSITY: f64 = 10.0;
 const WELL: f64 = 1e3;
 const HEIGHT: f64 = 10e-3;
-/// Drag of creeping flow per radius, and stiffness and middle of the well.
+/// Stokes drag over radius, and stiffness and centre of the well.
 const FIELDS: [f64; 3] = [6.0 * PI * VISCOSITY, WELL, 0.5 * HEIGHT];
 
 fn packing() -> Result<Origin, Failure> {
@@ -259,7 +260,7 @@ fn viscoelastic_packing() -> Result<Origin, Failure> {
     falling(&viscoelastic_law())
 }
 
-/// Twelve grains of different size on a disturbed square lattice, all on their way to its centre.
+/// Twelve grains of different sizes on a perturbed square lattice, all moving towards its centre.
 fn falling(law: &str) -> Result<Origin, Failure> {
     let mut text = start()
         + law
@@ -288,7 +289,7 @@ fn spring_dashpot() -> Repulsion<Df64> {
     }
 }
 
-/// Places at the end, from an integration from event to event.
+/// Positions at the end, from an integration from event to event.
 fn ending<const N: usize>(
     case: &Case,
     origin: &Origin,
@@ -322,7 +323,8 @@ fn ending<const N: usize>(
         .collect()
 }
 
-/// The truth; how far off it is tells the same with a looser tolerance and other steps.
+/// The reference solution; its error is estimated by a second one with a looser tolerance and other
+/// steps.
 fn grains_truth<const N: usize>(
     case: &Case,
     origin: &Origin,
@@ -346,7 +348,7 @@ const GRAVITY: f64 = 9.81;
 const FRICTION: f64 = 0.35;
 const BALL: f64 = 5e-3;
 
-/// A ball beside the top of a fixed one, rolling downhill.
+/// A ball near the top of a fixed one, rolling downhill.
 fn rolling() -> Result<Origin, Failure> {
     let law = format!(
         "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {SOFT:e}\ndamping = 2.0\n\

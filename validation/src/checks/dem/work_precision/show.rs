@@ -1,4 +1,4 @@
-//! What is shown of a case: the diagrams, the times and the advice.
+//! The exhibits of a case: diagrams, times and advice.
 
 use super::VERLET;
 use super::advice::{front, words};
@@ -7,10 +7,10 @@ use super::lammps::Recorded;
 use super::sweep::{Precision, Rung, Sweep};
 use crate::checks::{Axis, Curve, Exhibit, Plot, Style, Table};
 
-/// Name of the points of LAMMPS.
+/// Label of the points of LAMMPS.
 pub const PEER: &str = "LAMMPS, velocity Verlet with velocities of half a step";
 
-/// Sweeps of a case: all methods in double, then the best of them in single and double-double.
+/// Sweeps of a case: all methods in double, then the best method in single and double-double.
 pub struct Curves {
     /// The case.
     pub case: &'static Case,
@@ -23,7 +23,7 @@ pub struct Curves {
 }
 
 impl Curves {
-    /// Everything that the report shows of the case.
+    /// Everything that the report shows for the case.
     pub fn exhibits(&self) -> Vec<Exhibit> {
         let name = self.case.name;
         let methods = format!("{name}: error against run time, five integrators in f64");
@@ -50,7 +50,7 @@ impl Curves {
         first.chain(beside).chain(exhibits).collect()
     }
 
-    /// Draw what was recorded of LAMMPS; its words and its table.
+    /// Plots the recorded runs of LAMMPS; returns their text and table.
     fn beside(&self, plot: &mut Plot) -> Vec<Exhibit> {
         let (Some(recorded), Some(verlet)) = (Recorded::of(self.case), self.methods.get(VERLET))
         else {
@@ -65,7 +65,7 @@ impl Curves {
         ]
     }
 
-    /// Wall seconds of a run per simulated millisecond.
+    /// Wall time of a run in s per simulated millisecond.
     fn per_unit(&self, seconds: f64) -> f64 {
         seconds / (1e3 * self.case.end())
     }
@@ -117,7 +117,7 @@ impl Curves {
         table
     }
 
-    /// The coarsest run that is stable, that with the step of the thesis, and the finest.
+    /// The coarsest stable run, the run with the thesis's time step, and the finest run.
     fn selected<'a>(&self, sweep: &'a Sweep) -> Vec<&'a Rung> {
         let stable = sweep.rungs.iter().find(|rung| rung.error.is_finite());
         let thesis = sweep.rungs.get(self.case.doublings as usize);
@@ -127,7 +127,7 @@ impl Curves {
         rungs
     }
 
-    /// What the number types cost and give.
+    /// Cost and accuracy of the number types.
     fn scalar_words(&self) -> String {
         let Some(best) = self.others.first().map(|other| other.integrator) else {
             return String::new();
@@ -149,14 +149,14 @@ impl Curves {
                 .map(|rung| rung.error)
                 .fold(f64::INFINITY, f64::min);
             format!(
-                "{} takes {:.2} times as long a step as f64, and its smallest error here is {smallest:.1e}.",
+                "{} takes {:.2} times as long per step as f64, and its smallest error here is {smallest:.1e}.",
                 sweep.precision.name(),
                 pace(sweep) / base,
             )
         };
         let others: Vec<String> = self.others.iter().map(words).collect();
         format!(
-            "With {best} {} A step takes {:.2e} s in f64. The reference is off by {:.0e} at most, by its own estimate.",
+            "With {best}: {} In f64 a step takes {:.2e} s. The estimated error of the reference is at most {:.0e}.",
             others.join(" "),
             base,
             self.uncertainty
@@ -188,5 +188,5 @@ fn row(sweep: &Sweep, rung: &Rung) -> Vec<String> {
     ]
 }
 
-/// Names of number types beside double.
+/// Number types other than double.
 pub const OTHERS: [Precision; 2] = [Precision::Single, Precision::DoubleDouble];

@@ -6,17 +6,17 @@ use super::show::Curves;
 use super::{VERLET, curves};
 use crate::checks::{Check, Effort, Exhibit, Measurement, Origin, Outcome, Table, thesis};
 
-/// The check that sums up.
+/// The check that summarises the scenes.
 pub fn check() -> Check {
     Check {
         id: "work-precision.summary",
-        claim: "With the step of the thesis forward Euler is in no scene as accurate as velocity Verlet, which evaluates forces as often.",
+        claim: "With the thesis's time step, forward Euler is in no scene as accurate as velocity Verlet, which needs the same number of force evaluations.",
         equations: thesis("(55)-(58)"),
-        scene: "The seven scenes of the diagrams, 10 ns or the same fraction of their time scale",
-        oracle: "Those of the diagrams",
-        norm: "Number of scenes in which forward Euler has the smaller error",
+        scene: "The seven scenes of the diagrams, with 10 ns or the same fraction of their time scale",
+        oracle: "The oracles of the diagrams",
+        norm: "Number of scenes in which the error of velocity Verlet is not smaller than that of forward Euler",
         origin: Origin::Exact,
-        reason: "A count; the errors differ by far more than the references are off",
+        reason: "A count; the errors differ by far more than the uncertainty of the references",
         effort: Effort::Report,
         measure,
     }
@@ -32,11 +32,11 @@ fn measure() -> Outcome {
         "best for 1e-6",
         "best for 1e-9",
         "error of the thesis's choice",
-        "times slower than the best",
-        "times less accurate than the best in its time",
-        "nobody should use",
+        "time over that of the best method for the same error",
+        "error over that of the best method in the same time",
+        "dominated methods",
     ];
-    let title = "What to use, and what forward Euler with the step of the thesis costs";
+    let title = "Recommended integrators, and the cost of forward Euler with the thesis's time step";
     let mut table = Table::new(title, &columns);
     all.iter().for_each(|(_, curves)| table.push(row(curves)));
     Ok(Measurement::count(wins).showing([Exhibit::Table(table), Exhibit::Text(everywhere(&all))]))
@@ -51,7 +51,7 @@ fn euler_wins(curves: &Curves) -> bool {
             .get(curves.case.doublings as usize)?;
         Some(rung.error)
     };
-    // An unstable run has an infinite error, and none at all counts against the claim.
+    // An unstable run has an infinite error; a missing run counts against the claim.
     !matches!((error(0), error(VERLET)), (Some(euler), Some(verlet)) if verlet < euler)
 }
 
@@ -89,7 +89,7 @@ fn row(curves: &Curves) -> Vec<String> {
     ]
 }
 
-/// Methods that nobody should use in any scene.
+/// Methods that are dominated in every scene.
 fn everywhere(all: &[&super::Taken]) -> String {
     let mut common: Option<Vec<&str>> = None;
     for (_, curves) in all {
@@ -103,9 +103,9 @@ fn everywhere(all: &[&super::Taken]) -> String {
         });
     }
     match common.unwrap_or_default().as_slice() {
-        [] => "No method is useless in every scene.".to_owned(),
+        [] => "No method is dominated in every scene.".to_owned(),
         names => format!(
-            "Nobody should use {} in any of the scenes.",
+            "Dominated in every scene: {}.",
             names.join(" or ")
         ),
     }

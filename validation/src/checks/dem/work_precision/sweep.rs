@@ -1,4 +1,4 @@
-//! Runs of a case with one integrator in one number type: errors, and what they cost.
+//! Runs of a case with one integrator in one number type: their errors and times.
 
 use super::case::{Case, Origin, Truth};
 use crate::checks::Failure;
@@ -21,7 +21,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    /// Name for people.
+    /// Name in tables and texts.
     pub fn name(self) -> &'static str {
         match self {
             Self::Single => "f32",
@@ -29,7 +29,7 @@ impl Precision {
             Self::DoubleDouble => "double-double",
         }
     }
-    /// Half the distance from one to the next number.
+    /// Half the distance from one to the next larger number.
     pub fn roundoff(self) -> f64 {
         match self {
             Self::Single => 0.5 * f64::from(f32::EPSILON),
@@ -51,7 +51,7 @@ pub struct Spread {
 impl Spread {
     fn of(mut times: Vec<f64>) -> Self {
         times.sort_by(f64::total_cmp);
-        // Repetitions number 4 n + 1, so that median and quartiles are among them.
+        // The number of repetitions is 4 n + 1, so that median and quartiles are among them.
         let at = |quarter: usize| times[quarter * (times.len() - 1) / 4];
         Self {
             median: at(2),
@@ -60,7 +60,7 @@ impl Spread {
     }
 }
 
-/// One run: its step, its error, and its time where it was taken.
+/// One run: its time step, its error, and its time if it was measured.
 #[derive(Clone, Copy, Debug)]
 pub struct Rung {
     /// Step in s.
@@ -73,7 +73,7 @@ pub struct Rung {
     pub time: Option<Spread>,
 }
 
-/// Runs with one integrator in one number type, each with half the step of the one before.
+/// Runs with one integrator in one number type, each with half the time step of the previous one.
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// Name of the integrator.
@@ -84,12 +84,12 @@ pub struct Sweep {
     pub rungs: Vec<Rung>,
 }
 
-/// Whether to look at the clock, in all runs of a case, or to have a brief look at errors.
+/// Whether times are measured, for all runs of a case, or only errors, for a few of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
     /// Errors only.
     Ignored,
-    /// Repeat every run, one at a time.
+    /// Repeat every run for timing, one at a time.
     Watched,
 }
 
@@ -99,14 +99,14 @@ pub struct Bench<'a> {
     pub case: &'a Case,
     /// Its initial state.
     pub origin: Origin,
-    /// Its end.
+    /// Its reference solution.
     pub truth: Truth,
-    /// Whether times are taken.
+    /// Whether times are measured.
     pub clock: Clock,
 }
 
 impl<'a> Bench<'a> {
-    /// Make the initial state of a case and find its end.
+    /// Makes the initial state of a case and its reference solution.
     pub fn new(case: &'a Case, clock: Clock) -> Result<Self, Failure> {
         let origin = (case.origin)()?;
         let finest = match clock {
@@ -122,7 +122,7 @@ impl<'a> Bench<'a> {
         })
     }
 
-    /// One integrator over some rungs.
+    /// Runs one integrator over some rungs.
     pub fn sweep(
         &self,
         method: usize,
@@ -164,10 +164,10 @@ impl<'a> Bench<'a> {
     }
 }
 
-/// Below this many seconds a run is repeated more often.
+/// Runs shorter than this many seconds are repeated more often.
 const SHORT: f64 = 5e-3;
 
-/// Times of repeated runs after a first, which warmed up.
+/// Times of repeated runs; the first run, which is not included, was the warm-up.
 fn repeated<S: Number>(start: &World<S>, steps: u64, first: f64) -> Result<Spread, Failure> {
     let repetitions = if first < SHORT { 21 } else { 5 };
     let times = (0..repetitions)
@@ -176,7 +176,7 @@ fn repeated<S: Number>(start: &World<S>, steps: u64, first: f64) -> Result<Sprea
     Ok(Spread::of(times))
 }
 
-/// Advance a world by so many steps; the seconds that it took.
+/// Advances a world by the given number of steps; returns the time in s.
 fn stepping<S: Number>(world: &mut World<S>, steps: u64) -> Result<f64, StepError> {
     let began = Instant::now();
     for _ in 0..steps {

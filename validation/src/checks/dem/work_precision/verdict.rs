@@ -1,13 +1,13 @@
-//! What decides: orders, and how good the reference is. No clock.
+//! The criteria of the checks: orders, and accuracy of the reference. No timing.
 
 use super::sweep::{Bench, Precision, Rung, Sweep};
 use crate::checks::{Failure, Measurement};
 use gouge_runner::scene::INTEGRATORS;
 
-/// The reference may be off by this fraction of the smallest error shown.
+/// The error of the reference may be this fraction of the smallest error shown.
 const A_TENTH: f64 = 0.1;
 
-/// Whether each method reaches its order, and whether the reference is good enough.
+/// Whether each method reaches its order, and whether the reference is accurate enough.
 pub fn verdict(bench: &Bench, sweeps: &[Sweep]) -> Measurement {
     let case = bench.case;
     let orders = sweeps.iter().zip(case.orders).map(|(sweep, order)| {
@@ -16,23 +16,23 @@ pub fn verdict(bench: &Bench, sweeps: &[Sweep]) -> Measurement {
     Measurement::worst(orders.chain([trust(bench, sweeps)]))
 }
 
-/// How far off the reference may be, in units of the smallest error.
+/// The uncertainty of the reference in units of the smallest error.
 fn trust<'a>(bench: &Bench, sweeps: impl IntoIterator<Item = &'a Sweep>) -> Measurement {
     let rungs = sweeps.into_iter().flat_map(|sweep| &sweep.rungs);
     let smallest = rungs.map(|rung| rung.error).fold(f64::INFINITY, f64::min);
     Measurement::absolute(0.0, bench.truth.uncertainty / smallest, A_TENTH)
 }
 
-/// Slope of the logarithm of the error over that of the step, over the rungs that are asymptotic and stand
-/// above rounding.
+/// Slope of the logarithm of the error against that of the time step, over the rungs that are
+/// asymptotic and above rounding.
 pub fn observed_order(bench: &Bench, sweep: &Sweep) -> f64 {
     let (coarsest, _) = bench.case.rung(bench.case.brief.start);
     let settled = sweep.rungs.iter().filter(|rung| rung.step <= coarsest);
     slope(settled.filter(|rung| rung.error > rounding(bench, sweep.precision, rung)))
 }
 
-/// What rounding may amount to: half a unit in the last place of the largest coordinate in every step, all
-/// in the same direction, as in a flight at constant velocity.
+/// Bound of rounding: half a unit in the last place of the largest coordinate in every step, all in the
+/// same direction, as in a flight at constant velocity.
 fn rounding(bench: &Bench, precision: Precision, rung: &Rung) -> f64 {
     let positions = bench.origin.particles.position.iter();
     let extent = positions.map(|x| x.x.abs().max(x.y.abs()));
@@ -40,7 +40,7 @@ fn rounding(bench: &Bench, precision: Precision, rung: &Rung) -> f64 {
     precision.roundoff() * extent * rung.steps as f64
 }
 
-/// Slope of the logarithm of the error over that of the step, by least squares.
+/// Least-squares slope of the logarithm of the error against that of the time step.
 pub fn slope<'a>(rungs: impl Iterator<Item = &'a Rung>) -> f64 {
     let points: Vec<[f64; 2]> = rungs
         .map(|rung| [rung.step.log2(), rung.error.log2()])
@@ -54,7 +54,7 @@ pub fn slope<'a>(rungs: impl Iterator<Item = &'a Rung>) -> f64 {
     sum(1) / sum(0)
 }
 
-/// Orders of all methods in double, in passing.
+/// Orders of all methods in double, from a few rungs.
 pub fn orders(bench: &Bench) -> Result<Measurement, Failure> {
     let sweep = |method| bench.sweep(method, Precision::Double, bench.case.brief.clone());
     let sweeps: Vec<Sweep> = (0..INTEGRATORS.len())
@@ -63,8 +63,8 @@ pub fn orders(bench: &Bench) -> Result<Measurement, Failure> {
     Ok(verdict(bench, &sweeps))
 }
 
-/// Velocity Verlet in the three number types: double and double-double go on at order two where single
-/// does not fall any more, though it stays within what rounding may amount to.
+/// Velocity Verlet in the three number types: double and double-double converge at order two where
+/// single precision no longer does, though its error stays within the rounding bound.
 pub fn scalars(bench: &Bench) -> Result<Measurement, Failure> {
     let sweep = |precision, rungs| bench.sweep(super::VERLET, precision, rungs);
     let brief = bench.case.brief.clone();
@@ -94,5 +94,6 @@ pub fn scalars(bench: &Bench) -> Result<Measurement, Failure> {
     ))
 }
 
-/// By how many halvings of the step double-double stops earlier, because it takes some thirty times longer.
+/// Number of halvings of the time step by which double-double stops earlier, because it takes about
+/// thirty times longer.
 pub const DEARER: u32 = 5;
