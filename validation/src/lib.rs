@@ -1,4 +1,4 @@
-//! Checks, oracles and the report around the kernels.
+//! Checks, oracles and the report for the kernels.
 
 pub mod checks;
 pub mod measurements;

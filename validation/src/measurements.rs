@@ -1,4 +1,4 @@
-//! The measurements of `benches/runs/`, which the program carries with it.
+//! The measurements of `benches/runs/`, which are compiled into the program.
 
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
@@ -17,7 +17,7 @@ pub fn latest<Run: DeserializeOwned>(kind: &str) -> Option<(String, Run)> {
     Some((date, serde_json::from_slice(bytes).ok()?))
 }
 
-/// The latest file whose name ends so, and the rest of the name, its date.
+/// The latest file whose name has the given ending, and the rest of its name, which is the date.
 fn newest(ending: &str) -> Option<(String, &'static [u8])> {
     let files = RUNS.files().filter_map(|file| {
         let name = file.path().file_name()?.to_str()?;
@@ -26,7 +26,7 @@ fn newest(ending: &str) -> Option<(String, &'static [u8])> {
     files.max_by(|a, b| a.0.cmp(&b.0))
 }
 
-/// The quantile of a probability; undefined for nothing.
+/// The quantile for a probability; undefined for an empty sample.
 pub fn quantile(sample: &[f64], probability: f64) -> f64 {
     let mut sorted = sample.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -37,29 +37,29 @@ pub fn quantile(sample: &[f64], probability: f64) -> f64 {
         .unwrap_or(f64::NAN)
 }
 
-/// Median and quartiles in words.
+/// Median and quartiles as text.
 pub fn spread(sample: &[f64], digits: usize) -> String {
     let [low, middle, high] = [0.25, 0.5, 0.75].map(|probability| quantile(sample, probability));
     format!("{middle:.digits$} ({low:.digits$} to {high:.digits$})")
 }
 
-/// Ratios of neighbouring turns.
+/// Ratios of neighbouring alternating runs.
 pub fn ratios(sample: &[f64], other: &[f64]) -> Vec<f64> {
     sample.iter().zip(other).map(|(a, b)| a / b).collect()
 }
 
-/// A run of the small fault: what `gouge-bench inertia` writes.
+/// A run of the small fault, as written by `gouge-bench inertia`.
 #[derive(Clone, Copy, Debug, Deserialize)]
 pub struct FrictionRun {
     /// Seed of the packing and of the strengths.
     pub seed: u64,
     /// Moment of inertia in m r^2.
     pub inertia_factor: f64,
-    /// Mean coefficient of friction from the load while it slides.
+    /// Mean coefficient of friction from the load during sliding.
     pub friction_load: f64,
-    /// Mean coefficient of friction from the reaction while it slides.
+    /// Mean coefficient of friction from the reaction during sliding.
     pub friction_feedback: f64,
-    /// Bonds that broke.
+    /// Number of broken bonds.
     pub bonds_broken: f64,
 }
 
@@ -77,7 +77,7 @@ pub struct Paired {
 }
 
 impl Paired {
-    /// The differences themselves.
+    /// From the differences.
     pub fn new(differences: Vec<f64>) -> Self {
         Self { differences }
     }
@@ -92,8 +92,8 @@ impl Paired {
         self.differences.iter().mean()
     }
 
-    /// Interval that covers the mean with a probability, by Student's distribution; undefined for less than
-    /// two pairs.
+    /// Confidence interval of the mean at the given level, by Student's distribution; undefined for
+    /// fewer than two pairs.
     pub fn interval(&self, level: f64) -> [f64; 2] {
         let number = self.differences.len() as f64;
         let error = self.differences.iter().std_dev() / number.sqrt();
@@ -114,7 +114,8 @@ impl Paired {
         test.map_or(f64::NAN, |(_, p)| p)
     }
 
-    /// The same of signs at least as unequal, by the sign test; pairs without a difference do not count.
+    /// Probability of signs at least as unequal if there were no difference, by the sign test; pairs
+    /// without a difference do not count.
     pub fn p_by_signs(&self) -> f64 {
         let count = |is: fn(&&f64) -> bool| self.differences.iter().filter(is).count() as u64;
         let (above, below) = (count(|d| **d > 0.0), count(|d| **d < 0.0));

@@ -1,4 +1,4 @@
-//! `gouge verify`: the register is run, a line printed a check, and the reports are written.
+//! `gouge verify`: runs the register of checks, prints one line per check, and writes the reports.
 
 use crate::checks::{Check, Effort, Topic, register};
 use crate::report::{self, Entry, Figures, Record};
@@ -10,10 +10,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::time::Instant;
 
-/// Run the checks whose identifier contains a pattern; print one line each and write the reports.
+/// Runs the checks whose identifier contains a pattern, prints one line per check and writes the
+/// reports.
 ///
 /// # Errors
-/// Patterns that match nothing, failures of the file system, failed checks.
+/// A pattern that matches no check, failures of the file system, failed checks.
 pub fn verify(only: Option<&str>, folder: &Path, figures: Figures) -> Result<(), Error> {
     let topics = register();
     let checks = chosen(&topics, only)?;
@@ -37,7 +38,7 @@ pub fn verify(only: Option<&str>, folder: &Path, figures: Figures) -> Result<(),
     }
 }
 
-/// The checks that a pattern selects, in the order of the report.
+/// The checks selected by a pattern, in the order of the report.
 fn chosen<'a>(topics: &'a [Topic], only: Option<&str>) -> Result<Vec<&'a Check>, Error> {
     let all = || topics.iter().flat_map(|topic| &topic.checks);
     let matches = |check: &&Check| only.is_none_or(|pattern| check.id.contains(pattern));
@@ -45,24 +46,24 @@ fn chosen<'a>(topics: &'a [Topic], only: Option<&str>) -> Result<Vec<&'a Check>,
     if checks.is_empty() {
         let names: Vec<&str> = all().map(|check| check.id).collect();
         return Err(Error::Argument(format!(
-            "no check matches; there are: {}",
+            "no check matches; the checks are: {}",
             names.join(", ")
         )));
     }
     Ok(checks)
 }
 
-/// A bar on standard error, where a person watches.
+/// A progress bar on standard error, if it is a terminal.
 fn bar(checks: usize) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(checks as u64), ProgressDrawTarget::stderr());
-    let style = "{msg:32} {wide_bar} {pos}/{len}  {elapsed} gone";
+    let style = "{msg:32} {wide_bar} {pos}/{len}  {elapsed} elapsed";
     if let Ok(style) = ProgressStyle::with_template(style) {
         bar.set_style(style);
     }
     bar
 }
 
-/// Run short checks on all cores, then long ones, which may measure time, one after the other.
+/// Runs short checks on all cores, then long ones, which may measure time, one after the other.
 fn run_all(checks: &[&Check], progress: &ProgressBar) -> Vec<Entry> {
     let (long, short): (Vec<usize>, Vec<usize>) =
         (0..checks.len()).partition(|&place| checks[place].effort == Effort::Report);
@@ -78,7 +79,7 @@ fn run_all(checks: &[&Check], progress: &ProgressBar) -> Vec<Entry> {
     entries.into_values().collect()
 }
 
-/// Run some checks on so many threads and hand over each as it is done.
+/// Runs some checks on the given number of threads and passes on each result as soon as it is ready.
 fn run_on(
     threads: usize,
     checks: &[&Check],
@@ -105,7 +106,7 @@ fn run_on(
     });
 }
 
-/// Run checks one after the other until nobody takes their results any more.
+/// Runs checks one after the other until the receiver of the results is gone.
 fn work(
     checks: &[&Check],
     places: impl Iterator<Item = usize>,
@@ -129,8 +130,8 @@ fn run(check: &Check) -> Entry {
     }
 }
 
-/// Lines for standard output, kept back until all before them are there, so that their order is always
-/// that of the register.
+/// Lines for standard output. A line is held back until all lines before it have been printed, so that
+/// the order is that of the register.
 #[derive(Default)]
 struct Lines {
     waiting: BTreeMap<usize, String>,

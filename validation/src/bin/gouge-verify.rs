@@ -1,4 +1,4 @@
-//! Runs the checks: what `gouge verify` starts.
+//! Runs the checks; started by `gouge verify`.
 
 use clap::Parser;
 use gouge_runner::error::Error;
@@ -9,7 +9,7 @@ use mimalloc::MiMalloc;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Puts the columns of large worlds at cache lines and into huge pages.
+/// Aligns the columns of large worlds to cache lines and puts them into huge pages.
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 

@@ -1,4 +1,4 @@
-//! What a check stands for: equations, errata, sections and figures, each with the source it is from.
+//! The equations, errata, sections and figures that a check covers, each with its source.
 
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -32,7 +32,7 @@ pub struct Citation {
 }
 
 impl Citation {
-    /// Reads what `Display` writes; none if the source is unknown or no place follows.
+    /// Parses what `Display` writes; none if the source is unknown or no place follows.
     pub fn parse(text: &'static str) -> Option<Self> {
         let (name, place) = text.split_once(' ')?;
         let source = Source::ALL.into_iter().find(|one| one.name() == name)?;
@@ -46,7 +46,8 @@ impl fmt::Display for Citation {
     }
 }
 
-/// What a check stands for, printed as `thesis (42), thesis E15`, or as `-` if it stands for no equation.
+/// The citations that a check covers, printed as `thesis (42), thesis E15`, or as `-` if there are
+/// none.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Evidence(Vec<Citation>);
 
@@ -54,7 +55,7 @@ impl Evidence {
     /// For a check of the program rather than of an equation.
     pub const NONE: Self = Self(Vec::new());
 
-    /// Reads what `Display` writes; none if any citation cannot be read.
+    /// Parses what `Display` writes; none if any citation cannot be parsed.
     pub fn parse(text: &'static str) -> Option<Self> {
         let citations: Option<Vec<Citation>> = text.split(", ").map(Citation::parse).collect();
         citations.map(Self)

@@ -1,6 +1,6 @@
 //! Figures and tables that a check shows in the report.
 
-/// Something to look at.
+/// Something that the report shows.
 #[derive(Clone, Debug)]
 pub enum Exhibit {
     /// A figure.
@@ -14,13 +14,13 @@ pub enum Exhibit {
 /// A figure with two axes.
 #[derive(Clone, Debug)]
 pub struct Plot {
-    /// What the figure shows, a sentence.
+    /// The statement of the figure, a sentence.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// What is drawn, later ones over earlier ones.
+    /// The curves; later ones are drawn over earlier ones.
     pub curves: Vec<Curve>,
 }
 
@@ -50,7 +50,7 @@ impl Axis {
     }
 }
 
-/// Points that belong together.
+/// Points that are drawn in the same way.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// Name in the legend.
@@ -62,11 +62,11 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// A line through points: theory, or another's data.
+    /// A line through points: theory, or data of others.
     pub fn line(label: &str, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self::new(label, Style::Line, points)
     }
-    /// Marks at points: what the kernel gave.
+    /// Marks at points: results of the kernel.
     pub fn marks(label: &str, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self::new(label, Style::Marks, points)
     }
@@ -88,7 +88,7 @@ impl Curve {
 pub enum Style {
     /// A line without marks.
     Line,
-    /// A dashed line without marks: a bound or a slope.
+    /// A dashed line without marks: a bound, a slope or a fit.
     Dashed,
     /// Marks without a line.
     Marks,
@@ -101,11 +101,11 @@ pub enum Style {
 /// A table.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// What the table shows, a sentence.
+    /// The statement of the table, a sentence.
     pub title: String,
     /// Names of the columns, with units.
     pub columns: Vec<String>,
-    /// Rows of as many cells.
+    /// Rows, each with one cell per column.
     pub rows: Vec<Vec<String>>,
 }
 
@@ -118,7 +118,7 @@ impl Table {
             rows: Vec::new(),
         }
     }
-    /// Append a row.
+    /// Appends a row.
     pub fn push<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
         self.rows.push(cells.into_iter().map(Into::into).collect());
     }

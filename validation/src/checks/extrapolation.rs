@@ -1,7 +1,7 @@
-//! Results of several steps, extrapolated to no step.
+//! Results with several time steps, extrapolated to zero time step.
 
-/// Rows of results with steps each half of the one before, whose errors are series in the step with the
-/// given powers: Richardson's extrapolation through all of them.
+/// Richardson extrapolation. Each level has half the time step of the previous one, and the errors are
+/// series in the time step with the given powers.
 pub fn to_no_step<const N: usize>(mut levels: Vec<Vec<[f64; N]>>, powers: &[i32]) -> Vec<[f64; N]> {
     for &power in powers {
         let weight = 1.0 / (2.0_f64.powi(power) - 1.0);

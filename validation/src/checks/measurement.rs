@@ -1,4 +1,4 @@
-//! What a check finds, and how far off that may be.
+//! The result of a check and its tolerance.
 
 use super::Exhibit;
 use gouge_dem::{ModelError, StepError};
@@ -10,24 +10,24 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Origin {
-    /// Rounding alone.
+    /// Rounding only.
     Exact,
     /// The order of the method and a known constant.
     Convergent,
-    /// A margin and a power fixed beforehand.
+    /// A margin and a power fixed in advance.
     Statistical,
 }
 
-/// What should come out, what came out, and how far apart they may be.
+/// The expected and the measured value, their error, and its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measurement {
-    /// What should come out.
+    /// The expected value.
     pub expected: f64,
-    /// What came out.
+    /// The measured value.
     pub measured: f64,
-    /// Their distance in the norm of the check.
+    /// The error, in the norm of the check.
     pub error: f64,
-    /// The largest distance that passes.
+    /// The largest error that passes.
     pub tolerance: f64,
 }
 
@@ -58,7 +58,7 @@ impl Measurement {
     pub fn ulp(expected: f64, measured: f64, tolerance: f64) -> Self {
         Self::scaled(expected, measured, unit_in_last_place(expected), tolerance)
     }
-    /// How often something happened that must not happen at all.
+    /// A number of cases that must be zero.
     pub fn count(cases: usize) -> Self {
         Self::absolute(0.0, cases as f64, 0.0)
     }
@@ -66,8 +66,8 @@ impl Measurement {
     pub fn passes(&self) -> bool {
         self.error <= self.tolerance
     }
-    /// The worst of several measurements: the one with the largest error for its tolerance. An undefined
-    /// error is worse than any; no measurement at all is one.
+    /// The measurement with the largest ratio of error to tolerance. An undefined error counts as
+    /// infinite; without any measurement the result is undefined.
     pub fn worst(all: impl IntoIterator<Item = Self>) -> Self {
         let severity = |one: &Self| match one.error / one.tolerance {
             _ if one.error.is_nan() => f64::INFINITY,
@@ -106,16 +106,16 @@ pub fn unit_in_last_place(number: f64) -> f64 {
     }
 }
 
-/// The largest of some sizes; undefined if one of them is, where `f64::max` would forget it.
+/// The largest of some sizes; undefined if one of them is, which `f64::max` would ignore.
 pub fn largest(sizes: impl IntoIterator<Item = f64>) -> f64 {
     let keep = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
     sizes.into_iter().fold(0.0, keep)
 }
 
-/// What a check shows: its measurement, and what a reader wants to see of it.
+/// The result of a check: its measurement, and exhibits for the reader.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// The measurement that decides.
+    /// The measurement by which the check passes or fails.
     pub measurement: Measurement,
     /// Figures and tables for the report.
     pub exhibits: Vec<Exhibit>,
@@ -131,7 +131,7 @@ impl From<Measurement> for Finding {
 }
 
 impl Measurement {
-    /// The finding of this measurement, with something to show.
+    /// The finding of this measurement, with exhibits.
     pub fn showing(self, exhibits: impl IntoIterator<Item = Exhibit>) -> Finding {
         Finding {
             measurement: self,
@@ -140,10 +140,10 @@ impl Measurement {
     }
 }
 
-/// Why a check found nothing; it then fails.
+/// Why a check has no measurement; it then fails.
 #[derive(Debug, Error)]
 pub enum Failure {
-    /// The scene cannot be read.
+    /// The scene cannot be parsed.
     #[error("{0}")]
     Scene(#[from] SceneError),
     /// The kernel refused the scene.
@@ -155,12 +155,12 @@ pub enum Failure {
     /// A command failed.
     #[error("{0}")]
     Command(#[from] Error),
-    /// An oracle has no answer.
+    /// An oracle has no solution.
     #[error("{0}")]
     Oracle(String),
 }
 
-/// What a check returns.
+/// The result of a check.
 pub type Outcome = Result<Finding, Failure>;
 
 #[cfg(test)]

@@ -15,48 +15,48 @@ pub use measurement::{
     Failure, Finding, Measurement, Origin, Outcome, largest, unit_in_last_place,
 };
 
-/// How long a check takes, and so who runs it.
+/// The run time of a check, which decides who runs it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Effort {
-    /// Below about 0.2 s: run by the gate and against deliberate faults.
+    /// Less than about 0.2 s: run by the gate and in mutation tests.
     Quick,
     /// A few seconds: run by the gate.
     Thorough,
-    /// Longer, or a measurement of time: run for the report only.
+    /// Longer, or a measurement of time: run only for the report.
     Report,
 }
 
-/// A check, before it is run.
+/// A check.
 pub struct Check {
-    /// Identifier: topic, point, name.
+    /// Identifier: topic and name, with dots in between.
     pub id: &'static str,
-    /// The claim, one sentence.
+    /// The claim.
     pub claim: &'static str,
-    /// Equations, errata, sections and figures that it stands for.
+    /// The equations, errata, sections and figures that it covers.
     pub equations: Evidence,
-    /// What is run.
+    /// The scene that is run.
     pub scene: &'static str,
-    /// What it is compared with.
+    /// The oracle that the result is compared with.
     pub oracle: &'static str,
-    /// What is called the error.
+    /// Definition of the error.
     pub norm: &'static str,
-    /// Where the tolerance comes from.
+    /// The origin of the tolerance.
     pub origin: Origin,
-    /// Why the tolerance is what it is.
+    /// The reason for the tolerance.
     pub reason: &'static str,
-    /// How long it takes.
+    /// The run time.
     pub effort: Effort,
     /// The measurement.
     pub measure: fn() -> Outcome,
 }
 
-/// A chapter of the report: checks of one subject.
+/// A chapter of the report: the checks of one subject.
 pub struct Topic {
-    /// Identifier, with which the identifiers of its checks begin.
+    /// Identifier; the identifiers of its checks begin with it.
     pub id: &'static str,
     /// Heading.
     pub title: &'static str,
-    /// What the chapter is about, in one or two sentences.
+    /// Its subject, in one or two sentences.
     pub about: &'static str,
     /// Its checks.
     pub checks: Vec<Check>,

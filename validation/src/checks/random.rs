@@ -1,4 +1,4 @@
-//! Seeded random inputs of checks.
+//! Seeded random inputs for checks.
 
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -7,7 +7,7 @@ use rand_pcg::Pcg64;
 pub struct Random(Pcg64);
 
 impl Random {
-    /// The stream of a seed.
+    /// The stream of the given seed.
     pub fn new(seed: u64) -> Self {
         Self(Pcg64::new(u128::from(seed), 0xa02b_dbf7_bb3c_0a7a))
     }
@@ -28,7 +28,7 @@ impl Random {
     pub fn below(&mut self, bound: usize) -> usize {
         self.0.random_range(0..bound)
     }
-    /// One of several.
+    /// One of several values.
     pub fn choice<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.below(of.len())]
     }

@@ -1,8 +1,9 @@
-//! What one step of an integration method does to a damped oscillator, from the method's definition.
+//! One step of an integration method for a damped oscillator, from the definition of the method.
 //!
-//! Lengths are in units of the displacement and times in units of the step, so that the oscillator
-//! x'' = -k x - c x' has k = w^2 dt^2 and c = 2 zeta w dt. Every quantity of a step is a row: its
-//! coefficients over the state at the beginning of the step. A step is the matrix of the rows of its end.
+//! Lengths are in units of the displacement and times in units of the step, so that the oscillator x''
+//! = -k x - c x' has k = w^2 dt^2 and c = 2 zeta w dt. Every quantity of a step is a row of
+//! coefficients with respect to the state at the start of the step. The rows of the state at the end
+//! form the matrix of the step.
 
 use nalgebra::DMatrix;
 
@@ -15,9 +16,9 @@ pub enum Method {
     SymplecticEuler,
     /// Taylor expansion, second order in the position.
     Taylor,
-    /// Velocity Verlet, the new force from the velocity v + a dt, kept for the next step.
+    /// Velocity Verlet: the new force uses the velocity v + a dt and is kept for the next step.
     VelocityVerlet,
-    /// Beeman's predictor and corrector, the force from the prediction, kept for the next two steps.
+    /// Beeman's predictor-corrector: the force uses the prediction and is kept for the next two steps.
     Beeman,
 }
 
@@ -31,7 +32,7 @@ impl Method {
         Self::Beeman,
     ];
 
-    /// Numbers in its state: position, velocity and the accelerations that it keeps.
+    /// Size of its state: position, velocity and the accelerations that it keeps.
     pub fn dimension(self) -> usize {
         match self {
             Self::Euler | Self::SymplecticEuler | Self::Taylor => 2,
@@ -48,7 +49,7 @@ fn sum<const N: usize>(terms: [(f64, Row); N]) -> Row {
     std::array::from_fn(|n| terms.iter().map(|(weight, row)| weight * row[n]).sum())
 }
 
-/// The map of one step over position, velocity and kept accelerations.
+/// The matrix of one step for position, velocity and kept accelerations.
 pub fn one_step(method: Method, k: f64, c: f64) -> DMatrix<f64> {
     let unit = |n: usize| std::array::from_fn(|m| f64::from(u8::from(n == m)));
     let [x, v, kept, older]: [Row; 4] = std::array::from_fn(unit);
@@ -95,8 +96,8 @@ pub fn one_step(method: Method, k: f64, c: f64) -> DMatrix<f64> {
     DMatrix::from_fn(size, size, |row, column| rows[row][column])
 }
 
-/// Position and velocity after 0, 1, ... steps, from given ones; the kept accelerations begin as that of
-/// the start.
+/// Position and velocity after 0, 1, ... steps from the given ones; kept accelerations are initially
+/// that of the start.
 pub fn course(method: Method, k: f64, c: f64, start: [f64; 2], steps: usize) -> Vec<[f64; 2]> {
     let [x, v] = start;
     let a = -k * x - c * v;
@@ -111,7 +112,7 @@ pub fn course(method: Method, k: f64, c: f64, start: [f64; 2], steps: usize) -> 
     course
 }
 
-/// Moduli of the factors by which one step multiplies the modes, the largest first.
+/// Moduli of the eigenvalues of one step, the largest first.
 pub fn moduli(method: Method, k: f64, c: f64) -> Vec<f64> {
     let values = one_step(method, k, c).complex_eigenvalues();
     let mut moduli: Vec<f64> = values.iter().map(|z| z.re.hypot(z.im)).collect();
@@ -124,8 +125,8 @@ pub fn spectral_radius(method: Method, k: f64, c: f64) -> f64 {
     moduli(method, k, c).first().copied().unwrap_or(f64::NAN)
 }
 
-/// Coefficients of the characteristic polynomial from the highest power, by the recursion of Faddeev and
-/// Le Verrier.
+/// Coefficients of the characteristic polynomial from the highest power, by the Faddeev-LeVerrier
+/// algorithm.
 pub fn characteristic(method: Method, k: f64, c: f64) -> Vec<f64> {
     let matrix = one_step(method, k, c);
     let size = method.dimension();
@@ -141,8 +142,8 @@ pub fn characteristic(method: Method, k: f64, c: f64) -> Vec<f64> {
     coefficients
 }
 
-/// The first step in s at which a mode of x'' = -k x - c x' grows by more than the given amount a step;
-/// infinite without forces.
+/// The smallest step in s at which a mode of x'' = -k x - c x' grows by more than the given amount per
+/// step; infinite without forces.
 pub fn boundary(method: Method, [k, c]: [f64; 2], growth: f64) -> f64 {
     const GRID: u32 = 800;
     let rate = k.sqrt().max(c);
@@ -168,9 +169,10 @@ pub fn boundary(method: Method, [k, c]: [f64; 2], growth: f64) -> f64 {
     low
 }
 
-/// All steps, in units of 1/w and up to the given one, at which a mode begins or ceases to grow.
+/// All steps, in units of 1/w and up to the given one, at which growth of a mode begins or ends.
 ///
-/// Beeman's method has three below 1.33 % of critical damping: its complex pair grows between the first two.
+/// Beeman's method has three below 1.33 % of critical damping: its complex pair grows between the first
+/// two.
 pub fn crossings(method: Method, zeta: f64, longest: f64) -> Vec<f64> {
     const GRID: u32 = 800;
     let grows = |step: f64| spectral_radius(method, step * step, 2.0 * zeta * step) > 1.0 + 1e-12;
@@ -192,13 +194,13 @@ pub fn crossings(method: Method, zeta: f64, longest: f64) -> Vec<f64> {
     changes.map(locate).collect()
 }
 
-/// The boundary in closed form, w dt at a positive damping ratio, where there is one: Beeman's is the
-/// root of its polynomial at minus one, and below 1.33 % of critical damping a pair of complex roots, without
-/// one.
+/// The stability limit w dt in closed form at a positive damping ratio, if there is one. For Beeman it
+/// is the root of the polynomial at minus one; below 1.33 % of critical damping a complex pair becomes
+/// unstable first, for which there is no closed form.
 ///
-/// Euler: the determinant 1 - c + k reaches one, or above critical damping the smaller root of
-/// 4 - 2 c + k = 0. Taylor: its determinant 1 - c + k/2, or 4 - 2 c = 0. The others: the value of the
-/// polynomial at minus one vanishes, 4 - 2 c - k = 0, 4 - 4 c - k = 0, 12 - 20 c - 7 k = 0.
+/// Euler: the determinant 1 - c + k reaches one, or above critical damping the smaller root of 4 - 2 c
+/// + k = 0. Taylor: its determinant 1 - c + k/2 reaches one, or 4 - 2 c = 0. The others: the polynomial
+/// at minus one vanishes, 4 - 2 c - k = 0, 4 - 4 c - k = 0, 12 - 20 c - 7 k = 0.
 pub fn closed_boundary(method: Method, zeta: f64) -> Option<f64> {
     let root = |linear: f64, square: f64, constant: f64| {
         (-linear + (linear * linear + 4.0 * square * constant).sqrt()) / (2.0 * square)

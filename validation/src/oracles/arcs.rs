@@ -1,8 +1,8 @@
-//! How much of a circle lies in a rectangle, by following the circle from edge to edge.
+//! The fraction of a circle inside a rectangle, from its intersections with the edges.
 
 use std::f64::consts::TAU;
 
-/// A rectangle with a corner in the origin; without width it is a strip.
+/// A rectangle with a corner at the origin; without a width it is a strip.
 #[derive(Clone, Copy, Debug)]
 pub struct Rectangle {
     /// Horizontal side; a strip has none.
@@ -17,8 +17,9 @@ impl Rectangle {
         (0.0..=self.height).contains(&y) && self.width.is_none_or(across)
     }
 
-    /// Fraction of the circle around a point that lies inside: the angles at which the circle crosses the
-    /// lines of the edges cut it into arcs, and the middle of each tells whether it is inside.
+    /// Fraction of the circle around a point that lies inside: the angles at which the circle
+    /// intersects the lines of the edges divide it into arcs, and the midpoint of each arc decides
+    /// whether it is inside.
     pub fn fraction_inside(&self, [x, y]: [f64; 2], radius: f64) -> f64 {
         let mut angles = vec![0.0, TAU];
         let mut cut = |angle: f64| angles.push(angle.rem_euclid(TAU));

@@ -2,30 +2,30 @@
 
 use nalgebra::{Matrix5, Vector5};
 
-/// A damped spring under a mass, with gravity.
+/// A damped spring that carries a mass under gravity.
 #[derive(Clone, Copy, Debug)]
 pub struct Spring {
     /// Stiffness over mass in 1/s^2.
     pub stiffness: f64,
     /// Damping over mass in 1/s, below critical.
     pub damping: f64,
-    /// Acceleration in m/s^2 into the spring.
+    /// Acceleration of gravity in m/s^2, towards the spring.
     pub gravity: f64,
 }
 
-/// End of a contact.
+/// The end of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Release {
     /// Duration of the contact in s.
     pub time: f64,
-    /// Overlap that is left in m.
+    /// Remaining overlap in m.
     pub overlap: f64,
     /// Speed away from the spring in m/s.
     pub speed: f64,
 }
 
 impl Spring {
-    /// Overlap in m and its rate in m/s, at a time after contact at the given speed.
+    /// Overlap in m and its rate in m/s, at a time after contact began at the given speed.
     ///
     /// The solution of x'' + 2 b x' + w0^2 x = g with x(0) = 0 and x'(0) = v.
     pub fn state(&self, speed: f64, time: f64) -> [f64; 2] {
@@ -40,17 +40,18 @@ impl Spring {
         [rest + decay * x, decay * dx]
     }
 
-    /// Where the force k x + c x' first vanishes: the contact that does not attract ends there.
+    /// The time at which the force k x + c x' first vanishes, where a contact that does not attract
+    /// ends.
     pub fn release(&self, speed: f64) -> Release {
         self.first(speed, |[x, v]| self.stiffness * x + self.damping * v)
     }
 
-    /// Where the overlap vanishes: the contact that attracts at its end is over there.
+    /// The time at which the overlap vanishes, where a contact that may attract ends.
     pub fn separation(&self, speed: f64) -> Release {
         self.first(speed, |[x, _]| x)
     }
 
-    /// First zero, after half a period, of a function that is positive until then; by bisection.
+    /// First zero, after half a period, of a function that is positive before; by bisection.
     fn first(&self, speed: f64, function: impl Fn([f64; 2]) -> f64) -> Release {
         let b = 0.5 * self.damping;
         let period = std::f64::consts::TAU / (self.stiffness - b * b).sqrt();
@@ -77,20 +78,20 @@ impl Spring {
     }
 }
 
-/// Height in m above contact that a released sphere reaches: v^2 / (2 g) less the overlap left.
+/// Height in m above contact that a released sphere reaches: v^2 / (2 g) minus the remaining overlap.
 pub fn apex(release: &Release, gravity: f64) -> f64 {
     release.speed * release.speed / (2.0 * gravity) - release.overlap
 }
 
-/// Spheres in a vertical stack between two walls, on linear springs with damping: heights and velocities
-/// after a time, by the matrix exponential.
+/// Two spheres in a vertical stack between walls, on linear springs with damping; heights and
+/// velocities at a time by the matrix exponential.
 #[derive(Clone, Copy, Debug)]
 pub struct Stack {
-    /// Masses in kg, from below.
+    /// Masses in kg, the lower one first.
     pub masses: [f64; 2],
     /// Radius of both in m.
     pub radius: f64,
-    /// Distance of the walls in m.
+    /// Distance between the walls in m.
     pub height: f64,
     /// Stiffness of all three contacts in kg/s^2.
     pub stiffness: f64,
@@ -104,11 +105,12 @@ impl Stack {
     /// Heights in m and velocities in m/s after a time in s, if no contact opens.
     ///
     /// With y the heights, M y'' = B - K y - C y', where K / k = C / c = [[2, -1], [-1, 2]] and B holds
-    /// weights and rest lengths.
+    /// With y the heights, M y'' = B - K y - C y', where K / k = C / c = [[2, -1], [-1, 2]] and B
+    /// contains weights and rest lengths.
     pub fn state(&self, heights: [f64; 2], time: f64) -> [f64; 4] {
         let [m, n] = self.masses;
         let (k, c) = (self.stiffness, self.damping);
-        // Lower wall pushes up from r, the partner down from 2 r; the upper wall stands at its height.
+        // The lower wall pushes up from r, the partner down from 2 r; the upper wall is at its height.
         let below = k * (self.radius - 2.0 * self.radius);
         let above = k * (2.0 * self.radius + self.height - self.radius);
         let g = self.gravity;

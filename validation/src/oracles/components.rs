@@ -1,6 +1,6 @@
-//! Connected components of a graph, by walking it.
+//! Connected components of a graph, by flood fill.
 
-/// For each node the first node of its component, found by flooding from every node in turn.
+/// For each node the first node of its component, by flood fill from every node in turn.
 pub fn first_nodes(nodes: usize, edges: &[(usize, usize)]) -> Vec<usize> {
     let mut neighbors = vec![Vec::new(); nodes];
     for &(i, j) in edges {

@@ -1,4 +1,4 @@
-//! What is lost: collisions of viscoelastic spheres, bodies in a resisting medium.
+//! Dissipation: collisions of viscoelastic spheres, and bodies in a resisting medium.
 
 use super::flow::Flow;
 
@@ -16,7 +16,7 @@ pub fn viscoelastic_restitution(b: f64) -> f64 {
     -end[1]
 }
 
-/// Speed left after a time where the deceleration is a v + b v^(3/2) + c v^2.
+/// Speed after a time with the deceleration a v + b v^(3/2) + c v^2.
 pub fn slowed(speed: f64, time: f64, [a, b, c]: [f64; 3]) -> f64 {
     let flow = Flow {
         rate: |_: f64, y: &[f64; 1]| [-y[0] * (a + b * y[0].sqrt() + c * y[0])],

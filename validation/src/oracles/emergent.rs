@@ -1,20 +1,22 @@
-//! Distributions of sums, products and strengths of uniform variables, by integration over one of them.
+//! Distributions of sums, products and strengths of uniform variables, by integration over one
+//! variable.
 
 use super::quadrature::integral_over;
 
-/// The smallest of some independent variables on an interval.
+/// The smallest of several independent variables on an interval.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded {
     /// Interval.
     pub interval: [f64; 2],
-    /// How many variables it is the smallest of.
+    /// Number of variables.
     pub smallest_of: i32,
-    /// Slope p of their density, which grows as 1 + p (x / m - 1), with m the middle; 0 if uniform.
+    /// Slope p of their density, which grows as 1 + p (x / m - 1), with m the middle of the interval; 0
+    /// if uniform.
     pub preference: f64,
 }
 
 impl Bounded {
-    /// The smallest of so many uniform variables.
+    /// The smallest of the given number of uniform variables.
     pub fn uniform(interval: [f64; 2], smallest_of: i32) -> Self {
         Self {
             interval,
@@ -33,7 +35,7 @@ impl Bounded {
         let [a, b] = self.interval;
         (1.0 + self.preference * (2.0 * x / (a + b) - 1.0)) / (b - a)
     }
-    /// Probability of a value above x: all exceed it.
+    /// Probability that the smallest value exceeds x: all values exceed it.
     fn exceeds(&self, x: f64) -> f64 {
         self.one_exceeds(x).powi(self.smallest_of)
     }
@@ -52,7 +54,7 @@ impl Bounded {
     }
 }
 
-/// How two independent variables make a third.
+/// The operation that joins two independent variables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Join {
     /// Their sum.
@@ -68,19 +70,20 @@ pub struct Joined {
     pub factor: [f64; 2],
     /// The other variable.
     pub other: Bounded,
-    /// How they are joined.
+    /// The operation.
     pub join: Join,
 }
 
 impl Joined {
-    /// The other variable that a factor needs to reach x, and its derivative by x.
+    /// The value of the other variable for which the factor gives x, and its derivative with respect to
+    /// x.
     fn needed(&self, x: f64, factor: f64) -> [f64; 2] {
         match self.join {
             Join::Sum => [x - factor, 1.0],
             Join::Product => [x / factor, factor.recip()],
         }
     }
-    /// Integral over the factor, parted where the other variable reaches an end.
+    /// Integral over the factor, split where the other variable reaches an end of its interval.
     fn mean(&self, x: f64, function: impl Fn(f64) -> f64) -> f64 {
         let [c, d] = self.factor;
         let mut points = vec![c, d];
@@ -98,13 +101,13 @@ impl Joined {
             self.other.density(other) * slope
         })
     }
-    /// Probability of a value not above x.
+    /// Probability of a value of at most x.
     pub fn cumulative(&self, x: f64) -> f64 {
         1.0 - self.mean(x, |factor| self.other.exceeds(self.needed(x, factor)[0]))
     }
 }
 
-/// Strength of links in units of that of mean grains: the square of factor times radius.
+/// Strength of bonds in units of that of mean grains: the square of factor times radius.
 #[derive(Clone, Copy, Debug)]
 pub struct Strength {
     /// Factor times radius.
@@ -112,7 +115,7 @@ pub struct Strength {
 }
 
 impl Strength {
-    /// Strength for a radius and factors in an interval.
+    /// Strength for a radius distribution and factors in an interval.
     pub fn new(radius: Bounded, factor: [f64; 2]) -> Self {
         Self {
             root: Joined {
@@ -134,7 +137,7 @@ impl Strength {
         let x = q.sqrt();
         self.root.density(x) / (2.0 * x)
     }
-    /// Probability of a strength not above q.
+    /// Probability of a strength of at most q.
     pub fn cumulative(&self, q: f64) -> f64 {
         self.root.cumulative(q.sqrt())
     }

@@ -1,7 +1,7 @@
-//! Motions with an event in them, in closed form: position and velocity.
+//! Motions with one event, in closed form: position and velocity.
 
-/// A sphere that meets a damped spring at unit speed at time zero, until the force vanishes, and leaves
-/// freely: x'' = -x - 2 zeta x' for zeta below one, from x = 0.
+/// A sphere that hits a damped spring at unit speed at time zero and moves freely once the force
+/// vanishes: x'' = -x - 2 zeta x' for zeta below one, from x = 0.
 pub fn bounced(time: f64, zeta: f64) -> [f64; 2] {
     let w = (1.0 - zeta * zeta).sqrt();
     let inside = |t: f64| {
@@ -17,17 +17,17 @@ pub fn bounced(time: f64, zeta: f64) -> [f64; 2] {
     [x + v * (time - end), v]
 }
 
-/// Whether a spring whose excess is cut back follows its motion back, or resists it at the limit.
+/// Behaviour of a slipped spring when the motion reverses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Return {
-    /// The spring was cut back: it starts to relax at once.
+    /// The truncated spring relaxes at once.
     Springs,
-    /// The limiting force opposes any motion: there is none.
+    /// The limiting force opposes the motion, so that there is no reversal.
     Stays,
 }
 
-/// A spinning body held by a spring of unit frequency that slips at unit stretch, from no stretch at a
-/// speed above one: it sticks, slips under unit deceleration, and stops.
+/// A spinning body on a spring of unit frequency that slips at unit stretch, initially unstretched with
+/// a speed above one: it sticks, slips under unit deceleration, and stops.
 pub fn slipped(time: f64, speed: f64, back: Return) -> [f64; 2] {
     let begins = (1.0 / speed).asin();
     if time < begins {
@@ -48,7 +48,7 @@ pub fn slipped(time: f64, speed: f64, back: Return) -> [f64; 2] {
     }
 }
 
-/// A body slowed by a force that is its speed, but never more than one, from a speed above one.
+/// A body with an initial speed above one, slowed by a force equal to its speed but at most one.
 pub fn rubbed(time: f64, speed: f64) -> [f64; 2] {
     let slides = speed - 1.0;
     if time < slides {
@@ -63,7 +63,8 @@ mod tests {
     use super::{Return, bounced, rubbed, slipped};
     use approx::{abs_diff_eq, assert_abs_diff_eq};
 
-    /// Position and velocity continue where the formula changes, and one is the other's derivative.
+    /// Position and velocity are continuous where the formula changes, and the velocity is the
+    /// derivative of the position.
     fn is_smooth(motion: impl Fn(f64) -> [f64; 2], end: f64) {
         for n in 1..400 {
             let t = end * f64::from(n) / 400.0;

@@ -1,12 +1,12 @@
-//! Independent integration of ordinary differential equations to high order, with events.
+//! Independent high-order integration of ordinary differential equations, with events.
 //!
 //! One step is the Gragg-Bulirsch-Stoer method: modified midpoint sums with 2, 4, ... 2 K substeps,
-//! extrapolated to substeps of no length. Generic over the number type, so that an answer in
-//! double-double tells how good the one in double is.
+//! extrapolated to zero substep. It is generic over the number type, so that a result in double-double
+//! shows the accuracy of the result in double.
 
 use num_traits::Float;
 
-/// Rows of the extrapolation: a step of length h has an error of order h^(2 K + 1).
+/// Number of rows of the extrapolation: a step of length h has an error of order h^(2 K + 1).
 const ROWS: usize = 8;
 
 /// State at the end of one extrapolated step, and an estimate of its error.
@@ -62,18 +62,18 @@ fn number<F: Float>(count: usize) -> F {
     F::from(count as f64).unwrap_or_else(F::nan)
 }
 
-/// A flow: a right-hand side with a tolerance of the relative error a step.
+/// A flow: a right-hand side with a tolerance of the relative error per step.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow<R, F> {
     /// Rate of change of the state, as a function of time and state. Smooth between events.
     pub rate: R,
-    /// Largest error of a component a step, relative to its size or, where larger, to its change; not
-    /// below some ten units of rounding, which no step can reach.
+    /// Largest error of a component per step, relative to its size or to its change, whichever is
+    /// larger; at least about ten units of rounding, below which no step can succeed.
     pub tolerance: F,
 }
 
 impl<R, F: Float> Flow<R, F> {
-    /// State after a duration, by steps as long as the tolerance allows.
+    /// State after a duration, with steps as long as the tolerance allows.
     pub fn advance<const N: usize>(&self, start: [F; N], duration: F) -> [F; N]
     where
         R: Fn(F, &[F; N]) -> [F; N],
@@ -81,8 +81,8 @@ impl<R, F: Float> Flow<R, F> {
         self.until(start, duration, |_, _| F::one()).1
     }
 
-    /// Time and state at which an event function first turns from positive to zero, or at the latest
-    /// time. The function may be zero at the start; it has to be positive soon after.
+    /// Time and state at which an event function first changes from positive to zero, or at the latest
+    /// time. The function may be zero at the start but must be positive soon after.
     pub fn until<const N: usize>(
         &self,
         start: [F; N],
@@ -113,7 +113,7 @@ impl<R, F: Float> Flow<R, F> {
         (latest, state)
     }
 
-    /// The event within one step, by bisection of its length.
+    /// Locates the event within one step by bisection of the step length.
     fn locate<const N: usize>(
         &self,
         time: F,

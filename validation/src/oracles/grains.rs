@@ -1,12 +1,12 @@
 //! Grains without friction, integrated to high order from event to event.
 //!
-//! Between the moments at which a pair meets, stops pressing or parts, the motion is smooth and
-//! [`Flow`] follows it; the moments themselves are located to rounding. Generic over the number type.
+//! Between the moments at which a pair touches, stops pressing or separates, the motion is smooth and
+//! [`Flow`] follows it; the moments are located to rounding. It is generic over the number type.
 
 use super::flow::Flow;
 use num_traits::Float;
 
-/// How strongly a pair repels, with the overlap xi in m and its rate; never less than nothing.
+/// Repulsion of a pair with overlap xi in m; negative forces are truncated to zero.
 #[derive(Clone, Copy, Debug)]
 pub enum Repulsion<F> {
     /// k xi + c xi', in N.
@@ -58,14 +58,14 @@ pub struct Grain<F> {
     pub inverse_mass: F,
 }
 
-/// Grains, their repulsion and the fields they move in.
+/// Grains, their repulsion and the external fields.
 #[derive(Clone, Debug)]
 pub struct Grains<F> {
     /// The grains.
     pub grains: Vec<Grain<F>>,
     /// The force between them.
     pub repulsion: Repulsion<F>,
-    /// Drag of creeping flow per radius and velocity, 6 pi eta, in Pa s.
+    /// Stokes drag over radius and velocity, 6 pi eta, in Pa s.
     pub drag: F,
     /// Stiffness in kg/s^2 and height in m of the centre line of a harmonic well.
     pub well: [F; 2],
@@ -75,11 +75,11 @@ pub struct Grains<F> {
 enum Phase {
     Apart,
     Pressing,
-    /// Overlapping, but withdrawn faster than the contact can follow.
+    /// Overlapping, but separating faster than the contact can follow.
     Released,
 }
 
-/// A pair in a state: overlap, its rate, and the unit vector from the first to the second.
+/// The state of a pair: overlap, its rate, and the unit vector from the first to the second grain.
 struct Meeting<F> {
     xi: F,
     rate: F,
@@ -92,11 +92,11 @@ struct Pairs {
 }
 
 impl<F: Float> Grains<F> {
-    /// State after a duration in s; a state holds x, y and their rates, a grain after the other.
+    /// State after a duration in s; a state holds x, y and their rates for one grain after the other.
     ///
-    /// Events are looked for at the ends of steps; the duration is cut into slices, each of which begins
-    /// with short steps, so that a brief contact is not stepped over. The tolerance has to leave room for
-    /// the digits that an overlap lacks beside a distance.
+    /// Events are detected at the ends of steps. The duration is divided into slices, each of which
+    /// begins with short steps, so that no brief contact is missed. The tolerance must allow for the
+    /// digits that an overlap loses relative to a distance.
     pub fn advance<const N: usize>(
         &self,
         start: [F; N],
@@ -185,7 +185,7 @@ impl<F: Float> Grains<F> {
         rates
     }
 
-    /// Positive until the pair changes its phase.
+    /// Positive until the phase of the pair changes.
     fn guard<const N: usize>(&self, pairs: &Pairs, at: usize, y: &[F; N]) -> F {
         let Meeting { xi, rate, .. } = self.meeting(pairs.pairs[at], y);
         match pairs.phases[at] {

@@ -1,16 +1,16 @@
-//! Head-on collisions as ordinary differential equations without dimensions.
+//! Head-on collisions as dimensionless ordinary differential equations.
 
 use super::flow::Flow;
 use super::quadrature::{limit, root};
 use num_traits::Float;
 use xprec::Df64;
 
-/// What a collision leaves.
+/// The result of a collision.
 #[derive(Clone, Copy, Debug)]
 pub struct Rebound<F> {
-    /// Speed after the collision over that before.
+    /// Speed after the collision over speed before it.
     pub restitution: F,
-    /// Time between touch and the end of the force.
+    /// Time from touch to the end of the force.
     pub duration: F,
     /// Largest overlap.
     pub depth: F,
@@ -22,7 +22,7 @@ fn number<F: Float>(value: f64) -> F {
 
 /// A damped spring, x'' = -(x + 2 zeta x'), from x = 0 at unit speed until the force vanishes.
 ///
-/// Integrated, not evaluated: what the closed form is compared with.
+/// It is integrated so that the closed form can be compared with it.
 pub fn spring<F: Float>(zeta: F, tolerance: F) -> Rebound<F> {
     let doubled = zeta + zeta;
     let flow = Flow {
@@ -42,11 +42,11 @@ pub fn spring<F: Float>(zeta: F, tolerance: F) -> Rebound<F> {
 /// Viscoelastic spheres, x'' = -(x + b x') sqrt(x), from x = 0 at unit speed until the force vanishes.
 ///
 /// Lengths are in units of (v^2 / kappa)^(2/5) and times in units of that length over v, with v the
-/// speed of impact and kappa the prefactor of the force over the reduced mass; then b is the
-/// dissipative constant times kappa^(2/5) v^(1/5).
+/// impact speed and kappa the prefactor of the force over the reduced mass; b is then the dissipative
+/// constant times kappa^(2/5) v^(1/5).
 ///
-/// The root is not smooth at touch. There the root y of the overlap takes the place of time:
-/// dv/dy = -2 y^2 (y^2 / v + b) and dt/dy = 2 y / v are smooth as long as v is not zero.
+/// The square root is not smooth at touch. There, the square root y of the overlap replaces time as the
+/// variable: dv/dy = -2 y^2 (y^2 / v + b) and dt/dy = 2 y / v are smooth as long as v is not zero.
 pub fn viscoelastic<F: Float>(b: F, tolerance: F) -> Rebound<F> {
     let half = number::<F>(0.5);
     let (entered, y, speed) = enter(b, tolerance, half);
@@ -72,7 +72,7 @@ pub fn viscoelastic<F: Float>(b: F, tolerance: F) -> Rebound<F> {
     }
 }
 
-/// From touch until the speed has fallen to a value: time, root of the overlap and speed.
+/// From touch until the speed has fallen to a value: time, square root of the overlap, and speed.
 fn enter<F: Float>(b: F, tolerance: F, until: F) -> (F, F, F) {
     let flow = Flow {
         rate: |y: F, s: &[F; 2]| {
@@ -101,16 +101,17 @@ fn leave<F: Float>(b: F, tolerance: F, from: [F; 2]) -> (F, F) {
     (end[1], end[0])
 }
 
-/// Dissipation b with which viscoelastic spheres have a restitution, by bisection of the integration.
+/// Dissipation b for which viscoelastic spheres have a given restitution, by bisection of the
+/// integration.
 pub fn dissipation_for(restitution: f64) -> f64 {
     root(0.0, 100.0, |b| {
         viscoelastic(b, 1e-14).restitution - restitution
     })
 }
 
-/// Coefficients of b and b^2 in the restitution, from integrations with b that halve.
+/// Coefficients of b and b^2 in the restitution, from integrations with successively halved b.
 ///
-/// After these the series goes on with half powers, 5/2, 3, 7/2, ...: the force ends before the overlap
+/// The series continues with half powers, 5/2, 3, 7/2, ..., because the force ends before the overlap
 /// does.
 pub fn series() -> [f64; 2] {
     let slopes: Vec<[f64; 2]> = (0..9)

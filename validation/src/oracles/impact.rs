@@ -1,16 +1,16 @@
-//! The collision of two spheres in a plane, with friction, as phases between located events.
+//! The planar collision of two spheres with friction, as phases between located events.
 //!
-//! The state is that of the moving frame: overlap and its rate, angular momentum of the centres, surface
+//! The state is in the moving frame: overlap and its rate, angular momentum of the centres, surface
 //! speeds of both spheres. For a Hertzian contact the overlap is s^2 and time runs as dt = s dT, which
-//! makes every phase analytic, the beginning of the contact included. A rigid plane has no mass of its own
-//! in the reduced mass and an inverse reach of zero.
+//! makes every phase analytic, including the beginning of the contact. A rigid plane does not
+//! contribute to the reduced mass and has an inverse reach of zero.
 
 use super::flow::Flow;
 use super::oscillator::truncated_restitution;
 use statrs::function::beta::{beta, beta_reg};
 use std::f64::consts::PI;
 
-/// Normal force, truncated where it would attract.
+/// Normal force, truncated to repulsion.
 #[derive(Clone, Copy, Debug)]
 pub enum Normal {
     /// Stiffness in kg/s^2, damping in kg/s.
@@ -22,13 +22,13 @@ pub enum Normal {
 /// Tangential force.
 #[derive(Clone, Copy, Debug)]
 pub enum Tangential {
-    /// Coefficient of friction, damping in kg/s: viscous up to the Coulomb limit.
+    /// Friction coefficient, and damping in kg/s: viscous up to the Coulomb limit.
     Viscous([f64; 2]),
-    /// Coefficient of friction, stiffness in kg/s^2: a spring cut back to the Coulomb limit.
+    /// Friction coefficient, and stiffness in kg/s^2: a spring truncated at the Coulomb limit.
     Spring([f64; 2]),
 }
 
-/// A pair of spheres, or of a sphere and a rigid plane.
+/// A pair of spheres, or a sphere and a rigid plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Impact {
     /// Normal law.
@@ -37,7 +37,7 @@ pub struct Impact {
     pub tangential: Tangential,
     /// Reduced mass in kg.
     pub mass: f64,
-    /// Radius squared over moment of inertia, of both, in 1/kg; zero for a plane.
+    /// Squared radius over moment of inertia, of both, in 1/kg; zero for a plane.
     pub compliance: [f64; 2],
     /// Inverse of the sum of the radii in 1/m; zero for a plane.
     pub inverse_reach: f64,
@@ -48,8 +48,8 @@ pub struct Impact {
 pub struct Motion {
     /// Rate of the overlap in m/s.
     pub approach: f64,
-    /// Velocity of the second relative to the first along the tangent, as angular momentum over the sum of
-    /// the radii, in m/s.
+    /// Tangential velocity of the second relative to the first, as angular momentum over the sum of the
+    /// radii, in m/s.
     pub shear: f64,
     /// Radius times angular velocity of both in m/s.
     pub surface: [f64; 2],
@@ -68,7 +68,7 @@ pub struct Moment {
     pub motion: Motion,
 }
 
-/// What goes on in a contact.
+/// The phase of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Phase {
     /// Below the Coulomb limit.
@@ -77,15 +77,15 @@ enum Phase {
     Slides(f64),
 }
 
-/// Root of the overlap or overlap, its rate, time, shear, both surface speeds, stretch of the spring.
+/// Overlap or its square root, its rate, time, shear, both surface speeds, stretch of the spring.
 type State = [f64; 7];
 
-/// Force at which a contact counts as over, in units of momentum over duration: below it friction is as
-/// large as the rounding of the sliding velocity, and its events have no meaning.
+/// Force at which a contact counts as over, in units of momentum over duration: below it, friction is
+/// comparable to the rounding of the sliding velocity, and its events are meaningless.
 const SPENT: f64 = 1e-12;
-/// More pieces than any contact has.
+/// An upper bound for the number of phases of a contact.
 const LONGEST: usize = 4096;
-/// Error of a component a step of the integration.
+/// Error of a component per step of the integration.
 const TOLERANCE: f64 = 2e-14;
 
 impl Normal {
@@ -140,8 +140,8 @@ impl Normal {
 }
 
 impl Impact {
-    /// Moments of the contact up to its end, about so many and those of events, from a motion that
-    /// approaches; none if the phases do not end.
+    /// Moments of the contact up to its end, about the given number plus those of events, from an
+    /// approaching motion; none if the phases do not end.
     pub fn run(&self, start: Motion, moments: u32) -> Option<Vec<Moment>> {
         let [duration, deepest] = self.normal.elastic(self.mass, start.approach);
         let [p, q] = start.surface;
@@ -193,8 +193,8 @@ impl Impact {
     }
 }
 
-/// An impact with what is added to time, speeds and stretch, so that no component of the state begins at
-/// zero with a slope of zero, where a relative error would have no meaning.
+/// An impact with offsets added to time, speeds and stretch, so that no component of the state begins
+/// at zero with zero slope, where a relative error would be meaningless.
 #[derive(Clone, Copy)]
 struct Course {
     impact: Impact,
@@ -276,7 +276,7 @@ impl Course {
         }
     }
 
-    /// Whether the contact slides at once.
+    /// Whether the contact slides from the start.
     fn first_phase(&self, y: &State) -> Phase {
         let slip = self.slip(y);
         let mu = self.impact.friction();
@@ -321,11 +321,11 @@ impl Course {
     }
 }
 
-/// Time of an elastic Hertzian collision, in units of largest overlap over speed of impact, at an overlap
-/// over the largest and a rate over that of impact.
+/// Time of an elastic Hertzian collision, in units of largest overlap over impact speed, at an overlap
+/// over the largest overlap and a rate over the impact speed.
 ///
-/// t = (2/5) B(z; 2/5, 1/2) with z = xi^(5/2) = 1 - v^2 on the way in, mirrored on the way out; z is taken
-/// from whichever of the two determines it better.
+/// t = (2/5) B(z; 2/5, 1/2) with z = xi^(5/2) = 1 - v^2 during loading, mirrored during unloading; z is
+/// taken from whichever of the two determines it more accurately.
 pub fn time_of_elastic_overlap(overlap: f64, rate: f64) -> f64 {
     let by_overlap = overlap.max(0.0).powf(2.5);
     let z = if by_overlap < 0.5 {
@@ -363,8 +363,9 @@ pub fn restitution(normal: Normal, mass: f64, speed: f64) -> Option<f64> {
     Some(-impact.rebound(start)?.approach / speed)
 }
 
-/// Dissipative constant of a Hertzian contact with the given restitution, in units of the duration of its
-/// elastic collision: by that unit the restitution depends on nothing else. Secant rule in the logarithm.
+/// Dissipative constant of a Hertzian contact with the given restitution, in units of the duration of
+/// its elastic collision; in this unit the restitution depends on nothing else. Secant method in the
+/// logarithm.
 pub fn dissipative_constant(wanted: f64) -> Option<f64> {
     if wanted >= 1.0 {
         return Some(0.0);
@@ -434,7 +435,8 @@ mod tests {
                 "{wanted} {found:?}"
             );
         }
-        // To first order 1 - e is 1.15345 in units of (v^2 / kappa)^(2/5) / v.
+        // To first order 1 - e is 1.15345 times the dissipative constant in units of (v^2 /
+        // kappa)^(2/5) / v.
         let unit = duration;
         let small = dissipative_constant(0.9999).map(|c| c * unit * 1.15345);
         assert!(

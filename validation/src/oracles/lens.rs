@@ -1,9 +1,9 @@
-//! What two crossing circles or spheres have in common, in double-double.
+//! The lens of two intersecting circles or spheres, in double-double.
 
 use std::f64::consts::PI;
 use xprec::Df64;
 
-/// Two crossing circles or spheres.
+/// Two intersecting circles or spheres.
 #[derive(Clone, Copy, Debug)]
 pub struct Lens {
     radii: [Df64; 2],
@@ -13,8 +13,8 @@ pub struct Lens {
     half_chord: Df64,
 }
 
-/// Average of the distance from a point to a segment of half-length z at height y, both ends of which are
-/// at distance r.
+/// Average distance from a point to a segment of half-length z at height y, whose ends are both at
+/// distance r.
 pub fn mean_distance(r: f64, y: f64) -> Df64 {
     let (r, y) = (Df64::from(r), Df64::from(y.abs()));
     let z = ((r - y) * (r + y)).sqrt();
@@ -33,7 +33,8 @@ impl Lens {
         let [a, b] = radii.map(Df64::from);
         let d = Df64::from(distance);
         let first = (d * d + (a - b) * (a + b)) / (d * 2.0);
-        // Heron: the chord is the height of the triangle of both centres and a corner.
+        // Heron's formula: half the chord is the height of the triangle of the two centres and an
+        // intersection.
         let heron = (d + a + b) * (d + a - b) * (d - a + b) * (a + b - d);
         Self {
             radii: [a, b],
@@ -54,8 +55,9 @@ impl Lens {
         depth * depth * (d * d + d * (a + b) * 2.0 - (a - b) * (a - b) * 3.0) / (d * 12.0) * PI
     }
 
-    /// Size of the quantities of which the volume is a sum: caps, the wall between them times the larger
-    /// distance of a centre, and what spheres enclose that overlap by one rounding of their distance.
+    /// Scale of the terms of which the volume is a sum: caps, the wall between them times the larger
+    /// distance of a centre, and the volume enclosed by spheres that overlap by one rounding of their
+    /// distance.
     pub fn volume_scale(&self) -> f64 {
         let cap = |end: usize| {
             let (r, y) = (f64::from(self.radii[end]), f64::from(self.chord[end]));
@@ -76,7 +78,7 @@ impl Lens {
         segment(0) + segment(1)
     }
 
-    /// Size of the quantities of which the area is a sum, with the amplification of an inverse cosine.
+    /// Scale of the terms of which the area is a sum, with the amplification of an inverse cosine.
     pub fn area_scale(&self) -> f64 {
         let z = f64::from(self.half_chord);
         let sector = |end: usize| {

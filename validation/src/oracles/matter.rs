@@ -1,10 +1,10 @@
-//! Elasticity from Hooke's law as a matrix, and spheres as stacks of discs.
+//! Elastic moduli from Hooke's law as a matrix, and spheres as stacks of discs.
 
 use nalgebra::Matrix3;
 use std::f64::consts::PI;
 
-/// Normal stiffnesses of an isotropic solid: the inverse of its compliances, which are one along and
-/// minus Poisson's ratio across each axis, over Young's modulus. Nothing for a solid without inverse.
+/// Normal stiffnesses of an isotropic solid: the inverse of its compliance matrix, with one on the
+/// diagonal and minus Poisson's ratio elsewhere, over Young's modulus. None if the matrix is singular.
 fn stiffness(youngs_modulus: f64, poissons_ratio: f64) -> Option<Matrix3<f64>> {
     let compliance = Matrix3::from_fn(|row, column| {
         let share = if row == column { 1.0 } else { -poissons_ratio };
@@ -16,12 +16,12 @@ fn stiffness(youngs_modulus: f64, poissons_ratio: f64) -> Option<Matrix3<f64>> {
 /// Moduli of an isotropic solid in Pa.
 #[derive(Clone, Copy, Debug)]
 pub struct Moduli {
-    /// Stress for a unit strain along one axis while the others are held.
+    /// Stress for a unit strain along one axis with zero strain along the others.
     pub uniaxial: f64,
-    /// Mean stress for a unit change of volume.
+    /// Mean stress for a unit volume change.
     pub bulk: f64,
-    /// Half the stress difference for stretching one axis and squeezing another: a shear seen at 45
-    /// degrees.
+    /// Half the stress difference when one axis is stretched and another compressed: shear in a frame
+    /// rotated by 45 degrees.
     pub shear: f64,
 }
 
@@ -36,8 +36,8 @@ pub fn moduli(youngs_modulus: f64, poissons_ratio: f64) -> Option<Moduli> {
     })
 }
 
-/// Mass in kg and moment of inertia in kg m^2 of a homogeneous sphere, as a stack of thin discs with
-/// half their mass times the squared radius for the moment of inertia. Boole's rule integrates such
+/// Mass in kg and moment of inertia in kg m^2 of a homogeneous sphere, as a stack of thin discs, each
+/// with a moment of inertia of half its mass times its squared radius. Boole's rule integrates these
 /// polynomials exactly.
 pub fn sphere(density: f64, radius: f64) -> [f64; 2] {
     let weights = [7.0, 32.0, 12.0, 32.0, 7.0].map(|w| w / 90.0 * 2.0 * radius);

@@ -1,7 +1,7 @@
 //! Minima of functions of a few variables.
 
-/// Point of the least value near a start, by the simplex of Nelder and Mead, begun anew until it does
-/// not get lower.
+/// Minimum near a starting point, by the Nelder-Mead simplex, restarted until the value no longer
+/// decreases.
 pub fn minimum<const N: usize>(
     start: [f64; N],
     spread: f64,
@@ -22,7 +22,8 @@ pub fn minimum<const N: usize>(
     best
 }
 
-/// One descent of a simplex around a start, relative spread given, until it has shrunk to a point.
+/// One descent of a simplex around a start, with the given relative size, until it has shrunk to a
+/// point.
 fn descend<const N: usize>(
     start: [f64; N],
     spread: f64,
@@ -48,7 +49,7 @@ fn descend<const N: usize>(
     simplex[0].1
 }
 
-/// Replace the worst corner of a sorted simplex, or draw all towards the best.
+/// Replaces the worst corner of a sorted simplex, or contracts all corners towards the best.
 fn contract<const N: usize>(simplex: &mut [(f64, [f64; N])], function: &impl Fn(&[f64; N]) -> f64) {
     let worst = simplex[N];
     let centre: [f64; N] =

@@ -1,4 +1,4 @@
-//! Independent models that the kernel is compared with; none of them calls the kernel.
+//! Independent solutions that the kernel is compared with; none of them calls the kernel.
 
 pub mod amplification;
 pub mod arcs;

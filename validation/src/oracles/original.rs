@@ -1,8 +1,8 @@
-//! The equations of the thesis author's program, written once more from their description.
+//! The equations of the thesis author's program, implemented independently from their description.
 //!
-//! Every pair is looked at in every step, every angle is an arctangent, and nothing is remembered that
-//! the equations do not name. Signs are those of that program: a positive normal force repels, and a
-//! link pulls its first particle along minus the normal and minus the tangent.
+//! Every pair is tested in every step, every angle is an arctangent, and only the quantities named in
+//! the equations are stored. Signs are those of that program: a positive normal force repels, and a
+//! contact or bond pulls its first particle along minus the normal and minus the tangent.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -10,14 +10,14 @@ use std::f64::consts::{PI, TAU};
 /// Two particles, the lower index first.
 pub type Ends = (usize, usize);
 
-/// What a particle may do.
+/// The role of a particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Duty {
-    /// Moves.
+    /// Moves freely.
     Free,
     /// Moves and carries a share of the driving force.
     Driven,
-    /// Stays.
+    /// Is fixed.
     Fixed,
 }
 
@@ -36,11 +36,11 @@ pub struct Grain {
     pub r: f64,
     /// Density in kg/m^3.
     pub density: f64,
-    /// What it may do.
+    /// Its role.
     pub duty: Duty,
 }
 
-/// A spring beside a dashpot.
+/// A spring and a dashpot in parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
     /// Stiffness in N/m.
@@ -73,15 +73,15 @@ pub enum Rubbing {
 /// Controllers of the total driving force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Driver {
-    /// Wanted mean horizontal velocity in m/s.
+    /// Target mean horizontal velocity in m/s.
     pub speed: f64,
-    /// Wanted vertical reaction in N.
+    /// Target vertical reaction in N.
     pub load: f64,
     /// Rate of the total force in N/s.
     pub rate: f64,
 }
 
-/// Everything that does not change with time.
+/// The parameters that do not change with time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules {
     /// Time step in s.
@@ -96,7 +96,7 @@ pub struct Rules {
     pub stretch: Spring,
     /// Bending force of bonds.
     pub bend: Spring,
-    /// Normal and tangential strength of bonds in Pa; none if they never break.
+    /// Normal and tangential strength of bonds in Pa; none if bonds never break.
     pub strength: Option<[f64; 2]>,
     /// Viscosity of the medium in Pa s.
     pub viscosity: Option<f64>,
@@ -109,15 +109,15 @@ pub struct Rules {
 /// A bond.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bond {
-    /// Distance at its beginning in m.
+    /// Its initial distance in m.
     pub length: f64,
-    /// Angles of both ends in the frame of the pair at its beginning, in rad.
+    /// Initial angles of both ends in the frame of the pair, in rad.
     pub psi: [f64; 2],
     /// Strength factor.
     pub factor: f64,
 }
 
-/// A pair as its links see it.
+/// Geometry and motion of a pair.
 struct Meeting {
     d: f64,
     normal: [f64; 2],
@@ -127,7 +127,8 @@ struct Meeting {
     zeta_rate: [f64; 2],
 }
 
-/// Forces of a link: along the normal, along the tangent, and the force that turns each end.
+/// Forces of a contact or bond: along the normal, along the tangent, and the force that rotates each
+/// end.
 struct Pull {
     normal: f64,
     tangent: f64,
@@ -137,13 +138,13 @@ struct Pull {
 /// A scene and its state.
 #[derive(Clone, Debug)]
 pub struct Original {
-    /// What does not change.
+    /// The parameters.
     pub rules: Rules,
     /// The particles.
     pub grains: Vec<Grain>,
-    /// The bonds that hold.
+    /// The intact bonds.
     pub bonds: BTreeMap<Ends, Bond>,
-    /// The contacts, with the angles of both ends at their beginning.
+    /// The contacts, with the initial angles of both ends.
     pub contacts: BTreeMap<Ends, [f64; 2]>,
     /// Total driving force in N.
     pub drive: [f64; 2],
@@ -175,14 +176,14 @@ impl Grain {
     fn mass(&self) -> f64 {
         self.density * 4.0 / 3.0 * PI * self.r.powi(3)
     }
-    /// The second moment about the centre as a point, which the program takes for the moment of inertia.
+    /// The second moment about the centre as a point, which the program uses as the moment of inertia.
     fn inertia(&self) -> f64 {
         3.0 / 5.0 * self.mass() * self.r.powi(2)
     }
 }
 
 impl Original {
-    /// A scene without bonds or contacts yet.
+    /// A scene without bonds or contacts.
     pub fn new(rules: Rules, grains: Vec<Grain>) -> Self {
         Self {
             rules,
@@ -194,7 +195,7 @@ impl Original {
         }
     }
 
-    /// Bond two particles as they are.
+    /// Bonds two particles in their present state.
     pub fn bond(&mut self, ends: Ends, factor: f64) {
         let Meeting { d, psi, .. } = self.meet(ends);
         self.bonds.insert(
@@ -214,7 +215,7 @@ impl Original {
         dot(apart, apart) < reach * reach
     }
 
-    /// Displacement from the first to the nearest image of the second.
+    /// Displacement from the first particle to the nearest image of the second.
     pub fn apart(&self, (i, j): Ends) -> [f64; 2] {
         let [mut x, y] = minus(self.grains[j].x, self.grains[i].x);
         if let Some(l) = self.rules.period {
@@ -309,7 +310,7 @@ impl Original {
         (pull.normal / (area * sigma)).powi(2) + (pull.tangent / (area * tau)).powi(2) > 1.0
     }
 
-    /// Break bonds, then end contacts, then begin those that are new.
+    /// Breaks bonds, then ends contacts, then begins new contacts.
     fn review_links(&mut self) {
         let mut bonds = std::mem::take(&mut self.bonds);
         bonds.retain(|&ends, bond| !self.breaks(ends, bond));
@@ -328,7 +329,7 @@ impl Original {
         self.contacts = contacts;
     }
 
-    /// Force and torque on every particle but for the driving force.
+    /// Force and torque on every particle, without the driving force.
     fn forces(&self) -> Vec<[f64; 3]> {
         let mut total: Vec<[f64; 3]> = self.grains.iter().map(|grain| self.field(grain)).collect();
         let bonds = self
@@ -349,7 +350,7 @@ impl Original {
         total
     }
 
-    /// Drag and well. A particle without velocity feels no drag, even if it spins.
+    /// Drag and well. A particle with zero velocity has no drag torque, even if it spins.
     fn field(&self, grain: &Grain) -> [f64; 3] {
         let mut field = [0.0; 3];
         if let Some(eta) = self.rules.viscosity
@@ -365,7 +366,7 @@ impl Original {
         field
     }
 
-    /// Let the controllers change the driving force, and share it out.
+    /// Lets the controllers change the driving force and distributes it.
     fn add_drive(&mut self, forces: &mut [[f64; 3]]) {
         let Some(driver) = self.rules.driver else {
             return;
@@ -386,7 +387,7 @@ impl Original {
         }
     }
 
-    /// One step: links, forces, driving, then explicit Euler.
+    /// One step: contacts and bonds, forces, driving, then explicit Euler.
     pub fn step(&mut self) {
         self.review_links();
         let mut forces = self.forces();

@@ -1,9 +1,9 @@
-//! The printed estimators of the energy balance, thesis eqs. (76), (78) and (79), word by word.
+//! The printed estimators of the energy balance, thesis eqs. (76), (78) and (79), taken literally.
 
-/// What the estimators ask of a link.
+/// The quantities of a contact or bond that the estimators use.
 #[derive(Clone, Copy, Debug)]
 pub struct Link {
-    /// First and second particle of the list.
+    /// First and second particle, in the order of the list.
     pub pair: [usize; 2],
     /// Normal force in N.
     pub normal_force: f64,
@@ -20,19 +20,19 @@ pub struct Link {
 }
 
 impl Link {
-    /// Power of the forces of the link on its displacements as (78) prints it, in W: with the
-    /// displacement of the first end alone.
+    /// Power of the forces of a contact or bond as printed in (78), in W: with the displacement of the
+    /// first end only.
     pub fn printed_power(&self) -> f64 {
         self.normal_force * self.normal_rate + self.tangential_force * self.tangential_rates[0]
     }
-    /// Power that closes the balance, in W: torques of both ends on their angles.
+    /// Power that closes the balance, in W: torques of both ends times their angular rates.
     pub fn power(&self) -> f64 {
         let turned = self.torques[0] * self.turning[0] + self.torques[1] * self.turning[1];
         self.normal_force * self.normal_rate + turned
     }
 }
 
-/// Powers of one link, summed over time by the trapezoidal rule.
+/// Powers of one contact or bond, summed over time by the trapezoidal rule.
 #[derive(Clone, Copy, Debug)]
 struct Account {
     pair: [usize; 2],
@@ -41,7 +41,7 @@ struct Account {
     work: [f64; 2],
 }
 
-/// Works of links and of the driving force along a run.
+/// Work of contacts and bonds and of the driving force along a run.
 #[derive(Clone, Debug, Default)]
 pub struct Printed {
     accounts: Vec<Account>,
@@ -51,8 +51,8 @@ pub struct Printed {
 }
 
 impl Printed {
-    /// Take the state after a step: its links, in the order of their pairs, and the powers of the
-    /// driving force on the particles that it drives, in W.
+    /// Adds the state after a step: its contacts and bonds, in the order of their pairs, and the powers
+    /// of the driving force on the driven particles, in W.
     pub fn look(&mut self, links: impl Iterator<Item = Link>, driving: Vec<f64>, step: f64) {
         self.looks += 1;
         for link in links {
@@ -83,16 +83,16 @@ impl Printed {
         self.latest = driving;
     }
 
-    /// Stored energy and heat of links together as (78) has them, in J: absolute values of the works,
-    /// with the displacement of the first end alone.
+    /// Stored energy and heat of contacts and bonds together as in (78), in J: absolute values of the
+    /// work, with the displacement of the first end only.
     pub fn links_as_printed(&self) -> f64 {
         self.accounts.iter().map(|one| one.work[0].abs()).sum()
     }
-    /// The same, signed and with both ends: minus the works of the links.
+    /// The same, signed and with both ends: minus the work of contacts and bonds.
     pub fn links(&self) -> f64 {
         -self.accounts.iter().map(|one| one.work[1]).sum::<f64>()
     }
-    /// Work of driving as (79) has it, in J: absolute values of the works on single particles.
+    /// Work of driving as in (79), in J: absolute values of the work on single particles.
     pub fn driving_as_printed(&self) -> f64 {
         self.driven.iter().map(|work| work.abs()).sum()
     }
@@ -103,7 +103,7 @@ impl Printed {
 }
 
 impl Account {
-    /// Add the powers of a step, unless the link was away in between.
+    /// Adds the powers of a step, unless the contact was absent in between.
     fn add(&mut self, now: [f64; 2], look: u64, step: f64) {
         if self.seen + 1 == look {
             let powers = self.latest.iter().zip(&now);

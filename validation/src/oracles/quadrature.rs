@@ -2,15 +2,15 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-/// Nodes on either side of the middle.
+/// Number of nodes on each side of the middle.
 const NODES: i32 = 60;
-/// Distance of the nodes in the transformed variable.
+/// Distance between nodes in the transformed variable.
 const STEP: f64 = 0.055;
 
-/// Nodes and weights for integrals of functions that are analytic between the ends, where they may
-/// have roots or logarithms.
+/// Nodes and weights for integrals of functions that are analytic between the ends and may have roots
+/// or logarithms at them.
 ///
-/// The substitution x = tanh((pi/2) sinh u) makes the integrand fall doubly exponentially, and the
+/// The substitution x = tanh((pi/2) sinh u) makes the integrand decay doubly exponentially, and the
 /// trapezoidal rule then converges exponentially: 1e-13 for smooth functions.
 pub fn nodes(low: f64, high: f64) -> impl Iterator<Item = [f64; 2]> {
     let half = 0.5 * (high - low);
@@ -18,7 +18,7 @@ pub fn nodes(low: f64, high: f64) -> impl Iterator<Item = [f64; 2]> {
         let u = STEP * f64::from(k);
         let inner = FRAC_PI_2 * u.sinh();
         let weight = half * STEP * FRAC_PI_2 * u.cosh() / inner.cosh().powi(2);
-        // Measured from the nearer end, so that nothing cancels there.
+        // Measured from the nearer end, which avoids cancellation.
         let from_end = half * 2.0 / (1.0 + (2.0 * inner.abs()).exp());
         let x = if k < 0 {
             low + from_end
@@ -29,7 +29,7 @@ pub fn nodes(low: f64, high: f64) -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
-/// The same, piece by piece between points where the function is not analytic.
+/// The same, piecewise between points where the function is not analytic.
 pub fn nodes_over(points: &[f64]) -> impl Iterator<Item = [f64; 2]> {
     points
         .windows(2)
@@ -42,14 +42,14 @@ pub fn integral(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
     integral_over(&[low, high], function)
 }
 
-/// Integral of a function, piece by piece.
+/// Integral of a function, piecewise.
 pub fn integral_over(points: &[f64], function: impl Fn(f64) -> f64) -> f64 {
     nodes_over(points)
         .map(|[x, weight]| weight * function(x))
         .sum()
 }
 
-/// Where a function that changes its sign once between two points does so, to the last digit.
+/// The zero of a function that changes its sign once between two points, to the last digit.
 pub fn root(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (low, high);
     let rises = function(high) > 0.0;
@@ -66,9 +66,10 @@ pub fn root(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-/// The limit of results at arguments that halve, whose errors are a sum of the given powers of the argument.
+/// The limit of results at successively halved arguments, whose errors are a sum of the given powers of
+/// the argument.
 ///
-/// As many powers are removed as there are results less one.
+/// The number of powers removed is one less than the number of results.
 pub fn limit<const N: usize>(results: &[[f64; N]], powers: &[f64]) -> [f64; N] {
     let mut column = results.to_vec();
     for power in &powers[..results.len() - 1] {

@@ -1,24 +1,25 @@
 //! A ball that rolls over a fixed one under gravity until it slips, in polar coordinates.
 //!
-//! With the distance rho and the polar angle f of the centres and the angle a of the ball, the spring of
-//! the contact is stretched by z = r a - (r + R) f - s, because the point of contact wanders along both
-//! surfaces; the slip s is constant while it sticks. From the energies
+//! With the distance rho of the centres, their polar angle f and the angle a of the ball, the
+//! tangential spring is stretched by z = r a - (r + R) f - s, because the contact point moves along
+//! both surfaces; the slip s is constant while the contact sticks. Lagrange's equations follow from the
+//! energies
 //!
 //! T = m (rho'^2 + rho^2 f'^2) / 2 + J a'^2 / 2,
-//! V = m g rho sin f + k (r + R - rho)^2 / 2 + q z^2 / 2
+//! V = m g rho sin f + k (r + R - rho)^2 / 2 + q z^2 / 2,
 //!
-//! Lagrange's equations follow, with the force of the dashpot added along rho. While the contact slips the
-//! spring keeps the stretch at which it pulls with mu N.
+//! with the force of the dashpot added along rho. While the contact slips, the spring keeps the stretch
+//! at which its force is mu N.
 
 use super::flow::Flow;
 use num_traits::Float;
 
-/// Constants of the ball and its contact.
+/// Parameters of the ball and its contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Rolling<F> {
     /// Radius of the ball in m.
     pub radius: F,
-    /// Radius of the fixed one in m.
+    /// Radius of the fixed ball in m.
     pub fixed_radius: F,
     /// Mass of the ball in kg; its moment of inertia is that of a homogeneous sphere.
     pub mass: F,
@@ -34,7 +35,7 @@ pub struct Rolling<F> {
     pub friction: F,
 }
 
-/// Whether the contact sticks, with the slip so far, or slips, and which way.
+/// Whether the contact sticks, with the slip so far, or slips, and in which direction.
 #[derive(Clone, Copy, Debug)]
 enum Grip<F> {
     Sticks(F),
@@ -48,9 +49,9 @@ fn number<F: Float>(value: f64) -> F {
 impl<F: Float> Rolling<F> {
     /// Position in m of the ball after a duration in s, and how often the contact began to slip.
     ///
-    /// It starts at a position, with the centre of the fixed ball for the origin, with a velocity and an
-    /// angular velocity; the contact begins then under load, and has to last. The duration is cut into
-    /// slices, each of which begins with short steps, so that a brief slip is not stepped over.
+    /// The initial position is relative to the centre of the fixed ball. The contact begins at the
+    /// start under load and must not end. The duration is divided into slices, each of which begins
+    /// with short steps, so that no brief slip is missed.
     pub fn advance(
         &self,
         position: [F; 2],
@@ -134,7 +135,7 @@ impl<F: Float> Rolling<F> {
         ]
     }
 
-    /// Positive until the grip changes.
+    /// Positive until sticking or slipping ends.
     fn guard(&self, grip: Grip<F>, origin: F, y: &[F; 6]) -> F {
         match grip {
             Grip::Sticks(_) => {
@@ -166,7 +167,8 @@ mod tests {
     use approx::abs_diff_eq;
     use xprec::Df64;
 
-    /// With stiff springs the ball rolls as on a rigid surface: 7/10 m v^2 grows by what it falls.
+    /// With stiff springs the ball rolls as on a rigid surface: 7/10 m v^2 grows by the potential
+    /// energy lost.
     #[test]
     fn a_ball_that_rolls_keeps_its_energy() {
         let number = |x: f64| Df64::from(x);

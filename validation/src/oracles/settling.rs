@@ -14,7 +14,7 @@ pub struct Settling {
     pub medium: f64,
     /// Dynamic viscosity in Pa s.
     pub viscosity: f64,
-    /// Acceleration in m/s^2, without buoyancy.
+    /// Acceleration of gravity in m/s^2; there is no buoyancy.
     pub gravity: f64,
 }
 
@@ -24,14 +24,14 @@ impl Settling {
         let scale = self.density * self.radius * self.radius / self.viscosity;
         [2.0 / 9.0 * scale, scale / 15.0]
     }
-    /// Way in m and speed in m/s in creeping flow, after a time from rest.
+    /// Distance in m and speed in m/s in creeping flow, after a time from rest.
     pub fn creeping(&self, time: f64) -> [f64; 2] {
         let [tau, _] = self.relaxation();
         let gained = -(-time / tau).exp_m1();
         let terminal = self.gravity * tau;
         [terminal * (time - tau * gained), terminal * gained]
     }
-    /// Retardation in m/s^2 at a speed, with the drag coefficient 24 / Re + 3 / sqrt(Re) + c.
+    /// Deceleration in m/s^2 at a speed, with the drag coefficient 24 / Re + 3 / sqrt(Re) + c.
     fn retardation(&self, speed: f64, constant: f64) -> f64 {
         let re = self.medium * speed * 2.0 * self.radius / self.viscosity;
         if re <= 0.0 {
@@ -55,12 +55,12 @@ impl Settling {
         }
         0.5 * (low + high)
     }
-    /// Speed in m/s with that drag, after a time from rest, by integration in the root of the speed, in
-    /// which the drag is analytic.
+    /// Speed in m/s with that drag, after a time from rest, by integration in the square root of the
+    /// speed, in which the drag is analytic.
     pub fn speed(&self, constant: f64, time: f64) -> f64 {
         let flow = Flow {
-            // With v = s^2 and dt = s dT: s' = a / 2; the second component is the time, lifted so that it
-            // does not begin at zero with a slope of zero.
+            // With v = s^2 and dt = s dT: s' = a / 2. The second component is the time, with an offset
+            // so that it does not begin at zero with zero slope.
             rate: |_, y: &[f64; 2]| {
                 let speed = y[0] * y[0];
                 [

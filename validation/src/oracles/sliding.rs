@@ -1,9 +1,10 @@
-//! Two equal spheres that meet head on, spin alike and rub: the motion while they slide.
+//! Two equal spheres with equal spins that collide head on: their motion while they slide on each
+//! other.
 
 use super::flow::Flow;
 use std::f64::consts::PI;
 
-/// Two equal spheres with linear springs along the normal and friction at its limit.
+/// Two equal spheres with linear normal springs and friction at its limit.
 #[derive(Clone, Copy, Debug)]
 pub struct Rubbing {
     /// Radius in m.
@@ -14,16 +15,17 @@ pub struct Rubbing {
     pub stiffness: f64,
     /// Coefficient of friction.
     pub friction: f64,
-    /// Stiffness of the tangential spring in kg/s^2, which tells the slip from the motion of the surfaces.
+    /// Stiffness of the tangential spring in kg/s^2, which distinguishes the slip from the motion of
+    /// the surfaces.
     pub spring: f64,
-    /// Speed of either sphere in m/s.
+    /// Speed of each sphere in m/s.
     pub speed: f64,
-    /// Angular velocity of either sphere in rad/s, positive.
+    /// Angular velocity of each sphere in rad/s, positive.
     pub spin: f64,
 }
 
-/// Relative position and velocity, sum of the spins, slide of the surfaces, and half the integral of
-/// the rate of the limit over the slip.
+/// Relative position and velocity, sum of the spins, sliding distance of the surfaces, and half the
+/// integral of the rate of the friction limit over the slip.
 type State = [f64; 7];
 
 impl Rubbing {
@@ -40,7 +42,7 @@ impl Rubbing {
         )
     }
 
-    /// Rate at which the surfaces slide on each other in m/s.
+    /// Relative velocity of the surfaces in m/s.
     fn slide(&self, y: &State) -> f64 {
         let squared = y[0] * y[0] + y[1] * y[1];
         let turning = (y[0] * y[3] - y[1] * y[2]) / squared;
@@ -53,7 +55,7 @@ impl Rubbing {
         let (overlap, approach) = self.overlap(y);
         let load = self.stiffness * overlap.max(0.0);
         let limit = self.friction * load;
-        // Torques of -limit r turn both; the force along the tangent balances their sum.
+        // Torques of -limit r act on both; the tangential force balances their sum.
         let tangential = -2.0 * r * limit / distance;
         let along = |n: f64, t: f64| (-load * n + tangential * t) / distance;
         let force = [along(y[0], -y[1]), along(y[1], y[0])];
@@ -70,7 +72,8 @@ impl Rubbing {
     }
 
     fn start(&self) -> State {
-        // Along (3, 4) / 5: no component is zero, of which no relative error could be told.
+        // Along (3, 4) / 5, so that no component is zero, for which a relative error would be
+        // meaningless.
         let (gap, speed) = (2.0 * self.radius, 2.0 * self.speed);
         let spin = 2.0 * self.spin;
         [
@@ -88,8 +91,8 @@ impl Rubbing {
         2.0 * PI / (2.0 * self.stiffness / self.mass()).sqrt()
     }
 
-    /// Half the integral of the rate of the limit over the slip, in W, from first touch to parting, if
-    /// the surfaces slide all the time.
+    /// Half the integral of the rate of the friction limit over the slip, in W, from first touch to
+    /// separation, if the surfaces slide throughout.
     pub fn lag(&self) -> f64 {
         let flow = Flow {
             rate: |_: f64, y: &State| self.rate(y),
@@ -99,7 +102,7 @@ impl Rubbing {
             .1[6]
     }
 
-    /// Time in s at which the surfaces cease to slide, and how far they have slid by then in m.
+    /// Time in s at which the surfaces stop sliding, and the sliding distance up to then in m.
     pub fn stop(&self) -> (f64, f64) {
         let flow = Flow {
             rate: |_: f64, y: &State| self.rate(y),

@@ -1,15 +1,16 @@
 //! The largest stable step of a linear network M q'' = -K q - C q', by faer.
 //!
-//! Stability at a given step is a property of the pencil of a method. Let lambda be a factor of growth
-//! and u its vector: u* P(lambda) u = 0, where P is the polynomial of the method with the numbers k and c
-//! replaced by dt^2 K and dt C. For symmetric K and C the numbers u* K u and u* C u are those of a single
-//! oscillator, so that no lambda leaves the unit circle while no oscillator with numbers in their range
-//! is unstable. Symplectic Euler and velocity Verlet lose stability at lambda = -1 only; therefore
-//! positive definiteness of P(-1), up to sign
+//! Stability at a given step is a property of the matrix pencil of a method. Let lambda be an
+//! eigenvalue and u its eigenvector: u* P(lambda) u = 0, where P is the polynomial of the method with
+//! the numbers k and c replaced by dt^2 K and dt C. For symmetric K and C the numbers u* K u and u* C u
+//! are those of a single oscillator. Hence no lambda leaves the unit circle as long as no oscillator
+//! with numbers in their range is unstable. Symplectic Euler and velocity Verlet lose stability at
+//! lambda = -1 only. Therefore positive definiteness, up to sign, of P(-1),
 //!
 //! 4 M - 2 dt C - dt^2 K and 4 M - 4 dt C - dt^2 K,
 //!
-//! is sufficient. It is necessary too: where P(-1) is indefinite, P is definite with the opposite sign
+//! is sufficient. It is also necessary: if P(-1) is indefinite, P is definite with the opposite sign
+//! further out on the negative axis, so an eigenvalue lies in between.
 //! further out on the negative axis, and an eigenvalue vanishes in between.
 
 use super::amplification::Method;
@@ -31,7 +32,7 @@ pub struct Network {
 }
 
 impl Network {
-    /// Entries divided by the roots of the inertias of their row and column.
+    /// Entries divided by the square roots of the inertias of their row and column.
     fn scaled<'a>(&'a self, entries: &'a [Entry]) -> impl Iterator<Item = Entry> + 'a {
         entries.iter().map(|&(row, column, value)| {
             let root = (self.inertia[row] * self.inertia[column]).sqrt();
@@ -39,7 +40,7 @@ impl Network {
         })
     }
 
-    /// Squared angular frequencies in 1/s^2, in rising order; none where the decomposition fails.
+    /// Squared angular frequencies in 1/s^2, in ascending order; none if the decomposition fails.
     pub fn squared_frequencies(&self) -> Vec<f64> {
         let size = self.inertia.len();
         let mut dense = Mat::<f64>::zeros(size, size);
@@ -70,8 +71,8 @@ impl Network {
             .is_ok_and(|matrix| matrix.sp_cholesky(Side::Lower).is_ok())
     }
 
-    /// The largest stable step in s of a method that loses stability at minus one only, for any symmetric
-    /// damping; none for other methods.
+    /// The largest stable step in s of a method that loses stability only at an eigenvalue of minus
+    /// one, for any symmetric damping; none for other methods.
     pub fn critical_step(&self, method: Method) -> Option<f64> {
         let weight = match method {
             Method::SymplecticEuler => 2.0,

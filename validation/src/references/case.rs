@@ -1,4 +1,4 @@
-//! What a case compares.
+//! A stored case and what is compared in it.
 
 use super::Recorded;
 use gouge_runner::references::{FOLDER, Run, StoredScenes};
@@ -18,38 +18,39 @@ pub enum Compared {
     Beam,
     /// Spins of particles whose moment of inertia differs by a known factor.
     Inertia,
-    /// Means over many runs, by tests of equivalence.
+    /// Means over many runs, by equivalence tests.
     Ensemble,
 }
 
-/// A case, as `case.toml` states it, with its scene and its result.
+/// A case, as stated in `case.toml`, with its scene and its result.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
-    /// What happens, a short phrase.
+    /// The claim, a short phrase.
     pub title: String,
     /// Laws of the kernel that are compared.
     pub laws: String,
     /// Equations that the laws implement, such as `thesis (35), thesis (36)`.
     pub equations: String,
-    /// Settings of the engine that mean these laws.
+    /// Settings of the engine that correspond to these laws.
     pub settings: String,
-    /// Where both coincide and where they differ.
+    /// Where the engine and the kernel agree and where they differ.
     pub agreement: String,
     /// What is compared.
     pub compares: Compared,
     /// Largest difference that passes, in units of the largest value of its kind; for ensembles, the
-    /// significance of each one-sided test.
+    /// level of each one-sided test.
     pub tolerance: f64,
-    /// Why.
+    /// The reason for the tolerance.
     pub reason: String,
-    /// Change of a number on another machine that means nothing, in units of the largest of its column; for
-    /// ensembles, change of a mean over the runs in units of its standard error.
+    /// Largest change of a number that may be expected on another machine, in units of the largest
+    /// number of its column; for ensembles, change of a mean over the runs in units of its standard
+    /// error.
     pub noise: f64,
-    /// Ensembles: what is averaged, with its margins.
+    /// For ensembles: the observables, with their margins.
     #[serde(default)]
     pub observables: Vec<Observable>,
-    /// Ensembles: a scene that the test must reject.
+    /// For ensembles: a modified scene that the tests must reject.
     pub control: Option<Control>,
     /// The runs.
     pub runs: Vec<Run>,
@@ -58,12 +59,12 @@ pub struct Case {
     /// SHA-256 of every file by its path in the folder.
     #[serde(skip)]
     hashes: BTreeMap<String, String>,
-    /// What the engine computed.
+    /// Result of the engine.
     #[serde(skip)]
     pub result: Recorded,
 }
 
-/// What is taken of a series.
+/// The statistic of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Statistic {
@@ -75,22 +76,22 @@ pub enum Statistic {
     Last,
 }
 
-/// A number that both programs measure in a run.
+/// A quantity that both programs measure in a run.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Observable {
     /// Its column in the series.
     pub name: String,
-    /// The column by whose mean its own is divided, if any.
+    /// The column by whose mean the statistic is divided, if any.
     pub over: Option<String>,
-    /// What is taken of the column.
+    /// The statistic of the column.
     pub statistic: Statistic,
-    /// First and last step of what is taken.
+    /// First and last step of the records used.
     pub steps: [u64; 2],
-    /// Largest difference of means that counts as equivalent, in units of the engine's mean; fixed before
-    /// the kernel ran.
+    /// Largest difference of means that counts as equivalent, in units of the engine's mean; fixed
+    /// before the kernel was run.
     pub margin: f64,
-    /// Why this margin.
+    /// The reason for this margin.
     pub reason: String,
 }
 
@@ -109,17 +110,17 @@ impl Observable {
     }
 }
 
-/// A kernel that is wrong on purpose: one line of the scene is replaced.
+/// A kernel that is deliberately wrong: one line of the scene is replaced.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Control {
-    /// That the tests do not find it equivalent, a sentence that says what is wrong.
+    /// The claim that the tests reject it, a sentence that states what is wrong.
     pub claim: String,
-    /// Text of the scene.
+    /// The text of the scene to replace.
     pub replace: String,
-    /// What stands there instead.
+    /// The replacement.
     pub with: String,
-    /// Observables whose equivalence must be rejected.
+    /// Observables for which equivalence must be rejected.
     pub rejects: Vec<String>,
 }
 
@@ -143,12 +144,12 @@ impl Case {
     /// The scene of a run.
     ///
     /// # Errors
-    /// Variables that the run does not set, tables of particles that are not there.
+    /// Variables that the run does not set, missing tables of particles.
     pub fn scene(&self, run: &Run) -> Result<String, String> {
         self.scenes.text(run)
     }
 
-    /// Inputs of the engine that are not those that it was given.
+    /// Inputs that differ from those given to the engine.
     pub fn changed_inputs(&self) -> Vec<&str> {
         let recorded = self.result.inputs.iter();
         let is_other = |(path, hash): &(&String, &String)| self.hashes.get(*path) != Some(*hash);
@@ -159,7 +160,7 @@ impl Case {
     }
 }
 
-/// SHA-256 of all files of a folder, those of its own folders included.
+/// SHA-256 of all files of a folder and of its subfolders.
 fn hashes(folder: &Dir) -> BTreeMap<String, String> {
     let below = folder.dirs().flat_map(Dir::files);
     let files = folder.files().chain(below);

@@ -1,8 +1,8 @@
-//! Other programs' results, as the folder `references` holds them.
+//! Results of other programs, as stored in the folder `references`.
 //!
-//! A case is a folder `ENGINE/NAME`: `case.toml` states what is compared and lists the runs, `scene.toml`
-//! is our scene with `${variables}` of the runs, the engine's input stands beside it, and `result.json`
-//! is what the engine computed. The runner carries a copy of all of them.
+//! A case is a folder `ENGINE/NAME`: `case.toml` states what is compared and lists the runs,
+//! `scene.toml` is our scene with `${variables}` of the runs, the engine's input is next to it, and
+//! `result.json` is the engine's result. The runner contains a copy of all of them.
 
 mod case;
 mod result;
@@ -24,7 +24,7 @@ static CASES: LazyLock<BTreeMap<String, Result<Case, String>>> = LazyLock::new(|
 /// The case at a path such as `lammps/kelvin-voigt`.
 ///
 /// # Errors
-/// No such case, or files of it that cannot be read.
+/// No such case, or files of it that cannot be parsed.
 pub fn case(path: &str) -> Result<&'static Case, String> {
     match CASES.get(path) {
         Some(Ok(case)) => Ok(case),

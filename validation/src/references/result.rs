@@ -1,9 +1,9 @@
-//! What an engine computed, as `references/regenerate` writes it.
+//! The result of an engine, as `references/regenerate` writes it.
 
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// The result of a case, with where it comes from.
+/// The result of a case, with its origin.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Recorded {
@@ -11,21 +11,21 @@ pub struct Recorded {
     pub engine: String,
     /// Its version.
     pub version: String,
-    /// Packages that brought it.
+    /// Packages from which the engine was installed.
     pub packages: Vec<String>,
-    /// Architecture of the machine that it ran on.
+    /// Architecture of the machine on which it ran.
     pub architecture: String,
     /// Units of all numbers.
     pub units: String,
-    /// Day on which it ran.
+    /// Date of the run.
     pub date: String,
-    /// SHA-256 of everything that it was given, by path.
+    /// SHA-256 of all its inputs, by path.
     pub inputs: BTreeMap<String, String>,
     /// The runs, as `case.toml` lists them.
     pub runs: Vec<RecordedRun>,
 }
 
-/// What one run gave.
+/// The result of one run.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RecordedRun {
@@ -33,13 +33,13 @@ pub struct RecordedRun {
     pub name: String,
     /// The command.
     pub command: String,
-    /// Particles at some steps: a row a particle and step.
+    /// Particles at some steps: one row per particle and step.
     pub motion: Option<Table>,
-    /// Numbers of the whole at some steps: a row a step.
+    /// Quantities of the whole system at some steps: one row per step.
     pub series: Option<Table>,
 }
 
-/// A step and the rows that belong to it.
+/// A step and its rows.
 pub type Moment<'a> = (u64, &'a [Vec<f64>]);
 
 /// A table of numbers.
@@ -48,7 +48,7 @@ pub type Moment<'a> = (u64, &'a [Vec<f64>]);
 pub struct Table {
     /// Names of the columns.
     pub columns: Vec<String>,
-    /// Rows of as many numbers.
+    /// Rows, each with one number per column.
     pub rows: Vec<Vec<f64>>,
 }
 
@@ -56,7 +56,7 @@ impl Table {
     /// Position of a column.
     ///
     /// # Errors
-    /// There is none.
+    /// The column is missing.
     pub fn column(&self, name: &str) -> Result<usize, String> {
         let found = self.columns.iter().position(|column| column == name);
         found.ok_or_else(|| format!("the result has no column {name}"))
@@ -65,7 +65,7 @@ impl Table {
     /// Positions of several columns.
     ///
     /// # Errors
-    /// One of them is not there.
+    /// One of the columns is missing.
     pub fn places<const N: usize>(&self, names: [&str; N]) -> Result<[usize; N], String> {
         let mut places = [0; N];
         for (place, name) in places.iter_mut().zip(names) {
@@ -74,10 +74,10 @@ impl Table {
         Ok(places)
     }
 
-    /// Rows that belong together, one step after the other.
+    /// The rows of each step, one step after the other.
     ///
     /// # Errors
-    /// There is no column `step`.
+    /// The column `step` is missing.
     pub fn steps(&self) -> Result<Vec<Moment<'_>>, String> {
         let place = self.column("step")?;
         let same = |a: &Vec<f64>, b: &Vec<f64>| a.get(place) == b.get(place);

@@ -1,21 +1,21 @@
-//! Big figures moved out of the page, so that a stored copy of the page is small and can be compared.
+//! Large figures, moved out of the page so that a stored copy of the page is small and can be compared.
 
 use std::fmt::Write;
 
-/// Length above which a figure is stored in a file of its own, in bytes.
+/// Size in bytes above which a figure is stored in a file of its own.
 const BIG: usize = 6_000;
 
-/// A page, and the figures taken out of it.
+/// A page and the figures taken out of it.
 pub struct Split {
-    /// The page, which shows each figure from `figures/NAME`.
+    /// The page, which refers to each figure as `figures/NAME`.
     pub page: String,
     /// File name and text of each figure.
     pub figures: Vec<(String, String)>,
 }
 
-/// Replace every big figure of a page by an image of the same size.
+/// Replaces every large figure of a page by an image of the same size.
 ///
-/// A figure is named after the check or chapter whose `id` precedes it, and its place there.
+/// The name of a figure is the `id` of the check or chapter that precedes it and its number there.
 pub fn split(page: &str) -> Split {
     let mut split = Split {
         page: String::with_capacity(page.len()),
@@ -56,7 +56,7 @@ fn last_id(text: &str) -> Option<&str> {
     rest.split('"').next()
 }
 
-/// A figure as a file: what a page may leave out, the name space, is named.
+/// A figure as a file of its own, with the name space that figures in a page may omit.
 fn standalone(figure: &str) -> String {
     const NAME_SPACE: &str = "xmlns=\"http://www.w3.org/2000/svg\"";
     if figure.contains(NAME_SPACE) {

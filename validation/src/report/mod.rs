@@ -1,4 +1,4 @@
-//! What `gouge verify` leaves: one page for people, one file for programs.
+//! The output of `gouge verify`: a page for people and a file for programs.
 
 mod apart;
 mod machine;
@@ -19,7 +19,7 @@ use gouge_runner::run::write_whole;
 use serde::Serialize;
 use std::path::Path;
 
-/// A check that was run: its record, and what it shows.
+/// A check that was run: its record and its exhibits.
 pub struct Entry {
     /// The record.
     pub record: Record,
@@ -34,16 +34,16 @@ struct Report<'a> {
     checks: Vec<&'a Record>,
 }
 
-/// Where the figures of the page are.
+/// Where the figures of the page are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figures {
     /// In the page, which then needs no other file.
     Inside,
-    /// Big ones in a folder `figures` beside the page.
+    /// Large ones in a folder `figures` next to the page.
     Apart,
 }
 
-/// Write `report.json` and `report.html`.
+/// Writes `report.json` and `report.html`.
 ///
 /// # Errors
 /// Failures of the file system.

@@ -1,16 +1,16 @@
-//! The chapter on the program of the thesis's author: what its moment of inertia does to friction, from
-//! recorded runs.
+//! The chapter on the program of the thesis's author: the effect of its moment of inertia on friction,
+//! from recorded runs.
 
 use crate::measurements::{FrictionRun, Paired, friction_runs};
 use gouge_dem::model::Reading;
 use maud::{Markup, html};
 
-/// Level of the intervals.
+/// Confidence level of the intervals.
 const LEVEL: f64 = 0.95;
-/// Change of a coefficient of friction below which it does not matter, fixed before the runs.
+/// Change of a friction coefficient below which it is considered irrelevant, fixed before the runs.
 const MARGIN: f64 = 0.05;
 
-/// A quantity, by the moment of inertia of spheres and by the author's.
+/// A quantity with the moment of inertia of spheres and with the author's.
 struct Compared {
     name: &'static str,
     means: [f64; 2],
@@ -19,7 +19,7 @@ struct Compared {
 }
 
 impl Compared {
-    /// Runs of one seed follow each other.
+    /// Expects the runs of each seed next to each other.
     fn of(
         name: &'static str,
         margin: Option<f64>,
@@ -60,20 +60,21 @@ impl Compared {
     }
 }
 
-/// What an interval says of a change, beside the margin within which it would not matter, if there is one.
+/// Verdict from the confidence interval of a change and the margin, if there is one, within which the
+/// change is irrelevant.
 fn verdict([low, high]: [f64; 2], margin: Option<f64>) -> &'static str {
     let is_shown = low > 0.0 || high < 0.0;
     let is_small = margin.map(|margin| low > -margin && high < margin);
     match (is_shown, is_small) {
-        (true, Some(true)) => "a change, but below 0.05",
-        (true, _) => "a change",
-        (false, Some(true)) => "no change shown; it is below 0.05",
-        (false, Some(false)) => "no change shown, but one of 0.05 is not excluded",
-        (false, None) => "no change shown",
+        (true, Some(true)) => "significant, but below 0.05",
+        (true, _) => "significant",
+        (false, Some(true)) => "not significant; below 0.05",
+        (false, Some(false)) => "not significant; a change of 0.05 is not excluded",
+        (false, None) => "not significant",
     }
 }
 
-/// The chapter; nothing where nothing was recorded.
+/// The chapter; empty without recorded runs.
 pub fn chapter() -> Markup {
     let Some((date, runs)) = friction_runs() else {
         return html! {};
@@ -92,16 +93,16 @@ pub fn chapter() -> Markup {
         section id="original" {
             h2 { "The author's program" }
             p.about {
-                "The thesis's author computed with the moment of inertia 3/5 m r^2 where the thesis prints 2/5 (E64): every grain resisted rotation 1.5 times too much. "
-                "What that does to friction was measured on the small fault, the scene " code { "granite-fault-small" }
-                ": each seed was run with both numbers and nothing else changed. "
-                "Friction is the signed mean over all samples while the fault slides, from 2.5 ms, or 5 mm, to the end at 12.5 ms; beginning, margin and tests were fixed before the runs. "
-                "Intervals and both tests are of single quantities, without a correction for their number. "
+                "The author's program uses the moment of inertia 3/5 m r^2 instead of the printed 2/5 m r^2 (E64), so every grain resists rotation 1.5 times too much. "
+                "The effect on friction was measured on the small fault, the scene " code { "granite-fault-small" }
+                ": each seed was run with both values and no other change. "
+                "Friction is the signed mean over all samples while the fault slides, from 2.5 ms (after 5 mm of sliding) to the end at 12.5 ms. Start, margin and tests were fixed before the runs. "
+                "Intervals and tests refer to single quantities, without a correction for multiple testing. "
                 "Recorded on " (date) " by " code { "gouge-bench inertia" } ", not when this page was made; raw results are in " code { "benches/runs/" } "."
             }
             div.data {
                 table {
-                    caption { "With 3/5 m r^2 against 2/5 m r^2, paired by seed" }
+                    caption { "3/5 m r^2 compared with 2/5 m r^2, paired by seed" }
                     tr {
                         @for name in ["", "seeds", "mean, 2/5", "mean, 3/5", "change", "95 % interval", "p, t test", "p, sign test", "verdict"] { th { (name) } }
                     }

@@ -59,7 +59,7 @@ fn head(entries: &[Entry], machine: &str) -> Markup {
             p {
                 "A discrete element model of shearing brittle surfaces, after S. Kiiskinen, "
                 cite { "Modeling Friction between Shearing Brittle Surfaces with a Discrete Element Method" }
-                " (Jyväskylä, 2018), and the evidence that it does what it says."
+                " (Jyväskylä, 2018), and the evidence that the program computes it correctly."
             }
             p.verdict {
                 b { (passed(&all)) " of " (all.len()) " checks pass." }
@@ -103,20 +103,20 @@ fn digits(entries: &[&Entry], quantile: f64) -> f64 {
 fn how_to_read() -> Markup {
     html! {
         section {
-            h2 { "How to read this" }
+            h2 { "How to read this page" }
             p {
-                "Each check states a claim, what was run, and what it was compared with. What it is compared with never calls the kernel: "
-                "a closed form of the consequence, an independent integration of high order, another program's data, or an invariant. "
-                "Where a check compares many values, the pair shown is the worst for its tolerance."
+                "Each check states a claim, the scene that was run, and the oracle that the result was compared with. Oracles never call the kernel: "
+                "each is a closed form, an independent high-order integration, data of another program, or an invariant. "
+                "If a check compares many values, the page shows the one with the largest ratio of error to tolerance."
             }
             p {
-                "Tolerances have one of three origins. " b { "Exact" } ": rounding alone, in units of the last place or with a stated bound of cancellation. "
+                "The tolerance of a check has one of three origins. " b { "Exact" } ": rounding only, in units in the last place or with a stated bound for cancellation. "
                 b { "Convergent" } ": the order of the method and a known or predicted constant. "
-                b { "Statistical" } ": a margin, a significance and a power fixed beforehand. "
-                "Digits are the correct decimal digits of the measured value, 16 at most; where nothing should come out they count absolutely. "
-                "In figures, lines are theory or other people's data and marks are what the kernel gave, unless the legend says otherwise. All quantities are in SI units. "
+                b { "Statistical" } ": a margin, a significance level and a power fixed in advance. "
+                "Digits are -log10 of the relative error, at most 16; where zero is expected, of the absolute error. "
+                "In figures, lines are theory or data of others and marks are results of the kernel, unless the legend says otherwise. All quantities are in SI units. "
                 "“thesis (42)” is equation (42) of the thesis, and “thesis E15” is section E15 of docs/thesis/errata.md; "
-                "a number in brackets without a source is an equation of the thesis."
+                "a number in parentheses without a source is an equation of the thesis."
             }
         }
     }
@@ -139,7 +139,7 @@ fn article(entry: &Entry) -> Markup {
             h3 { span class=(record.status) { (record.status) } " " (record.claim) }
             @if let Some(failure) = &record.failure { p.fail { "No measurement: " (failure) } }
             dl {
-                dt { "check" } dd { code { (record.id) } ", stands for " (record.equations) }
+                dt { "check" } dd { code { (record.id) } ", covers " (record.equations) }
                 dt { "scene" } dd { (record.scene) }
                 dt { "compared with" } dd { (record.oracle) }
                 dt { "error" } dd { (record.norm) }
@@ -167,7 +167,7 @@ fn numbers(record: &Record) -> Markup {
     }
 }
 
-/// A number with all the digits that matter, without an exponent where it is a small count.
+/// A number with all significant digits; small whole numbers without an exponent.
 fn number(value: f64) -> String {
     if value.fract() == 0.0 && value.abs() < 1e6 {
         format!("{value}")

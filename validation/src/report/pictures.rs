@@ -6,7 +6,7 @@ use gouge_runner::scene::{Scene, builtin};
 use maud::{Markup, PreEscaped, html};
 use rayon::prelude::*;
 
-/// A built-in scene, drawn.
+/// The picture of a built-in scene.
 pub struct Picture {
     name: &'static str,
     purpose: &'static str,
@@ -14,15 +14,15 @@ pub struct Picture {
     svg: String,
 }
 
-/// Steps up to which a scene is run for its picture: a few seconds of computing.
+/// Largest number of steps for which a scene is run to its end for its picture: a few seconds.
 const MOST_STEPS: u64 = 1_500_000;
-/// Products of grains and steps up to which a scene is run for its picture.
+/// Largest product of grains and steps for which a scene is run to its end for its picture.
 const MOST_WORK: u64 = 400_000_000;
 
-/// All built-in scenes, at their end, or at t = 0 where the end is too far.
+/// Pictures of all built-in scenes, at their end, or at t = 0 if the run would take too long.
 ///
 /// # Errors
-/// States that become senseless.
+/// States that are no longer finite.
 pub fn pictures() -> Result<Vec<Picture>, Error> {
     let draw = |&(name, purpose, _): &(&'static str, &'static str, &str)| {
         let scene = Scene::load(name)?;
@@ -47,7 +47,7 @@ pub fn chapter(pictures: &[Picture]) -> Markup {
     html! {
         section id="scenes" {
             h2 { "Built-in scenes" }
-            p.about { "Fragments are coloured, single grains white, driven and fixed grains grey." }
+            p.about { "Fragments are coloured; single grains are white, driven and fixed grains grey." }
             div.pictures {
                 @for picture in pictures {
                     figure {
@@ -60,7 +60,7 @@ pub fn chapter(pictures: &[Picture]) -> Markup {
     }
 }
 
-/// The picture without a size of its own: the page scales it.
+/// The picture without a fixed size, so that the page can scale it.
 fn without_size(svg: &str) -> String {
     let Some(end) = svg.find('>') else {
         return svg.to_owned();

@@ -8,7 +8,7 @@ use plotters::prelude::*;
 /// Size of a figure in its own units; the page scales it.
 const SIZE: (u32, u32) = (1200, 780);
 
-/// Colours that people with colour blindness tell apart, after Okabe and Ito.
+/// Colours that are distinguishable with colour blindness, after Okabe and Ito.
 const COLOURS: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -50,7 +50,7 @@ pub fn figure(plot: &Plot) -> Markup {
     }
 }
 
-/// The mark of a curve in the legend.
+/// The symbol of a curve in the legend.
 fn key(curve: &Curve, colour: RGBColor) -> Markup {
     let symbol = match curve.style {
         Style::Line => "\u{2501}",
@@ -63,14 +63,14 @@ fn key(curve: &Curve, colour: RGBColor) -> Markup {
     html! { span style=(format!("color:rgb({red},{green},{blue})")) { (symbol) } }
 }
 
-/// The figure without a size of its own.
+/// The figure without a fixed size.
 fn scalable(text: &str) -> String {
     let (width, height) = SIZE;
     let sized = format!("width=\"{width}\" height=\"{height}\" ");
     text.replacen(&sized, "", 1)
 }
 
-/// Points of a curve in the coordinates of the axes: logarithms where the scale is logarithmic.
+/// Points of a curve in the coordinates of the axes: logarithms if the scale is logarithmic.
 fn points(plot: &Plot, curve: &Curve) -> Vec<(f64, f64)> {
     let along = |axis: &Axis, value: f64| {
         if axis.logarithmic {
@@ -84,7 +84,7 @@ fn points(plot: &Plot, curve: &Curve) -> Vec<(f64, f64)> {
     curve.points.iter().map(at).filter(drawable).collect()
 }
 
-/// Range of an axis: all data with a margin, whole decades for a logarithmic scale.
+/// Range of an axis: all data with a margin, or whole decades for a logarithmic scale.
 fn range(axis: &Axis, values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     values.for_each(|value| (low, high) = (low.min(value), high.max(value)));
@@ -156,7 +156,7 @@ fn frame<'a>(
     Ok(chart)
 }
 
-/// How values on an axis are written: as powers of ten, or with as many digits as tell them apart.
+/// Labels of the values on an axis: powers of ten, or enough digits to distinguish them.
 fn label_of(axis: &Axis, range: &std::ops::Range<f64>) -> impl Fn(&f64) -> String + use<> {
     let (logarithmic, span) = (axis.logarithmic, range.end - range.start);
     let size = range.start.abs().max(range.end.abs());

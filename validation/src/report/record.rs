@@ -1,36 +1,36 @@
-//! A check with what it found, as `report.json` holds it.
+//! A check with its result, as stored in `report.json`.
 
 use crate::checks::{Check, Evidence, Measurement, Origin, Outcome};
 use serde::Serialize;
 
-/// A check with what it found.
+/// A check with its result.
 #[derive(Clone, Debug, Serialize)]
 pub struct Record {
     /// Identifier.
     pub id: &'static str,
     /// The claim.
     pub claim: &'static str,
-    /// What the check stands for, each with its source.
+    /// The citations that the check covers.
     pub equations: Evidence,
-    /// What was run.
+    /// The scene that was run.
     pub scene: &'static str,
-    /// What it was compared with.
+    /// The oracle.
     pub oracle: &'static str,
-    /// What is called the error.
+    /// Definition of the error.
     pub norm: &'static str,
     /// `pass` or `fail`.
     pub status: &'static str,
-    /// What should come out.
+    /// The expected value.
     pub expected: f64,
-    /// What came out.
+    /// The measured value.
     pub measured: f64,
-    /// Their distance.
+    /// The error.
     pub error: f64,
-    /// The largest distance that passes.
+    /// The largest error that passes.
     pub tolerance: f64,
-    /// Where the tolerance comes from.
+    /// The origin of the tolerance.
     pub tolerance_origin: Origin,
-    /// Why the tolerance is what it is.
+    /// The reason for the tolerance.
     pub tolerance_reason: &'static str,
     /// Correct digits.
     pub digits: f64,
@@ -73,7 +73,7 @@ impl Record {
         self.status == "pass"
     }
 
-    /// One line for a terminal.
+    /// One line for the terminal.
     pub fn line(&self) -> String {
         let reason = self
             .failure

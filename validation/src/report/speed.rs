@@ -1,4 +1,5 @@
-//! The chapter on speed: the measurements of `benches/runs/`, which running the checks does not repeat.
+//! The chapter on speed, from the measurements in `benches/runs/`, which are not repeated with the
+//! checks.
 
 use crate::measurements::{latest, quantile, ratios, spread};
 use maud::{Markup, html};
@@ -34,14 +35,14 @@ struct Case {
 }
 
 impl Case {
-    /// All its steps and the time that ours took for them, from turns of equally many steps.
+    /// The number of steps and the kernel's total time for them, from alternating runs of equal length.
     fn duration(&self) -> String {
         let steps = self.rebuilds[1];
         let of_step =
             self.ours.iter().sum::<f64>() / self.ours.len() as f64 * self.particles as f64;
         let seconds = (1e-9 * of_step * steps).round();
         format!(
-            "ours took {:.0} min {:.0} s for {steps:.0} steps",
+            "the kernel took {:.0} min {:.0} s for {steps:.0} steps",
             (seconds / 60.0).floor(),
             seconds % 60.0
         )
@@ -57,7 +58,7 @@ struct Part {
     bytes: [f64; 2],
 }
 
-/// What a step executes and moves, and what the machine can do.
+/// Instructions and memory traffic per step, and the limits of the machine.
 #[derive(Deserialize)]
 struct Counting {
     instructions: String,
@@ -73,7 +74,7 @@ struct Limits {
     usual_bytes_per_ns: f64,
 }
 
-/// Numbers of a particle-step.
+/// Counts per particle and step.
 #[derive(Deserialize)]
 struct Counts {
     name: String,
@@ -85,8 +86,8 @@ struct Counts {
 }
 
 impl Counts {
-    /// Time in ns that the machine needs at least for instructions, for square roots with divisions, one a link,
-    /// and for the memory.
+    /// Shortest possible time in ns for the instructions, for the square roots with divisions (one per
+    /// near pair or bond), and for the memory traffic.
     fn least_times(&self, limits: &Limits) -> [f64; 3] {
         [
             self.instructions / limits.instructions_per_ns,
@@ -96,20 +97,20 @@ impl Counts {
     }
 }
 
-/// The chapter; nothing where nothing was measured.
+/// The chapter; sections without measurements are left out.
 pub fn chapter() -> Markup {
     html! {
         section id="speed" {
             h2 { "Speed" }
             p.about {
-                "Measured by " code { "gouge-bench" } " on the machines named below, not when this page was made; raw results are in "
-                code { "benches/runs/" } ", how to repeat them and what was tried in " code { "docs/performance.md" }
-                ". Times are those of a particle-step in ns: medians with quartiles. What is compared took turns; ratios are those of neighbouring turns."
+                "Measured by " code { "gouge-bench" } " on the machines named below, not when this page was made. Raw results are in "
+                code { "benches/runs/" } "; how to repeat the measurements, and what was tried, is in " code { "docs/performance.md" }
+                ". Times are ns per particle and step: medians with quartiles. Programs that are compared ran alternately; ratios are those of neighbouring runs."
             }
-            (scenes("peers", "Beside LAMMPS", "The same states, boxes and steps; LAMMPS moves the upper plate at 2 m/s, ours is driven."))
+            (scenes("peers", "Compared with LAMMPS", "The same states, boxes and time steps; LAMMPS moves the upper plate at 2 m/s, our scene drives it."))
             (whole())
-            (scenes("growth", "From a thousand to a million particles", "Pressed grains with truncated Cundall-Strack friction, repeated along the period; one thread."))
-            (scenes("threads", "Threads", "The same grains with as many threads as are the default for their number, beside one thread."))
+            (scenes("growth", "From a thousand to a million particles", "Compressed grains with truncated Cundall-Strack friction, repeated along the period; one thread."))
+            (scenes("threads", "Threads", "The same grains with the default number of threads for their number, compared with one thread."))
             (parts())
             (counting())
         }
@@ -143,10 +144,10 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
         div.data {
             table {
                 tr {
-                    th { "scene" } th.n { "ours / ns" }
-                    @if is_compared { th { "beside" } th.n { "its time / ns" } th.n { "ratio" } }
-                    th.n { "particles" } th.n { "contacts a particle" } th.n { "bonds a particle" }
-                    th.n { "bytes a particle" } th.n { "rebuilds in 1000 steps" }
+                    th { "scene" } th.n { "kernel / ns" }
+                    @if is_compared { th { "compared with" } th.n { "its time / ns" } th.n { "ratio" } }
+                    th.n { "particles" } th.n { "contacts per particle" } th.n { "bonds per particle" }
+                    th.n { "bytes per particle" } th.n { "rebuilds in 1000 steps" }
                 }
                 @for case in &run.cases {
                     tr {
@@ -171,14 +172,14 @@ fn scenes(kind: &str, title: &str, about: &str) -> Markup {
     }
 }
 
-/// The granite fault from the beginning of its shear to the end.
+/// The granite fault over its whole shear.
 fn whole() -> Markup {
     let run = latest::<Run>("whole");
     let Some(case) = run.as_ref().and_then(|(_, run)| run.cases.first()) else {
         return html! {};
     };
     let about = format!(
-        "Energy ledger off, one thread, in {} turns with LAMMPS: {}.",
+        "Energy ledger off, one thread, in {} alternating runs with LAMMPS: {}.",
         case.ours.len(),
         case.duration()
     );
@@ -198,22 +199,22 @@ fn counting() -> Markup {
         return html! {};
     };
     html! {
-        h3 { "How near the limit" }
+        h3 { "Distance from the limits of the machine" }
         p {
-            "Instructions and misses of the caches are those that callgrind counts with " (instructions)
-            " (first cache 32 KiB, last 16 MiB; lines of 64 bytes, written back ones included), divided by links: near pairs and bonds. "
-            "The machine executes " (format!("{:.2}", limits.instructions_per_ns)) " instructions a ns in a loop without dependencies or memory, "
-            "takes " (format!("{:.2}", limits.root_and_division_ns)) " ns for a square root with a division, many side by side, and moves "
-            (format!("{:.1}", limits.bytes_per_ns)) " bytes a ns from and to its memory, one core alone, usually "
-            (format!("{:.1}", limits.usual_bytes_per_ns)) " where other tenants use it too. "
-            "A fraction is the time that this limit alone would allow over the median of ours."
+            "Instructions and cache misses are counted by callgrind with " (instructions)
+            " (first cache 32 KiB, last cache 16 MiB; lines of 64 bytes, including those written back) and divided by the number of near pairs and bonds. "
+            "The machine executes " (format!("{:.2}", limits.instructions_per_ns)) " instructions per ns in a loop without dependencies or memory access, "
+            "takes " (format!("{:.2}", limits.root_and_division_ns)) " ns per square root with a division if many are independent, and moves "
+            (format!("{:.1}", limits.bytes_per_ns)) " bytes per ns from and to its memory with one core alone, usually "
+            (format!("{:.1}", limits.usual_bytes_per_ns)) " while other users of the host access it too. "
+            "A fraction is the shortest time allowed by this limit alone over the median time of the kernel."
         }
         (machine(&date, &run))
         div.data {
             table {
                 tr {
-                    th { "scene" } th.n { "links a particle" } th.n { "instructions a link-step" } th.n { "bytes a link-step from beyond the first cache" }
-                    th.n { "of memory" } th.n { "ours / ns a particle-step" } th.n { "of the limit of instructions" } th.n { "of roots and divisions" } th.n { "of memory" }
+                    th { "scene" } th.n { "near pairs and bonds per particle" } th.n { "instructions per pair and step" } th.n { "bytes per pair and step from beyond the first cache" }
+                    th.n { "from memory" } th.n { "kernel / ns per particle and step" } th.n { "fraction of the instruction limit" } th.n { "of the limit of roots and divisions" } th.n { "of the memory limit" }
                 }
                 @for scene in scenes {
                     tr {
@@ -238,18 +239,18 @@ fn parts() -> Markup {
         return html! {};
     };
     html! {
-        h3 { "What is not there costs nothing" }
+        h3 { "Parts that a scene does not use cost nothing" }
         p {
-            "Each optional part with and without it; the loop by hand is plain code for exactly the scene without it ("
-            code { "benches/src/by_hand.rs" } ") and moves every grain to within 1e-13 m as the kernel does. "
-            "A trajectory is a frame of extended XYZ every 500 steps; its bytes are all those that writing asks for."
+            "Each optional part with and without it. The loop by hand is plain code for exactly the scene without the part ("
+            code { "benches/src/by_hand.rs" } "); it moves every grain as the kernel does to within 1e-13 m. "
+            "A trajectory is a frame of extended XYZ every 500 steps; its bytes are all bytes allocated for writing."
         }
         (machine(&date, &run))
         div.data {
             table {
                 tr {
-                    th { "part" } th.n { "with / ns" } th.n { "without / ns" } th.n { "by hand / ns" } th.n { "without over by hand" }
-                    th.n { "bytes a particle with" } th.n { "without" }
+                    th { "part" } th.n { "with / ns" } th.n { "without / ns" } th.n { "by hand / ns" } th.n { "without / by hand" }
+                    th.n { "bytes per particle with" } th.n { "bytes per particle without" }
                 }
                 @for part in &run.parts {
                     tr {

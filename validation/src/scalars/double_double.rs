@@ -8,7 +8,7 @@ use xprec::Df64;
 
 /// The unevaluated sum of two doubles: 106 bits, about 32 decimal digits.
 ///
-/// The same law in this type tells the rounding error of the law in `f64`.
+/// A law evaluated in this type shows the rounding error of the law in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct DoubleDouble(pub Df64);
 

@@ -7,9 +7,10 @@ use gouge_common::scalar::Real;
 use gouge_dem::Number;
 use num_dual::{Dual64, DualNum};
 
-/// A number and its derivative: a law in this type gives its own slope, exact to rounding.
+/// A number and its derivative: a law evaluated in this type returns its own derivative, exact to
+/// rounding.
 ///
-/// Comparisons look at the value, so that a kink returns the derivative of the branch taken.
+/// Comparisons use the value, so that at a kink the derivative is that of the branch taken.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual(pub Dual64);
 
@@ -18,7 +19,7 @@ impl Dual {
     pub fn new(value: f64, slope: f64) -> Self {
         Self(Dual64::new(value, slope))
     }
-    /// The variable itself, of slope one.
+    /// The independent variable, with derivative one.
     pub fn variable(value: f64) -> Self {
         Self::new(value, 1.0)
     }
@@ -73,7 +74,8 @@ impl Real for Dual {
         self.asin()
     }
     fn atan2(self, other: Self) -> Self {
-        // The slope is that of the angle; a quotient of both arguments would have none where x = 0.
+        // The derivative of the angle itself; that of a quotient of the arguments would be undefined at
+        // x = 0.
         let (y, x) = (self.value(), other.value());
         let slope = (self.slope() * x - other.slope() * y) / (x * x + y * y);
         Self::new(y.atan2(x), slope)

@@ -1,5 +1,4 @@
-//! Number types for the kernel besides `f64`: what the laws give in less and in more precision, and
-//! what they give as derivatives.
+//! Number types for the kernel besides `f64`: lower and higher precision, and derivatives.
 //!
 //! Each wraps a type of a library, because the kernel's [`Real`](gouge_common::scalar::Real) can be
 //! implemented only for types of this crate.
@@ -12,7 +11,8 @@ pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use single::Single;
 
-/// Arithmetic of a wrapper, forwarded to the number inside; products with `f64` convert the factor.
+/// Arithmetic of a wrapper type, forwarded to the number inside; products with `f64` convert the
+/// factor.
 macro_rules! forward_arithmetic {
     ($wrapper:ident, $factor:expr) => {
         impl ::core::ops::Add for $wrapper {

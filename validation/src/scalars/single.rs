@@ -5,7 +5,7 @@ use gouge_common::lanes::Lanes;
 use gouge_common::scalar::Real;
 use gouge_dem::Number;
 
-/// A number of 24 bits, and all arithmetic in them.
+/// A number of 24 bits, with all arithmetic in this precision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Single(pub f32);
 

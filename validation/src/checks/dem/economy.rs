@@ -1,4 +1,4 @@
-//! Pay for use.
+//! Absent terms have no effect and store nothing.
 
 use super::scenes::{advance, bits, head, particle, world};
 use crate::checks::{
@@ -12,7 +12,7 @@ pub fn topic() -> Topic {
     Topic {
         id: "economy",
         title: "Pay for use",
-        about: "What a scene does not name costs nothing: absent and zero give the same bits.",
+        about: "A term that a scene does not name has no effect: leaving it out and setting its coefficients to zero give the same bits. Nor does it store anything.",
         checks: vec![zero(), bonded(), stored(), recorded()],
     }
 }
@@ -20,13 +20,13 @@ pub fn topic() -> Topic {
 fn zero() -> Check {
     Check {
         id: "economy.zero.loose",
-        claim: "A term that is absent and one whose coefficient is zero give the same bits, with every integrator.",
+        claim: "A term that is absent and a term whose coefficients are zero give the same bits, with every integrator; the ledger and a wide box change no bit either.",
         equations: thesis("(9)-(25), (35)-(42), (64), (67)"),
-        scene: "Five spinning grains that collide and fall apart again, 1000 steps; 19 terms in turn",
+        scene: "Five spinning grains that collide and separate again, 1000 steps; 19 terms in turn",
         oracle: "The same scene without the term",
-        norm: "Number of pairs of term and integrator that differ in any bit of any position, velocity or angle",
+        norm: "Number of combinations of term and integrator that differ in any bit of a position, velocity or angle",
         origin: Origin::Exact,
-        reason: "Adding zero rounds nothing",
+        reason: "Adding zero causes no rounding",
         effort: Effort::Quick,
         measure: measure_zero,
     }
@@ -35,13 +35,13 @@ fn zero() -> Check {
 fn bonded() -> Check {
     Check {
         id: "economy.zero.bonded",
-        claim: "Bonds without coefficients, beams without coefficients and strength without end change no bit, with every integrator.",
+        claim: "Bonds and beams with zero coefficients, unreachable strengths and the ledger change no bit, with every integrator.",
         equations: thesis("(33), (43)-(50)"),
-        scene: "Eight grains, bonded in pairs where they never touch or in a row that swings, 1000 steps",
-        oracle: "The same scene without bonds, without beams, without yielding",
-        norm: "Number of pairs of term and integrator that differ in any bit of any position, velocity or angle",
+        scene: "Eight grains that never touch, with bonds between some of them, 1000 steps",
+        oracle: "The same scene without bonds, without beams, without yielding or with the other choice of ledger",
+        norm: "Number of combinations of term and integrator that differ in any bit of a position, velocity or angle",
         origin: Origin::Exact,
-        reason: "Adding zero rounds nothing",
+        reason: "Adding zero causes no rounding",
         effort: Effort::Quick,
         measure: measure_bonded,
     }
@@ -52,8 +52,8 @@ fn stored() -> Check {
         id: "economy.stored",
         claim: "A scene without a term stores nothing for it: the record of a state grows only by what the term needs.",
         equations: Evidence::NONE,
-        scene: "Five grains without links, with contacts, with contacts that remember, with bonds, with either predictor",
-        oracle: "Words counted by hand: two for a vector, one for a number, seven for a bond, six for a remembered contact",
+        scene: "Five grains without contacts and bonds, with contacts, with contacts that have a memory, with bonds, and with each integrator that keeps accelerations",
+        oracle: "Words counted by hand: two per vector, one per number, seven per bond, six per contact with a memory",
         norm: "Largest difference in words",
         origin: Origin::Exact,
         reason: "Counting",
@@ -65,11 +65,11 @@ fn stored() -> Check {
 fn recorded() -> Check {
     Check {
         id: "economy.recorded",
-        claim: "The record of a state holds all of it: the world read from it has the same record, after every step, and still after further ones.",
+        claim: "The record of a state is complete: a world read from it has the same record, after every step and after 300 further ones.",
         equations: Evidence::NONE,
-        scene: "Nine grains in a periodic box with bonds that break, contacts that remember, drag, driving and ledger, 600 steps and 300 more, for each integrator and both laws that remember",
+        scene: "Nine grains in a periodic box with breaking bonds, contacts with a memory, drag, driving and ledger, 600 steps and 300 more, for each integrator and both friction laws with a memory",
         oracle: "The world that was recorded",
-        norm: "Number of states that differ in any word of their records",
+        norm: "Number of states whose records differ in any word",
         origin: Origin::Exact,
         reason: "Counting",
         effort: Effort::Quick,
@@ -77,7 +77,7 @@ fn recorded() -> Check {
     }
 }
 
-/// Grains in a dense periodic row of three by three, bonded below, driven above, with every term.
+/// Three by three grains in a dense periodic packing, bonded below, driven above, with every term.
 fn everything(integrator: &str, friction: &str) -> String {
     let mut text = head(integrator, 2e-8)
         + "[box]\nwidth = 8e-3\nboundary = \"periodic-x\"\n[output]\nenergy = true\n"
@@ -121,7 +121,7 @@ fn measure_recorded() -> Outcome {
     Ok(Measurement::count(wrong).into())
 }
 
-/// Whether a copy by its record has the same energies and goes on with the same words.
+/// Whether a copy made from the record has the same energies and, after further steps, the same record.
 fn continues_alike(world: &mut World) -> Result<bool, Failure> {
     let copy = World::from_words(*world.model(), &world.to_words());
     let Some(mut copy) = copy.filter(|copy| copy.energy() == world.energy()) else {
@@ -132,7 +132,7 @@ fn continues_alike(world: &mut World) -> Result<bool, Failure> {
     Ok(copy.to_words() == world.to_words())
 }
 
-/// Grains that collide, spin and fall apart again; the last one is driven where something drives.
+/// Grains that collide, spin and separate again; the last one is driven in scenes with driving.
 fn grains(integrator: &str, normal: &str, more: &str) -> String {
     let mut text = head(integrator, 1e-8) + normal + more;
     for i in 0..5 {
@@ -153,13 +153,13 @@ const KELVIN_VOIGT: &str =
 const BSHP: &str = "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 5e10\n\
                     poissons_ratio = 0.22\ndissipative_constant = 1e-7\n";
 
-/// Terms that do nothing: name, and text of the scene.
+/// Terms without effect: name, and text of the scene.
 const ZERO: [(&str, &str); 19] = [
     (
         "creeping drag",
         "[ambient]\nlaw = \"creeping\"\nviscosity = 0.0\n",
     ),
-    // A medium so thin that its drag is lost in rounding: its coefficients must be positive.
+    // The coefficients must be positive, so the medium is so thin that its drag is lost in rounding.
     (
         "correlation drag",
         "[ambient]\nlaw = \"correlation\"\nviscosity = 1e-300\ndensity = 1e-300\n",
@@ -210,11 +210,11 @@ const ZERO: [(&str, &str); 19] = [
         "[box]\nwidth = 1.0\nboundary = \"periodic-x\"\n",
     ),
     (
-        "bonds, none",
+        "bonds, none listed",
         "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n",
     ),
     (
-        "beams, none",
+        "beams, none listed",
         "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n[bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 1.0\n",
     ),
 ];
@@ -225,10 +225,10 @@ fn outcome(text: &str, steps: u64) -> Result<Vec<u64>, Failure> {
     Ok(bits(&world))
 }
 
-/// A scene by the name of its integrator and the text of a term.
+/// The text of a scene, from the name of its integrator and the text of a term.
 type SceneText<'a> = &'a dyn Fn(&str, &str) -> String;
 
-/// Compare a scene with and without each term, for each integrator.
+/// Compares a scene with and without each term, for each integrator.
 fn compare(
     steps: u64,
     pairs: &[(&str, &str, &str)],
@@ -236,7 +236,7 @@ fn compare(
 ) -> Result<(usize, Table), Failure> {
     let names = INTEGRATORS.iter().map(|(name, _)| *name);
     let columns: Vec<&str> = std::iter::once("term").chain(names.clone()).collect();
-    let mut table = Table::new("Every term that does nothing leaves every bit", &columns);
+    let mut table = Table::new("Terms without effect change no bit", &columns);
     let mut wrong = 0;
     for (name, absent, idle) in pairs {
         let mut row = vec![(*name).to_owned()];
@@ -254,7 +254,7 @@ fn compare(
 fn measure_zero() -> Outcome {
     let pairs = ZERO.map(|(name, idle)| (name, "", idle));
     let (mut wrong, table) = compare(1000, &pairs, &|integrator, more| {
-        // A table of a scene may be opened only once: the normal law comes after its parent.
+        // A table may be opened only once, so the normal law must come after its parent table.
         grains(integrator, "", &(more.to_owned() + KELVIN_VOIGT))
     })?;
     let hertzian = [
@@ -270,7 +270,7 @@ fn measure_zero() -> Outcome {
     Ok(Measurement::count(wrong).showing([Exhibit::Table(table), Exhibit::Table(hertzian)]))
 }
 
-/// Eight grains in a row, a little apart, that move and turn.
+/// Eight grains in a row, slightly apart, that move and spin.
 fn row(integrator: &str, laws: &str, bonds: &str) -> String {
     let mut text = head(integrator, 1e-8) + laws;
     for i in 0..8 {
@@ -342,12 +342,12 @@ fn measure_stored() -> Outcome {
     let mut grows = |by: f64, found: f64| all.push(Measurement::absolute(bare + by, found, 0.0));
     grows(0.0, words("euler", KELVIN_VOIGT, "")?);
     grows(0.0, words("taylor", &forgets, "")?);
-    // Two grains touch: neighbours at 1.91 mm and the next at 1.99 mm.
+    // Two pairs of grains touch: their distances are 1.91 mm and 1.99 mm.
     grows(2.0 * 6.0, words("symplectic-euler", &remembers, "")?);
     grows(2.0 * 7.0, words("euler", bond, two)?);
-    // The forces that velocity Verlet keeps live only within a step.
+    // The forces kept by velocity Verlet exist only within a step.
     grows(0.0, words("velocity-verlet", "", "")?);
-    // Whether they are set, four lengths, and accelerations of two evaluations.
+    // Beeman: a flag, four lengths, and the accelerations of two evaluations.
     grows(5.0 + 2.0 * (vectors + numbers), words("beeman", "", "")?);
     let world = world(&grains("euler", "", ""))?;
     let nothing = world.contacts().is_none() && world.bonds().is_none();

@@ -1,4 +1,4 @@
-//! What a world remembers, in the words of a scene.
+//! The memory of a world, in the terms of a scene.
 
 use gouge_common::geometry::{Metric, Open, PeriodicX, Vec2};
 use gouge_common::pair::Pair;
@@ -8,8 +8,8 @@ use gouge_dem::geometry::{PairFrame, angle_of, reversed, turn};
 use gouge_dem::model::ContactTangential;
 use gouge_dem::{Start, World};
 
-/// Bonds, contacts and driving force with which another world at the present state goes on as this one,
-/// up to rounding.
+/// Bonds, contacts and driving force with which a new world at the present state continues like this
+/// one, up to rounding.
 pub fn start(world: &World) -> Start {
     let p = world.particles();
     let strong = world.bonds().into_iter().flat_map(|strong| strong.iter());
@@ -40,7 +40,7 @@ fn frame(world: &World, pair: Pair) -> PairFrame<f64> {
     })
 }
 
-/// Angles of both ends in the frame when the link began.
+/// Angles of both ends in the frame of the pair when the contact or bond began.
 fn initial_angles(world: &World, pair: Pair, reference: Vec2, rest: [f64; 2]) -> [f64; 2] {
     let normal = frame(world, pair).normal;
     let (turned, _) = turn(reference, normal);
@@ -66,7 +66,7 @@ fn bond(world: &World, link: &Bond<f64>) -> BondStart {
     }
 }
 
-/// The slip of a truncated spring is counted as if both ends had turned less.
+/// The slip of a truncated spring is represented as a smaller rotation of both ends.
 fn contact(world: &World, pair: Pair, memory: &ContactMemory<f64>) -> ContactStart {
     let (i, j) = pair.indices();
     let slip = match world.model().contact.and_then(|contact| contact.tangential) {

@@ -1,4 +1,4 @@
-//! Small scenes for checks, written as text, the way users write them.
+//! Small scenes for checks, written as text, as users write them.
 
 use crate::checks::Failure;
 use gouge_common::geometry::Domain;
@@ -11,7 +11,8 @@ use gouge_runner::machine::with_chosen_execution;
 use gouge_runner::scene::Scene;
 use std::path::Path;
 
-/// Head of a scene in an open box: integrator, step, density 2700 kg/m^3, an end that nothing reaches.
+/// Head of a scene in an open box: integrator, time step, density 2700 kg/m^3, and an end that no run
+/// reaches.
 pub fn head(integrator: &str, step: f64) -> String {
     format!(
         "[time]\nstep = {step:e}\nend = {:e}\nintegrator = \"{integrator}\"\n\
@@ -37,7 +38,7 @@ pub fn scene(text: &str) -> Result<Scene, Failure> {
     Ok(Scene::parse("check", text.as_bytes(), Path::new("."))?)
 }
 
-/// The world at t = 0 of a scene's text.
+/// The world of a scene's text at t = 0.
 ///
 /// # Errors
 /// Mistakes in the text, states that the kernel refuses.
@@ -45,7 +46,7 @@ pub fn world(text: &str) -> Result<World, Failure> {
     world_in(text)
 }
 
-/// The world at t = 0 of a scene's text, in another number type.
+/// The world of a scene's text at t = 0, in another number type.
 ///
 /// # Errors
 /// As [`world`].
@@ -53,10 +54,10 @@ pub fn world_in<S: Number>(text: &str) -> Result<World<S>, Failure> {
     Ok(scene(text)?.initial_world_in().map(with_chosen_execution)?)
 }
 
-/// Advance a world by so many steps.
+/// Advances a world by the given number of steps.
 ///
 /// # Errors
-/// States that became senseless.
+/// States that are no longer finite.
 pub fn advance<S: Number>(world: &mut World<S>, steps: u64) -> Result<(), Failure> {
     for _ in 0..steps {
         world.step()?;
@@ -64,7 +65,7 @@ pub fn advance<S: Number>(world: &mut World<S>, steps: u64) -> Result<(), Failur
     Ok(())
 }
 
-/// Bits of everything that moves.
+/// Bits of all positions, velocities, angles and angular velocities.
 pub fn bits(world: &World) -> Vec<u64> {
     let p = world.particles();
     let vectors = p
@@ -76,7 +77,7 @@ pub fn bits(world: &World) -> Vec<u64> {
     vectors.chain(numbers).map(f64::to_bits).collect()
 }
 
-/// A model with nothing in it: an open box without links, fields and ledger.
+/// An empty model: an open box without contacts, bonds, fields and ledger.
 pub fn empty_model(integrator: Integrator, time_step: f64) -> Model {
     Model {
         reading: Reading::Corrected,

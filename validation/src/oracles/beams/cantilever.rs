@@ -1,10 +1,10 @@
 //! A straight chain of equal beams, clamped at one end: statically determinate, so solved by hand.
 //!
-//! Beam n = 1 ... M leads from body n - 1 to body n; body 0 is clamped. A transverse load P at body m is
-//! carried by every beam up to m: k_t r^2 (a_n + b_n) = P D, where a_n and b_n are the turns of its first
-//! and last body against its line. No torque acts on a free body: b_n + a_{n+1} = 0 and b_m = 0. Hence,
-//! with s = P D / (k_t r^2), a_n = (m - n + 1) s and b_n = -(m - n) s, and by summation the turn m^2 s and
-//! the deflection s D (2 m^3 + m) / 3 of body m; beyond it the chain is straight.
+//! Beam n = 1 ... M connects body n - 1 to body n; body 0 is clamped. A transverse load P on body m is
+//! carried by every beam up to m: k_t r^2 (a_n + b_n) = P D, where a_n and b_n are the rotations of its
+//! first and last body relative to its line. No torque acts on a free body: b_n + a_{n+1} = 0 and b_m =
+//! 0. Hence, with s = P D / (k_t r^2), a_n = (m - n + 1) s and b_n = -(m - n) s. By summation, body m
+//! has the rotation m^2 s and the deflection s D (2 m^3 + m) / 3; beyond it the chain is straight.
 
 /// A chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,9 +24,9 @@ pub struct Chain {
 pub struct Tip {
     /// Along the chain, outwards, in m.
     pub stretch: f64,
-    /// Across it, along the load, in m.
+    /// Across the chain, along the load, in m.
     pub deflection: f64,
-    /// Turn in rad, in the sense of the deflection.
+    /// Rotation in rad, in the sense of the deflection.
     pub turn: f64,
 }
 
@@ -34,7 +34,7 @@ impl Chain {
     fn length(&self) -> f64 {
         self.beams as f64 * self.distance
     }
-    /// Turn of a beam in rad per N of load across it.
+    /// Rotation of a beam in rad per N of transverse load.
     fn turn_per_force(&self) -> f64 {
         self.distance / (self.springs.tangential * self.radius * self.radius)
     }
@@ -47,8 +47,8 @@ impl Chain {
             turn: s * m * m,
         }
     }
-    /// The tip under equal forces in N on every body but the clamped one: the sums over the loaded body m
-    /// of (2 m^3 + m) / 3 + m^2 (M - m), of m^2, and of m.
+    /// The tip under equal forces in N on every body except the clamped one: the sums over the loaded
+    /// body m of (2 m^3 + m) / 3 + m^2 (M - m), of m^2, and of m.
     pub fn under_own_weight(&self, along: f64, across: f64) -> Tip {
         let (m, s) = (self.beams as f64, across * self.turn_per_force());
         let deflection = m.powi(4) / 4.0 + m.powi(3) / 3.0 + m * m / 4.0 + m / 6.0;
@@ -74,7 +74,7 @@ impl Chain {
     pub fn timoshenko(&self, across: f64) -> f64 {
         self.euler_bernoulli(across) + across * self.length() / self.shear_stiffness()
     }
-    /// Deflection in m of the end of a Timoshenko beam under a uniform load of so many N on every distance.
+    /// Deflection in m of the end of a Timoshenko beam under a uniform load in N per distance D.
     pub fn timoshenko_uniform(&self, across: f64) -> f64 {
         let (length, load) = (self.length(), across / self.distance);
         load * length.powi(4) / (8.0 * self.bending_stiffness())
@@ -82,11 +82,11 @@ impl Chain {
     }
 }
 
-/// Relative departure from linear theory of the deflection of a thin inextensible beam under a small dead
-/// load P at its end, over (P L^2 / E I)^2.
+/// Relative deviation from linear theory of the deflection of a slender inextensible beam under a small
+/// dead load P at its end, over (P L^2 / E I)^2.
 ///
-/// theta'' = -beta cos(theta), theta(0) = theta'(1) = 0 with beta = P L^2 / (E I): to third order in beta
-/// the end is at beta / 3 - 4 beta^3 / 105.
+/// theta'' = -beta cos(theta), theta(0) = theta'(1) = 0 with beta = P L^2 / (E I): to third order in
+/// beta the deflection of the end is beta / 3 - 4 beta^3 / 105.
 pub const ELASTICA: f64 = -4.0 / 35.0;
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Linear networks of bodies and simple beams: statics, modes and waves.
 //!
-//! A beam is a stretching spring of stiffness k_n and, at either end, a spring of stiffness k_t that
-//! resists the turning of the body against the line of centres, at the lever arm of its radius:
+//! A beam consists of a stretching spring of stiffness k_n and, at each end, a spring of stiffness k_t
+//! that resists rotation of the body relative to the line of centres, with its radius as the lever arm:
 //! U = 1/2 k_n (D - D_0)^2 + 1/2 k_t (r_i^2 (phi_i - lambda)^2 + r_j^2 (phi_j - lambda)^2).
 
 pub mod cantilever;
@@ -15,7 +15,7 @@ pub mod waves;
 pub struct Springs {
     /// Stretching, k_n.
     pub normal: f64,
-    /// Turning of an end, k_t.
+    /// Rotation of an end, k_t.
     pub tangential: f64,
 }
 

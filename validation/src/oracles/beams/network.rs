@@ -46,7 +46,7 @@ impl Beam {
         matrix
     }
 
-    /// Places of its coordinates among those of all bodies.
+    /// Indices of its coordinates among those of all bodies.
     fn places(&self) -> [usize; 6] {
         std::array::from_fn(|n| 3 * self.between[n / 3] + n % 3)
     }
@@ -58,7 +58,7 @@ impl Beam {
     }
 }
 
-/// Stiffness matrix of so many bodies, in the order x, y, phi of each.
+/// Stiffness matrix of the given number of bodies, in the order x, y, phi for each.
 pub fn stiffness(bodies: usize, beams: &[Beam], springs: Springs) -> DMatrix<f64> {
     let mut matrix = DMatrix::zeros(3 * bodies, 3 * bodies);
     for (row, column, value) in beams.iter().flat_map(|beam| beam.entries(springs)) {
@@ -67,8 +67,8 @@ pub fn stiffness(bodies: usize, beams: &[Beam], springs: Springs) -> DMatrix<f64
     matrix
 }
 
-/// Displacements of all coordinates where those that are given are held and the others are free of force;
-/// none if the network is loose.
+/// Displacements of all coordinates if the given ones are prescribed and the others are free of force;
+/// none if the network is not rigid.
 pub fn settle(beams: &[Beam], springs: Springs, held: &[Option<f64>]) -> Option<Vec<f64>> {
     let mut place = vec![None; held.len()];
     let free: Vec<usize> = (0..held.len()).filter(|&n| held[n].is_none()).collect();

@@ -2,8 +2,8 @@
 
 use super::{Sphere, Springs};
 
-/// Squared angular frequencies over stiffness of the three modes that are not rigid, in 1/kg: stretching
-/// over k_n, then the two of turning over k_t, the lower first.
+/// Squared angular frequencies over stiffness of the three modes that are not rigid, in 1/kg:
+/// stretching over k_n, then the two rotational modes over k_t, the lower one first.
 ///
 /// With a = phi_i - lambda, b = phi_j - lambda, the reduced mass m* and J = 2/5 m r^2,
 ///
@@ -23,7 +23,7 @@ pub fn modes(ends: [Sphere; 2], distance: f64) -> [f64; 3] {
     [1.0 / reduced, mean - spread, mean + spread]
 }
 
-/// Decay rate in 1/s and angular frequency in rad/s of each mode, lightly damped: stretching and turning
+/// Decay rate in 1/s and angular frequency in rad/s of each underdamped mode: stretching and rotation
 /// have dashpots in parallel with their springs.
 pub fn damped(
     ends: [Sphere; 2],

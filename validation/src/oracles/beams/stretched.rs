@@ -1,13 +1,13 @@
 //! Two equal spheres joined by a beam whose shearing moment grows with the square of its length.
 //!
-//! With D the distance of the centres, R that at rest, and p and q the angles of the spheres against the
-//! line, less those at rest, the torques on both are
+//! With D the distance of the centres, R the rest distance, and p and q the angles of the spheres
+//! relative to the line, minus those at rest, the torques on the two spheres are
 //!
-//! -(S + B) and -(S - B), S = D^2/4 (s (p + q) + c (p' + q')), B = b (p - q) + d D/2 (p' - q'),
+//! -(S + B) and -(S - B), S = D^2/4 (s (p + q) + c (p' + q')), B = b (p - q) + d D/2 (p' - q').
 //!
-//! the force along the line is k (D - R) + g D', and the one across it is the sum of the torques over D.
-//! This is the bond of LAMMPS's `bpm/rotational` in the plane, found from its description and tried against
-//! its forces.
+//! The force along the line is k (D - R) + g D', and the transverse force is the sum of the torques
+//! over D. This is the bond of LAMMPS's `bpm/rotational` in the plane, derived from its description and
+//! compared with its forces.
 
 /// Constants of the beam, in SI units.
 #[derive(Clone, Copy, Debug)]
@@ -24,23 +24,23 @@ pub struct Stretched {
     pub bending: [f64; 2],
 }
 
-/// Vector from the first to the second, its rate, angles and angular velocities of both; the centre of mass
-/// rests.
+/// Vector from the first to the second, its rate, angles and angular velocities of both; the centre of
+/// mass is at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair {
     /// Vector between the centres in m.
     pub way: [f64; 2],
     /// Its rate in m/s.
     pub rate: [f64; 2],
-    /// Angles in rad, from rest.
+    /// Angles in rad, relative to rest.
     pub angles: [f64; 2],
     /// Angular velocities in rad/s.
     pub spins: [f64; 2],
 }
 
 impl Stretched {
-    /// Rates of the rate of the way and of the angular velocities, the line at rest being along x turned by
-    /// an angle.
+    /// Second derivative of the vector between the centres and angular accelerations; the line at rest
+    /// is rotated from x by an angle.
     fn accelerations(&self, pair: &Pair, rest_angle: f64) -> ([f64; 2], [f64; 2]) {
         let [x, y] = pair.way;
         let distance = x.hypot(y);
@@ -68,8 +68,8 @@ impl Stretched {
         (force.map(|f| -2.0 * f / mass), torques.map(|t| t / moment))
     }
 
-    /// States after each step of kick, drift and kick, the first included. Forces are found from the
-    /// velocities between two kicks, as LAMMPS finds them; the line at rest is that of the beginning.
+    /// States after each step of kick, drift and kick, including the first. Forces use the velocities
+    /// between two kicks, as in LAMMPS; the line at rest is the initial one.
     pub fn steps(self, mut pair: Pair, step: f64) -> impl Iterator<Item = Pair> {
         let rest_angle = pair.way[1].atan2(pair.way[0]);
         let mut forces = self.accelerations(&pair, rest_angle);

@@ -13,14 +13,14 @@ pub struct Lattice {
     pub springs: Springs,
 }
 
-/// A wave of displacement and turning: x_n = displacement cos(q x), phi_n = turn sin(q x).
+/// A wave of displacement and rotation: x_n = displacement cos(q x), phi_n = turn sin(q x).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
     /// Angular frequency in rad/s.
     pub frequency: f64,
     /// Amplitude of the displacement in m.
     pub displacement: f64,
-    /// Amplitude of the turning in rad.
+    /// Amplitude of the rotation in rad.
     pub turn: f64,
 }
 
@@ -29,8 +29,8 @@ impl Lattice {
     fn torsion(&self) -> f64 {
         self.springs.tangential * self.sphere.radius.powi(2)
     }
-    /// Stiffness k_s = 2 k_t r^2 / D^2 in N/m with which a beam resists shear while both ends keep their
-    /// direction.
+    /// Stiffness k_s = 2 k_t r^2 / D^2 in N/m with which a beam resists shear while both ends keep
+    /// their orientation.
     pub fn shear(&self) -> f64 {
         2.0 * self.torsion() / self.distance.powi(2)
     }
@@ -61,7 +61,7 @@ impl Lattice {
         ((row + slanted) / self.sphere.mass()).sqrt()
     }
 
-    /// Both waves of displacement across the row, with turning: the secondary wave first.
+    /// Both waves with displacement across the row and rotation, the secondary wave first.
     ///
     /// ```text
     /// m w^2 Y   = [4 k_s sin^2(q D / 2) + 2 (3 k_n + k_s) sin^2(q D / 4)] Y + g Phi
@@ -75,7 +75,7 @@ impl Lattice {
         self.coupled(across, coupling, 6.0 * t)
     }
 
-    /// Waves of two coupled oscillations of the inertias m and J, the slower first.
+    /// Waves of two coupled oscillations with inertias m and J, the slower first.
     fn coupled(&self, a: f64, coupling: f64, b: f64) -> [Wave; 2] {
         let (m, j) = (self.sphere.mass(), self.sphere.inertia());
         let (a, g, b) = (a / m, coupling / (m * j).sqrt(), b / j);
@@ -90,9 +90,8 @@ impl Lattice {
     }
 
     /// Stiffnesses C11 and C12 in N/m of the hexagonal lattice as a sheet, which is isotropic.
-    ///
-    /// A strain deforms every beam alike, and the spheres turn with the mean rotation: C11 = sqrt(3)/4
-    /// (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s).
+    /// All beams of one direction deform alike, and the spheres rotate with the mean rotation: C11 =
+    /// sqrt(3)/4 (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s).
     pub fn hexagonal_moduli(&self) -> [f64; 2] {
         let (k, s) = (self.springs.normal, self.shear());
         let quarter = 0.25 * 3.0_f64.sqrt();

@@ -111,7 +111,7 @@ fn sliding() -> [ContactTangential; 2] {
 }
 
 /// Compares the contact at a distance, for one lever arm, with the limits.
-fn rubbing_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measurement>, Failure> {
+fn frictional_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measurement>, Failure> {
     let (r, sum) = (radii[0], radii[0] + radii[1]);
     let slack = 1.5 * d / r + 10.0 * f64::EPSILON;
     let mut all = Vec::new();
@@ -175,7 +175,7 @@ fn coincidence() -> Outcome {
     for radii in [[r, r], [r, 1.5 * r]] {
         for d in [1e-4, 1e-6, 1e-9, 1e-15, 1e-60, 1.1e-145, 0.0] {
             for arm in arms {
-                all.extend(rubbing_at(arm, radii, d)?);
+                all.extend(frictional_at(arm, radii, d)?);
             }
             all.extend(viscoelastic_at(radii, d)?);
         }

@@ -24,13 +24,13 @@ pub(super) fn checks() -> Vec<Check> {
             "extremes.random",
             "2e4 random worlds of two particles, over every law, reading, lever arm, integrator and boundary; all are evaluated, one in sixteen makes four steps",
             Effort::Quick,
-            || survive(20_000, 16),
+            || run_cases(20_000, 16),
         ),
         check(
             "extremes.random-million",
             "1e6 random worlds of two particles, over every law, reading, lever arm, integrator and boundary; all are evaluated, one in 64 makes four steps",
             Effort::Report,
-            || survive(1_000_000, 64),
+            || run_cases(1_000_000, 64),
         ),
     ]
 }
@@ -108,7 +108,7 @@ fn outcome(case: u64, range: Range, stepped: u64) -> End {
 
 /// Runs random cases, half of them over the whole range; one in `stepped` continues after its
 /// evaluation.
-fn survive(cases: u64, stepped: u64) -> Outcome {
+fn run_cases(cases: u64, stepped: u64) -> Outcome {
     let mut table = Table::new(
         "Outcomes of random cases",
         &["outcome", "ordinary magnitudes", "all magnitudes"],

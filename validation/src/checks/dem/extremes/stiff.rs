@@ -30,14 +30,14 @@ pub(super) fn checks() -> Vec<Check> {
             "extremes.stiffness",
             "Over twelve decades of stiffness the restitution of a collision is the same, up to rounding of positions.",
             "Two spheres of 1 mm collide head on at 0.1 m/s, damping ratio 0.2, stiffness 1e2 to 1e14 kg/s^2 in half decades; velocity Verlet, time step 1e-3 over the frequency",
-            "h^2 from the method. If the overlap v / w is so small that positions are coarse, each step rounds by half a unit in the last place of the radius; four standard deviations of a random walk of N steps are 4 sqrt(N / 12) ulp / (v / w)",
+            "h^2 from the method. If the overlap v / w is so small that positions are coarse, each step rounds by half a unit in the last place of the radius; four standard deviations of a random random_walk of N steps are 4 sqrt(N / 12) ulp / (v / w)",
             stiffness,
         ),
         check(
             "extremes.sizes",
             "A sphere rebounds from a sphere up to 1e4 times as large, 1e12 times as heavy, with the same restitution as from a wall.",
             "A sphere of radius 1 mm and one of up to 10 m collide head on at 0.1 m/s, damping ratio 0.2, stiffness 1e4 kg/s^2; velocity Verlet, time step 1e-3 over the frequency",
-            "h^2, and a random walk of roundings of the larger position, as for extremes.stiffness",
+            "h^2, and a random random_walk of roundings of the larger position, as for extremes.stiffness",
             sizes,
         ),
         check(
@@ -61,7 +61,7 @@ const SPEED: f64 = 0.1;
 const H: f64 = 1e-3;
 
 /// Four standard deviations of the sum of the roundings of a position over the given number of steps.
-fn walk(steps: f64, place: f64) -> f64 {
+fn random_walk(steps: f64, place: f64) -> f64 {
     4.0 * (steps / 12.0).sqrt() * unit_in_last_place(place)
 }
 
@@ -113,7 +113,7 @@ fn stiffness() -> Outcome {
     for half in 4..=28 {
         let k = 10.0_f64.powf(0.5 * f64::from(half));
         let [measured, overlap] = collide([radius; 2], k, zeta, H)?;
-        let tolerance = H * H + walk(3.0 / H, radius) / overlap;
+        let tolerance = H * H + random_walk(3.0 / H, radius) / overlap;
         found.push((k, Measurement::absolute(e, measured, tolerance)));
     }
     sweep(
@@ -130,7 +130,7 @@ fn sizes() -> Outcome {
     for decade in 0..=4 {
         let ratio = 10.0_f64.powi(decade);
         let [measured, overlap] = collide([radius, ratio * radius], 1e4, zeta, H)?;
-        let tolerance = H * H + walk(3.0 / H, ratio * radius) / overlap;
+        let tolerance = H * H + random_walk(3.0 / H, ratio * radius) / overlap;
         found.push((ratio, Measurement::absolute(e, measured, tolerance)));
     }
     sweep(
@@ -147,7 +147,7 @@ fn damping() -> Outcome {
         let zeta = 10.0_f64.powi(decade);
         let e = truncated_restitution(zeta);
         let [measured, overlap] = collide([radius; 2], 1e4, zeta, H)?;
-        let rounding = walk(3.0 / H, radius) / overlap;
+        let rounding = random_walk(3.0 / H, radius) / overlap;
         let tolerance = H * H.min(1.0 / zeta) + rounding + if zeta > 1.0 { H * e } else { 0.0 };
         found.push((zeta, Measurement::absolute(e, measured, tolerance)));
     }

@@ -209,13 +209,13 @@ fn images() -> Outcome {
         let nearest = images.into_iter().fold(images[0], Df64::min);
         let missed = f64::from(exact(there.norm()) - nearest).abs();
         let missed = missed / (EPSILON * (length / 3.0 + f64::from(nearest)));
-        largest([missed, strays(random, metric, to)])
+        largest([missed, wrapping_error(random, metric, to)])
     })
 }
 
 /// Error of the representative of a point that was shifted by whole periods, in units of rounding;
 /// undefined if it lies outside the box. Every other point is next to an edge of the box.
-fn strays(random: &mut Random, metric: PeriodicX, point: Vec2) -> f64 {
+fn wrapping_error(random: &mut Random, metric: PeriodicX, point: Vec2) -> f64 {
     let length = metric.length;
     let x = match random.below(2) {
         0 => point.x.clamp(0.0, length),

@@ -55,12 +55,12 @@ fn thresholds() -> Outcome {
         let found = [
             slides([1.0, 1.5], side)?,
             slides([1.5, 1.0], side)?,
-            lifts_and_slows(side),
-            !pushes_and_lowers(side),
+            reduces_pull_and_load(side),
+            !increases_pull_and_load(side),
             is_wide(side)?,
             is_long(side)?,
             is_heavy(side)?,
-            flies(side)?,
+            is_too_fast(side)?,
         ];
         wrong += found.iter().filter(|&&found| found != beyond).count();
     }
@@ -68,7 +68,7 @@ fn thresholds() -> Outcome {
     wrong += usize::from(!is_wide(1.0)?);
     for axis in 0..3 {
         for periodic in [false, true] {
-            wrong += usize::from(!stops_beyond_numbers(axis, periodic)?);
+            wrong += usize::from(!stops_on_overflow(axis, periodic)?);
         }
     }
     Ok(Measurement::count(wrong).into())
@@ -82,7 +82,7 @@ fn pair(radii: [f64; 2], distance: f64) -> Particles {
         .collect()
 }
 
-fn sticky() -> ContactLaws {
+fn frictional() -> ContactLaws {
     ContactLaws {
         distance: ContactDistance::Radius,
         normal: ContactNormal::KelvinVoigt(KelvinVoigt {
@@ -100,7 +100,7 @@ fn sticky() -> ContactLaws {
 /// Number of contacts of two spheres that just touch.
 fn contacts_at_touch() -> Result<usize, Failure> {
     let model = Model {
-        contact: Some(sticky()),
+        contact: Some(frictional()),
         ..empty_model(Integrator::Euler, 1e-6)
     };
     let world: World = World::new(model, pair([1.0, 1.5], 2.5), &Start::default())?;
@@ -117,7 +117,7 @@ fn is_refused_at_touch() -> Result<bool, Failure> {
         ..Start::default()
     };
     let model = Model {
-        contact: Some(sticky()),
+        contact: Some(frictional()),
         ..empty_model(Integrator::Euler, 1e-6)
     };
     match World::<f64>::new(model, pair([1.0, 1.5], 2.5), &start) {
@@ -140,7 +140,7 @@ fn slides(radii: [f64; 2], multiple: f64) -> Result<bool, Failure> {
         ..Start::default()
     };
     let model = Model {
-        contact: Some(sticky()),
+        contact: Some(frictional()),
         ..empty_model(Integrator::Euler, 1e-6)
     };
     let world: World = World::new(model, pair(radii, radii[0] + radii[1] - 0.5), &start)?;
@@ -170,18 +170,18 @@ fn change(multiple: f64) -> [f64; 2] {
     [force.x, force.y]
 }
 
-fn lifts_and_slows(multiple: f64) -> bool {
+fn reduces_pull_and_load(multiple: f64) -> bool {
     change(multiple) == [-4.0, 4.0]
 }
 
-fn pushes_and_lowers(multiple: f64) -> bool {
+fn increases_pull_and_load(multiple: f64) -> bool {
     change(multiple) == [4.0, -4.0]
 }
 
 /// Whether a periodic box is accepted whose width is the given multiple of two cells.
 fn is_wide(multiple: f64) -> Result<bool, Failure> {
     let model = Model {
-        contact: Some(sticky()),
+        contact: Some(frictional()),
         domain: Domain {
             width: Some(multiple * 4.0 * 1.5),
             height: None,
@@ -251,7 +251,7 @@ fn is_heavy(multiple: f64) -> Result<bool, Failure> {
 
 /// Whether a bonded grain that moves by the given multiple of the largest diameter in one step is
 /// stopped.
-fn flies(multiple: f64) -> Result<bool, Failure> {
+fn is_too_fast(multiple: f64) -> Result<bool, Failure> {
     let (step, radius) = (1e-6, 1.5e-3);
     let text = head("euler", step)
         + "[bond.normal]\nstiffness = 1.0\ndamping = 0.0\n"
@@ -267,7 +267,7 @@ fn flies(multiple: f64) -> Result<bool, Failure> {
 }
 
 /// Whether a grain whose x, y or angle overflows in one step is stopped, in open and in periodic boxes.
-fn stops_beyond_numbers(axis: usize, periodic: bool) -> Result<bool, Failure> {
+fn stops_on_overflow(axis: usize, periodic: bool) -> Result<bool, Failure> {
     let mut rates = [0.0; 3];
     rates[axis] = 1e308;
     let [x, y, spin] = rates;

@@ -115,7 +115,7 @@ fn rotating() -> Outcome {
         bending_damping: 0.3,
         ..elastic
     };
-    for (beam, manner) in [(elastic, "elastic"), (damped, "damped")] {
+    for (beam, damping_name) in [(elastic, "elastic"), (damped, "damped")] {
         let exact = expected(beam);
         for ((name, _), order) in INTEGRATORS.iter().zip([1.0, 1.0, 1.0, 2.0, 2.0]) {
             let steps = [400, 800, 1600, 3200, 6400];
@@ -135,7 +135,7 @@ fn rotating() -> Outcome {
                 .iter()
                 .zip(&errors)
                 .map(|(&n, &e)| [END / n as f64, e]);
-            curves.push(Curve::marked_line(&format!("{name}, {manner}"), points));
+            curves.push(Curve::marked_line(&format!("{name}, {damping_name}"), points));
         }
     }
     let plot = Plot {

@@ -8,7 +8,7 @@ use super::sweep::{Precision, Rung, Sweep};
 use crate::checks::{Axis, Curve, Exhibit, Plot, Style, Table};
 
 /// Label of the points of LAMMPS.
-pub const PEER: &str = "LAMMPS, velocity Verlet with velocities of half a step";
+pub const PEER: &str = "LAMMPS, velocity Verlet with half-step velocities";
 
 /// Sweeps of a case: all methods in double, then the best method in single and double-double.
 pub struct Curves {
