@@ -11,7 +11,7 @@ use gouge_runner::scene::INTEGRATORS;
 pub fn topic() -> Topic {
     Topic {
         id: "economy",
-        title: "Pay for use",
+        title: "Absent terms",
         about: "A term that a scene does not name has no effect: leaving it out and setting its coefficients to zero give the same bits. Nor does it store anything.",
         checks: vec![zero(), bonded(), stored(), recorded()],
     }
@@ -56,7 +56,7 @@ fn stored() -> Check {
         oracle: "Words counted by hand: two per vector, one per number, seven per bond, six per contact with a memory",
         norm: "Largest difference in words",
         origin: Origin::Exact,
-        reason: "Counting",
+        reason: "The count must be exact",
         effort: Effort::Quick,
         measure: measure_stored,
     }
@@ -71,7 +71,7 @@ fn recorded() -> Check {
         oracle: "The world that was recorded",
         norm: "Number of states whose records differ in any word",
         origin: Origin::Exact,
-        reason: "Counting",
+        reason: "The count must be exact",
         effort: Effort::Quick,
         measure: measure_recorded,
     }

@@ -244,9 +244,7 @@ fn theory() -> Outcome {
             .collect::<Vec<_>>()
     };
     let plot = Plot {
-        title:
-            "Clamped chains tend to beam theory with the square of their slenderness"
-                .to_owned(),
+        title: "Clamped chains tend to beam theory with the square of their slenderness".to_owned(),
         x: Axis::logarithmic("number of beams M"),
         y: Axis::logarithmic("relative deviation of the deflection"),
         curves: vec![

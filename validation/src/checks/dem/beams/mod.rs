@@ -29,7 +29,7 @@ pub fn topic() -> Topic {
     ];
     Topic {
         id: "beams",
-        title: "Beams",
+        title: "Bonds as beams",
         about: "Modes, statics, waves and breaking of bonded particles, compared with independently solved linear networks, lattice elasticity and beam theory.",
         checks: parts.into_iter().flatten().collect(),
     }

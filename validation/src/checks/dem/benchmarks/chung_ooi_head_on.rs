@@ -364,7 +364,8 @@ fn restitutions() -> Outcome {
     }
     let [viscoelastic, kelvin_voigt] = marks;
     let plot = Plot {
-        title: "The error of the restitution is below the bound from the kink of the force".to_owned(),
+        title: "The error of the restitution is below the bound from the kink of the force"
+            .to_owned(),
         x: Axis::linear("requested restitution"),
         y: Axis::logarithmic("error of the restitution"),
         curves: vec![

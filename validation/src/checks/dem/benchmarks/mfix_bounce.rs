@@ -189,7 +189,8 @@ fn limit() -> Outcome {
         curves.push(Curve::marks(&format!("kernel, e = {e}"), gaps));
     }
     let plot = Plot {
-        title: "Soft spheres approach hard ones with the inverse square root of the stiffness".to_owned(),
+        title: "Soft spheres approach hard ones with the inverse square root of the stiffness"
+            .to_owned(),
         x: Axis::logarithmic("stiffness (N/m)"),
         y: Axis::logarithmic("height below that of hard spheres (m)"),
         curves,

@@ -16,7 +16,7 @@ pub fn checks() -> Vec<Check> {
             claim: "DEM06 in creeping flow: speed, distance and spin of a settling sphere are exponentials with its relaxation times.",
             equations: thesis("(17)-(19)"),
             scene: "A sphere of 0.1 mm and 2000 kg/m^3 falls from rest, spinning, for 0.35 s in a medium of 1.8e-5 Pa s; 350 to 2800 steps, extrapolated",
-            oracle: "Closed forms",
+            oracle: "Closed forms: exponentials with 2 rho r^2 / (9 eta) for the velocity and rho r^2 / (15 eta) for the spin",
             norm: "Largest error of speed, distance and spin, in units of the terminal speed, the distance covered at that speed in one relaxation time, and the initial spin, every 0.05 s",
             origin: Origin::Convergent,
             reason: "The error of velocity Verlet is a series in dt starting at dt^2. Extrapolation from four time steps leaves 1.04e-3 of its term in dt^5, which for the spin with the coarsest step, dt / tau = 0.054, is 4.8e-10 times a coefficient below a tenth, doubled for higher terms",

@@ -277,7 +277,9 @@ fn rolling() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "For every friction coefficient the sphere finally rolls at five sevenths of its speed".to_owned(),
+        title:
+            "For every friction coefficient the sphere finally rolls at five sevenths of its speed"
+                .to_owned(),
         x: Axis::linear("time (ms)"),
         y: Axis::linear("velocity (m/s)"),
         curves,

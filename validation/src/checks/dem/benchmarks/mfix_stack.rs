@@ -79,7 +79,8 @@ fn stack() -> Outcome {
         }
     }
     let plot = Plot {
-        title: "Two compressed spheres oscillate about equilibrium, and settle with damping".to_owned(),
+        title: "Two compressed spheres oscillate about equilibrium, and settle with damping"
+            .to_owned(),
         x: Axis::linear("time (ms)"),
         y: Axis::linear("height (mm)"),
         curves,

@@ -16,7 +16,7 @@ use crate::checks::Topic;
 pub fn topic() -> Topic {
     Topic {
         id: "closure",
-        title: "Closure",
+        title: "Energy balance",
         about: "The energy balance (72): each term alone against an independent value, and the residual of their sum against the order of the method; momentum and angular momentum; and the errors of the printed estimators (76)-(79).",
         checks: [
             heat::checks(),

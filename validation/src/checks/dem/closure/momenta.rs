@@ -96,7 +96,9 @@ fn long(steps: u64) -> Outcome {
     let (mut all, mut table) = (
         Vec::new(),
         Table::new(
-            &format!("Drifts over {steps} steps (a tenth of that for Euler, Taylor and Beeman), relative to the sums of absolute momenta"),
+            &format!(
+                "Drifts over {steps} steps (a tenth of that for Euler, Taylor and Beeman), relative to the sums of absolute momenta"
+            ),
             &["method", "momentum", "angular momentum"],
         ),
     );

@@ -38,7 +38,7 @@ fn begin() -> Check {
         oracle: "Distances by construction",
         norm: "Number of wrong or missing contacts, interactions and memories, and error of the coordination number",
         origin: Origin::Exact,
-        reason: "Counting",
+        reason: "The count must be exact",
         effort: Effort::Quick,
         measure: measure_begin,
     }
@@ -122,7 +122,7 @@ fn given() -> Check {
         oracle: "Distances by construction",
         norm: "Number of scenes wrongly accepted or refused",
         origin: Origin::Exact,
-        reason: "Counting",
+        reason: "The count must be exact",
         effort: Effort::Quick,
         measure: measure_given,
     }

@@ -38,7 +38,7 @@ fn graphs() -> Check {
         oracle: "Flood fill from each node in turn",
         norm: "Number of nodes with another label, plus number of wrong fragment counts",
         origin: Origin::Exact,
-        reason: "Counting",
+        reason: "The count must be exact",
         effort: Effort::Quick,
         measure: measure_graphs,
     }
@@ -68,7 +68,7 @@ fn broken() -> Check {
         oracle: "Flood fill of the chain without those four bonds",
         norm: "Number of grains in another fragment, plus number of wrong counts of fragments and of remaining bonds",
         origin: Origin::Exact,
-        reason: "Counting",
+        reason: "The count must be exact",
         effort: Effort::Quick,
         measure: measure_broken,
     }

@@ -21,7 +21,7 @@ pub fn topic() -> Topic {
     checks.extend(matter::checks());
     Topic {
         id: "estimators",
-        title: "Estimators",
+        title: "Estimators and initial states",
         about: "Estimators of a state: disorder, fragments, friction, stress and packing. Preparation of initial states: sizes, lattices, bonds and faults. Properties: mass, inertia and moduli.",
         checks,
     }

@@ -143,7 +143,7 @@ fn edges() -> Check {
         claim: "Points beyond the edges of the region do not count; points on the edges do.",
         equations: thesis("(80)-(81)"),
         scene: "Points on each edge of a box of 40 m by 20 m, and points a relative 5e-7 beyond it; periodic in x or not",
-        oracle: "Counting",
+        oracle: "The points inside, counted by hand",
         norm: "Error of the number of points in units in the last place",
         origin: Origin::Exact,
         reason: "One product and one quotient are rounded",

@@ -16,9 +16,9 @@ pub(super) fn checks() -> Vec<Check> {
     vec![
         Check {
             id: "extremes.coincidence",
-            claim: "Down to coincident centres, all normal laws, friction laws and lever arms stay finite and approach their limits.",
+            claim: "Down to coincident centres, normal forces and Haff-Werner friction stay finite and approach their limits, for both normal laws and three lever arms.",
             equations: thesis("(4), (5), (28)-(42), (114)"),
-            scene: "Two spheres of equal or unequal radii at distances from a tenth of the radius down to 1e-145 m and zero, with equal spins; three lever arms, two friction laws, two normal laws",
+            scene: "Two spheres of equal or unequal radii at distances from a tenth of the radius down to 1e-145 m and zero, with equal spins; three lever arms; Haff-Werner friction, or Cundall-Strack with zero friction; two normal laws",
             oracle: "Limits: normal force k (r_i + r_j) and (4/3) E* sqrt(R*) (r_i + r_j)^(3/2). Tangential force mu F_n (d_i + d_j) / D, with d_i + d_j the sum of radii, the distance itself (where Haff-Werner friction becomes viscous), or for equal radii twice r/2",
             norm: "Relative error of forces, and number of values that are not finite",
             origin: Origin::Convergent,
@@ -54,7 +54,7 @@ pub(super) fn checks() -> Vec<Check> {
             id: "extremes.subnormal",
             claim: "If stiffnesses and forces are subnormal numbers, a collision is correct up to the remaining resolution of the force. A moment of inertia whose inverse overflows is a typed error.",
             equations: thesis("(26)-(58)"),
-            scene: "Head-on collisions in units in which forces shrink by powers of two down to 2^-1066 N, and in units in which masses shrink; velocity Verlet, 2000 steps",
+            scene: "Head-on collisions in units in which forces shrink by powers of two down to 2^-1066, and in units in which masses shrink; velocity Verlet, 2000 steps",
             oracle: "The run in SI units, scaled",
             norm: "Relative error of the separation velocity; a wrong outcome for a mass counts as one",
             origin: Origin::Exact,
@@ -95,7 +95,7 @@ fn contact_at(
     Ok((link.ok_or_else(missing)?, finite))
 }
 
-/// Friction laws that are sliding from the start; the second one has no friction.
+/// Friction laws whose contacts slide from the start; the second one has a friction coefficient of zero.
 fn sliding() -> [ContactTangential; 2] {
     [
         ContactTangential::HaffWerner(HaffWerner {
@@ -111,7 +111,11 @@ fn sliding() -> [ContactTangential; 2] {
 }
 
 /// Compares the contact at a distance, for one lever arm, with the limits.
-fn frictional_at(arm: ContactDistance, radii: [f64; 2], d: f64) -> Result<Vec<Measurement>, Failure> {
+fn frictional_at(
+    arm: ContactDistance,
+    radii: [f64; 2],
+    d: f64,
+) -> Result<Vec<Measurement>, Failure> {
     let (r, sum) = (radii[0], radii[0] + radii[1]);
     let slack = 1.5 * d / r + 10.0 * f64::EPSILON;
     let mut all = Vec::new();

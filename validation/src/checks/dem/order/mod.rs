@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 pub fn topic() -> Topic {
     Topic {
         id: "order",
-        title: "Order",
+        title: "Order of the integrators",
         about: "Observed orders of the integrators, on smooth motion and through events.",
         checks: [vec![Check {
             id: "order.smooth",

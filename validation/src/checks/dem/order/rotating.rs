@@ -135,7 +135,10 @@ fn rotating() -> Outcome {
                 .iter()
                 .zip(&errors)
                 .map(|(&n, &e)| [END / n as f64, e]);
-            curves.push(Curve::marked_line(&format!("{name}, {damping_name}"), points));
+            curves.push(Curve::marked_line(
+                &format!("{name}, {damping_name}"),
+                points,
+            ));
         }
     }
     let plot = Plot {

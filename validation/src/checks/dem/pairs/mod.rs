@@ -25,7 +25,7 @@ pub fn topic() -> Topic {
     });
     Topic {
         id: "pairs",
-        title: "Two particles",
+        title: "Collisions of two particles",
         about: "Head-on collisions against closed forms and independent integration: restitution, duration, depth and force, and the errors caused by a finite time step.",
         checks,
     }

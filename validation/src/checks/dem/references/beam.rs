@@ -81,7 +81,9 @@ fn stiffening(world: &World) -> Result<Stiffening, Failure> {
     let links = world.interactions();
     let bond = world.model().bond.and_then(|bond| bond.tangential);
     let (Some(link), Some(beam)) = (links.first(), bond) else {
-        return Err(Failure::Oracle("the scene has no bond with bending".to_owned()));
+        return Err(Failure::Oracle(
+            "the scene has no bond with bending".to_owned(),
+        ));
     };
     let [first, second] = link.tangential_displacement;
     let radius = world.particles().radius[0];

@@ -170,7 +170,7 @@ impl Columns {
             |row: &Vec<f64>| (1.0..=world.particles().len() as f64).contains(&row[id]);
         if !table.rows.iter().all(is_particle) {
             return Err(Failure::Oracle(
-                "the result has other particles than the scene".to_owned(),
+                "the result contains particles that the scene does not have".to_owned(),
             ));
         }
         let scales = scales(table, id, world)?;

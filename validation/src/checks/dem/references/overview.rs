@@ -59,7 +59,9 @@ fn digits(case: &Case) -> Result<Option<(String, bool)>, Failure> {
     let said = |words: &str| Ok(Some((words.to_owned(), true)));
     match case.compares {
         Compared::Ensemble => return said("equivalent within margins"),
-        Compared::Beam | Compared::Inertia => return said("after adding the difference of the laws"),
+        Compared::Beam | Compared::Inertia => {
+            return said("after adding the difference of the laws");
+        }
         Compared::Motion => {}
     }
     let differences = motion::differences(case)?;

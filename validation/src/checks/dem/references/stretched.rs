@@ -76,7 +76,9 @@ fn begin(world: &World) -> Result<(Stretched, Pair), Failure> {
     let p = world.particles();
     let bond = world.model().bond;
     let (Some(bond), Some(beam)) = (bond, bond.and_then(|bond| bond.tangential)) else {
-        return Err(Failure::Oracle("the scene has no bond with bending".to_owned()));
+        return Err(Failure::Oracle(
+            "the scene has no bond with bending".to_owned(),
+        ));
     };
     let radius = p.radius[0];
     let half = |constant: f64| 0.5 * constant;

@@ -237,14 +237,16 @@ fn histogram(samples: &[f64], law: &Strength) -> Exhibit {
         (0..=200).map(|k| [at(k), density(at(k))]).collect()
     };
     Exhibit::Plot(Plot {
-        title: "Strengths of the bonds of settled packings follow the smaller radius"
-            .to_owned(),
+        title: "Strengths of the bonds of settled packings follow the smaller radius".to_owned(),
         x: Axis::linear("strength relative to a mean grain with factor one"),
         y: Axis::linear("probability density"),
         curves: vec![
             Curve::line("one radius", line(&|q| laws.single.density(q))),
             Curve::line("smaller of two radii", line(&|q| laws.smaller.density(q))),
-            Curve::line("radii weighted by numbers of bonds", line(&|q| law.density(q))),
+            Curve::line(
+                "radii weighted by numbers of bonds",
+                line(&|q| law.density(q)),
+            ),
             Curve::marks("packings", bars),
         ],
     })

@@ -176,7 +176,10 @@ pub fn power() -> Outcome {
         x: Axis::logarithmic("number of bonds"),
         y: Axis::linear("probability of rejecting the single radius at level 1 %"),
         curves: vec![
-            Curve::line("lower bound, from the point of largest difference alone", least),
+            Curve::line(
+                "lower bound, from the point of largest difference alone",
+                least,
+            ),
             Curve::marks("simulated", found),
         ],
     };

@@ -16,7 +16,7 @@ pub fn checks() -> Vec<Check> {
             id: "time-step.amplification.polynomial",
             claim: "The kernel's stability polynomials of its five integrators are the characteristic polynomials of the one-step matrices of the methods.",
             equations: thesis("(55)-(58)"),
-            scene: "120 pairs of squared frequency and damping, in units of the time step, from 1e-4 to 10, and no damping",
+            scene: "120 pairs of squared frequency and damping, in units of the time step: both from 1e-4 to 10, damping also zero",
             oracle: "One step of each method as a matrix written from its definition; coefficients by the Faddeev-LeVerrier algorithm",
             norm: "Largest error of the n-th coefficient, in units of the n-th power of the matrix norm",
             origin: Origin::Exact,

@@ -18,7 +18,7 @@ use crate::checks::Topic;
 pub fn topic() -> Topic {
     Topic {
         id: "time-step",
-        title: "Time step",
+        title: "Stability of the time step",
         about: "The stability limit of each integrator: from theory and from runs, for pairs and for whole packings.",
         checks: [
             amplification::checks(),

@@ -73,7 +73,7 @@ fn estimates() -> [Check; 2] {
             id: "time-step.packing.estimate",
             claim: "The kernel's estimate of the stable step is a lower bound of the exact critical step of symplectic Euler and velocity Verlet, for proportional and for non-proportional damping.",
             equations: thesis("(43)-(45)"),
-            scene: "The same packings",
+            scene: "The packing of time-step.packing.symmetric with both dampings",
             oracle: ORACLE,
             norm: "Number of estimates above the exact step",
             origin: Origin::Exact,

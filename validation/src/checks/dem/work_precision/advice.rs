@@ -125,7 +125,9 @@ pub fn words(case: &Case, sweeps: &[Sweep]) -> String {
         };
         let name = best.integrator;
         sentences.push(match time_for(&sweeps[0], error) {
-            Some(euler) if euler <= ALIKE * time => format!("For an error of {error:e}, euler is sufficient."),
+            Some(euler) if euler <= ALIKE * time => {
+                format!("For an error of {error:e}, euler is sufficient.")
+            }
             Some(euler) => {
                 let ratio = factor(euler / time);
                 format!("For an error of {error:e}, use {name}; euler takes {ratio} times as long.")

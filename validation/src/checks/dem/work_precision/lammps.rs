@@ -75,7 +75,10 @@ impl Recorded {
 
     /// All runs next to ours.
     pub fn table(&self, verlet: &Sweep) -> Table {
-        let title = format!("{}: LAMMPS compared with our velocity Verlet", self.scene.scene);
+        let title = format!(
+            "{}: LAMMPS compared with our velocity Verlet",
+            self.scene.scene
+        );
         let columns = [
             "step in s",
             "error of LAMMPS",

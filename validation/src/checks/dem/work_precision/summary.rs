@@ -36,7 +36,8 @@ fn measure() -> Outcome {
         "error over that of the best method in the same time",
         "dominated methods",
     ];
-    let title = "Recommended integrators, and the cost of forward Euler with the thesis's time step";
+    let title =
+        "Recommended integrators, and the cost of forward Euler with the thesis's time step";
     let mut table = Table::new(title, &columns);
     all.iter().for_each(|(_, curves)| table.push(row(curves)));
     Ok(Measurement::count(wins).showing([Exhibit::Table(table), Exhibit::Text(everywhere(&all))]))
@@ -104,9 +105,6 @@ fn everywhere(all: &[&super::Taken]) -> String {
     }
     match common.unwrap_or_default().as_slice() {
         [] => "No method is dominated in every scene.".to_owned(),
-        names => format!(
-            "Dominated in every scene: {}.",
-            names.join(" or ")
-        ),
+        names => format!("Dominated in every scene: {}.", names.join(" or ")),
     }
 }
