@@ -237,7 +237,7 @@ fn mistakes_in_a_set_up_are_named() {
 }
 
 #[test]
-fn mistakes_in_files_beside_a_scene_are_named() {
+fn mistakes_in_csv_files_are_named() {
     let list = include_str!("bad_input/beside.txt");
     assert!(check_list(include_str!("bad_input/beside.toml"), list) > 35);
 }
@@ -394,7 +394,7 @@ fn repetitive_scenes() -> [(Vec<u8>, &'static str); 13] {
 }
 
 #[test]
-fn what_is_no_scene_at_all_is_refused() {
+fn files_that_are_not_scenes_are_refused() {
     let mut bench = Bench::new();
     for (scene, expected) in no_scenes().into_iter().chain(repetitive_scenes()) {
         bench.check(&Case {

@@ -156,7 +156,7 @@ fn files() -> impl Iterator<Item = PathBuf> {
 }
 
 #[test]
-fn lengths_and_nesting_are_counted_as_stated() {
+fn lengths_and_nesting_are_counted_as_documented() {
     let text = "
         fn outer(x: u32) -> u32 {
             let Some(y) = next(x) else { return 0 };

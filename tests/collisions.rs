@@ -32,7 +32,7 @@ fn restitution(damping_ratio: f64) -> f64 {
 }
 
 #[test]
-fn restitution_of_truncated_kelvin_voigt_is_the_closed_form() {
+fn restitution_of_truncated_kelvin_voigt_matches_the_closed_form() {
     // exp(-beta t) with t the first zero of the force, evaluated to twelve digits elsewhere.
     let table = [
         (0.05, 0.858758101775),
@@ -97,7 +97,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
     #[test]
-    fn weak_links_conserve_momentum_and_angular_momentum(
+    fn contacts_conserve_momentum_and_angular_momentum(
         law in 0_usize..3,
         distance in prop::sample::select(vec!["radius", "focal", "mean"]),
         angle in 0.0..std::f64::consts::TAU,
@@ -140,7 +140,7 @@ fn the_thesis_reading_loses_angular_momentum_as_stated() {
 }
 
 #[test]
-fn opposite_spins_of_equal_spheres_leave_no_trace() {
+fn opposite_spins_of_equal_spheres_change_neither_spins_nor_directions() {
     // Chung and Ooi's seventh test: the contact does not slip, so spins and directions stay exactly.
     for law in LAWS {
         for k in 1..=17 {
@@ -164,7 +164,7 @@ fn opposite_spins_of_equal_spheres_leave_no_trace() {
 }
 
 #[test]
-fn a_rolling_contact_stores_nothing_however_far_it_rolls() {
+fn rolling_without_slip_builds_up_no_tangential_displacement() {
     // A sphere rolls on a fixed one without slip, several times round: a wrapped angle would jump.
     let radii = [3e-3, 1e-3];
     let reach = 0.999 * (radii[0] + radii[1]);

@@ -231,7 +231,7 @@ fn every_numbered_equation_has_exactly_one_row() {
 }
 
 #[test]
-fn the_items_and_tests_of_the_table_exist() {
+fn items_and_tests_named_by_the_table_exist() {
     let tests = tests();
     for row in documents().iter().flat_map(Document::rows) {
         let numbers = &row.numbers;
@@ -310,7 +310,7 @@ fn every_erratum_names_its_item_and_its_test() {
 }
 
 #[test]
-fn checks_cite_only_what_the_tables_hold() {
+fn checks_cite_only_existing_equations() {
     let documents = documents();
     let is_known = |citation: &Citation| {
         let of = |document: &&Document| document.source == citation.source.name();
@@ -336,7 +336,7 @@ fn checks_cite_only_what_the_tables_hold() {
 }
 
 #[test]
-fn stored_cases_cite_as_checks_do() {
+fn stored_cases_cite_in_the_form_of_checks() {
     for path in gouge_runner::references::paths() {
         let case = gouge_validation::references::case(&path).expect("a case");
         let read = Evidence::parse(&case.equations).map(|evidence| evidence.to_string());

@@ -55,7 +55,7 @@ fn restitution_of_viscoelastic_spheres_follows_the_coefficient_of_the_force() {
 }
 
 #[test]
-fn proportional_viscosities_give_their_time_as_the_constant() {
+fn proportional_viscosities_give_their_relaxation_time_as_dissipative_constant() {
     // If both viscosities are tau times their moduli, stress is (1 + tau d/dt) of the elastic one, and
     // the force (1 + tau d/dt) of Hertz's: A = tau, so that the coefficient in (37) is 3/2 tau.
     let tau = 1e-4;
@@ -90,7 +90,7 @@ fn proportional_viscosities_give_their_time_as_the_constant() {
 }
 
 #[test]
-fn viscoelastic_spheres_repel_only_and_only_in_overlap() {
+fn viscoelastic_spheres_only_repel_and_only_while_they_overlap() {
     let at = |half: f64, speed: f64| {
         let text = head("euler", 1e-9)
             + "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
@@ -111,7 +111,7 @@ fn viscoelastic_spheres_repel_only_and_only_in_overlap() {
 }
 
 #[test]
-fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_what_they_store() {
+fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_stored_energy() {
     let at = |half: f64| {
         let text = head("euler", 1e-9)
             + "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
@@ -132,7 +132,7 @@ fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_what_they_store(
 }
 
 #[test]
-fn masses_are_those_of_stacked_discs() {
+fn sphere_masses_match_stacked_discs() {
     // Slices of thickness dz: density times area, and half of mass times radius squared each.
     let (density, r, n) = (2700.0, 1e-3_f64, 100_000);
     let dz = 2.0 * r / f64::from(n);
@@ -227,7 +227,7 @@ fn linked(kind: &str, x: f64, y: f64, angles: [f64; 2]) -> World {
 }
 
 #[test]
-fn forces_and_torques_of_links_are_the_gradient_of_what_they_store() {
+fn forces_and_torques_of_links_are_the_gradient_of_stored_energy() {
     let (x, y, a) = (2.1e-3, 0.6e-3, [0.35, 0.1]);
     for kind in ["bond", "contact"] {
         let stored = |x: f64, y: f64, a: [f64; 2]| linked(kind, x, y, a).energy().contact;
@@ -281,7 +281,7 @@ fn a_new_bond_is_unstrained_whatever_the_radii() {
 }
 
 #[test]
-fn the_weakest_section_is_that_of_the_smaller_grain() {
+fn a_bond_breaks_at_the_section_of_the_smaller_particle() {
     let law = ZhangEckert {
         normal_strength: 280e6,
         tangential_strength: 168e6,
@@ -296,7 +296,7 @@ fn the_weakest_section_is_that_of_the_smaller_grain() {
 }
 
 #[test]
-fn coincident_centres_stay_finite() {
+fn forces_stay_finite_at_coincident_centres() {
     let text = head("euler", 1e-9)
         + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n\
            [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 1e7\n"
@@ -330,7 +330,7 @@ fn the_overlap_factor_is_unbounded_near_coincidence() {
 }
 
 #[test]
-fn a_contact_across_the_seam_is_like_any_other() {
+fn a_contact_across_the_periodic_boundary_behaves_like_any_other() {
     let collide = |shift: f64| {
         let text = head("velocity-verlet", 1e-8)
             + "[box]\nwidth = 0.0078125\nheight = 0.02\nboundary = \"periodic-x\"\n\

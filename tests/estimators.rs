@@ -17,7 +17,7 @@ fn packing_fraction_of_touching_discs_is_that_of_their_lattice() {
 }
 
 #[test]
-fn the_visible_part_of_a_circle_is_what_sampling_sees() {
+fn the_part_of_a_circle_inside_a_region_matches_sampling() {
     let mut random = Pcg64::new(5, 1);
     for periodic in [true, false] {
         let region = Region {
@@ -250,7 +250,7 @@ fn entropy_of_simple_radial_distributions_is_closed_form() {
 }
 
 #[test]
-fn what_leaves_the_region_leaves_its_distribution() {
+fn the_radial_distribution_ignores_points_outside_the_region() {
     let mut random = Pcg64::new(3, 9);
     for periodic in [true, false] {
         let region = Region {
@@ -272,7 +272,7 @@ fn what_leaves_the_region_leaves_its_distribution() {
 }
 
 #[test]
-fn edges_do_not_thin_an_ideal_gas() {
+fn the_radial_distribution_of_an_ideal_gas_is_corrected_for_edges() {
     let mut random = Pcg64::new(21, 4);
     // A strip not much higher than the circles are wide: nearly every circle is cut.
     for periodic in [true, false] {
@@ -292,7 +292,7 @@ fn edges_do_not_thin_an_ideal_gas() {
 }
 
 #[test]
-fn a_chain_a_ring_and_loners_are_told_apart() {
+fn a_chain_a_ring_and_single_particles_are_separate_components() {
     let edges = [(5, 2), (2, 8), (1, 3), (3, 7), (7, 1)];
     let found = connected(9, edges.into_iter());
     assert_eq!(found.number, 5);

@@ -259,7 +259,7 @@ fn pair_of_bond(world: &gouge_dem::World) -> ([Vec2; 3], [f64; 3]) {
 }
 
 #[test]
-fn moduli_and_wave_speeds_are_those_of_one_solid() {
+fn moduli_and_wave_speeds_are_consistent() {
     for nu in [-0.5, 0.0, 0.1, 0.22, 0.4, 0.49] {
         let solid = gouge_dem::material::Elastic {
             youngs_modulus: 50e9,
@@ -312,7 +312,7 @@ fn moduli_and_wave_speeds_are_those_of_one_solid() {
 }
 
 #[test]
-fn the_axial_ratio_is_that_of_the_forces_that_break() {
+fn the_axial_ratio_matches_the_breaking_forces() {
     let law = ZhangEckert {
         normal_strength: 280e6,
         tangential_strength: 168e6,
@@ -354,7 +354,7 @@ fn the_axial_ratio_is_that_of_the_forces_that_break() {
 }
 
 #[test]
-fn a_fault_parts_the_plane() {
+fn a_fault_separates_the_points_above_and_below_it() {
     let straight = Fault {
         level: 0.05,
         height: 0.0,

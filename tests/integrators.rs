@@ -43,7 +43,7 @@ fn error(integrator: &str, steps: u64, zeta: f64) -> f64 {
 }
 
 #[test]
-fn orders_are_those_of_theory() {
+fn convergence_orders_match_theory() {
     for (zeta, half_step) in [(0.0, 2.0), (0.3, 1.0)] {
         let orders = [1.0, 1.0, 1.0, 2.0, 2.0, half_step];
         for ((name, _), order) in NAMES.iter().zip(orders) {
@@ -73,7 +73,7 @@ fn grows(name: &str, step: f64, zeta: f64) -> bool {
 }
 
 #[test]
-fn stability_ends_where_the_amplification_matrix_says() {
+fn stability_limits_match_the_amplification_matrix() {
     for (name, integrator) in NAMES {
         for zeta in [0.1, 0.3, 0.5, 0.6649, 1.0, 2.0] {
             let oscillator = Oscillator {

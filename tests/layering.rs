@@ -105,7 +105,7 @@ fn modules_use_only_what_is_listed_above_them() {
 }
 
 #[test]
-fn no_two_files_of_the_kernel_use_each_other() {
+fn no_two_files_of_the_kernel_depend_on_each_other() {
     let files = kernel_files();
     let uses = |file: &Path| {
         let text = read(file);
@@ -183,7 +183,7 @@ fn every_dependency_is_used() {
 }
 
 #[test]
-fn the_kernel_touches_nothing_outside_itself() {
+fn the_kernel_has_no_io_clock_threads_or_globals() {
     let outside = [
         "std::fs",
         "std::env",
@@ -289,7 +289,7 @@ fn oracles_never_call_the_kernel() {
 }
 
 #[test]
-fn the_map_of_the_architecture_is_true() {
+fn architecture_md_names_exactly_the_existing_modules() {
     let text = read(&root().join("ARCHITECTURE.md"));
     let named: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
     for name in &named {

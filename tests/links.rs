@@ -91,7 +91,7 @@ proptest! {
     }
 
     #[test]
-    fn a_list_that_is_not_stale_misses_no_contact(
+    fn a_neighbour_list_that_is_not_stale_misses_no_contact(
         points in prop::collection::vec((0.0..4.0, 0.0..4.0, 0.1..0.3), 2..40),
         moves in prop::collection::vec((-1.0..1.0, -1.0..1.0), 40),
         size in 0.0..0.2,
@@ -135,7 +135,7 @@ proptest! {
     }
 
     #[test]
-    fn the_order_of_particles_is_total(
+    fn the_order_of_particles_is_a_total_order(
         a in (0.0..4.0, 0.0..3.0), b in (0.0..4.0, 0.0..3.0), i in 0_usize..3, j in 0_usize..3,
     ) {
         let cells = Cells::new(Vec2::zero(), Vec2::new(4.0, 3.0), true, 0.9, 1000);
@@ -147,7 +147,7 @@ proptest! {
 }
 
 #[test]
-fn chebyshev_distance_goes_the_short_way_round() {
+fn chebyshev_distance_uses_the_nearest_periodic_image() {
     let cells = Cells::new(Vec2::zero(), Vec2::new(10.0, 10.0), true, 1.0, 1000);
     let at = |x: f64, y: f64| cells.cell_at(Vec2::new(x, y));
     assert_eq!(cells.distance(at(0.5, 0.5), at(9.5, 0.5)), 1);
@@ -178,7 +178,7 @@ fn torn(role: &str, yielding: bool) -> gouge_dem::World {
 }
 
 #[test]
-fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
+fn edge_bonds_break_only_in_phases_that_let_them() {
     let model = |edges: bool| {
         let model = *torn("free", true).model();
         let yielding = |yielding| Yielding {

@@ -185,7 +185,7 @@ fn outputs((variable, value): (&str, &str)) -> BTreeMap<String, Vec<u8>> {
 }
 
 #[test]
-fn the_environment_chooses() {
+fn environment_variables_choose_instructions_and_threads() {
     let usual = outputs(("UNRELATED", ""));
     assert!(!usual.is_empty());
     for instructions in Instructions::available() {
@@ -195,7 +195,7 @@ fn the_environment_chooses() {
 }
 
 #[test]
-fn the_environment_is_checked() {
+fn invalid_environment_variables_are_refused() {
     let cases = [
         ("GOUGE_INSTRUCTIONS", "fast", "portable"),
         ("GOUGE_THREADS", "0", "from 1 to 1024"),

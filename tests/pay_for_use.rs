@@ -102,7 +102,7 @@ fn a_recorded_state_continues_with_the_same_bits() {
 }
 
 #[test]
-fn a_world_back_in_an_earlier_state_repeats_its_bits() {
+fn a_world_reset_to_an_earlier_state_repeats_its_bits() {
     for integrator in INTEGRATORS {
         let mut world = sheared(integrator, "cundall-strack");
         let bonds = |world: &gouge_dem::World| world.bonds().map(|bonds| bonds.len());
@@ -134,7 +134,7 @@ fn damaged_records_are_refused_without_panic() {
 }
 
 #[test]
-fn records_that_name_other_particles_are_refused_or_run() {
+fn records_with_wrong_indices_are_refused_or_run() {
     let text =
         grains("[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 1e7\n")
             + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n[[bonds]]\nbetween = [3, 4]\n";
@@ -170,7 +170,7 @@ fn records_that_name_other_particles_are_refused_or_run() {
 }
 
 #[test]
-fn the_driving_force_goes_on_in_the_next_phase() {
+fn the_driving_force_continues_in_the_next_phase() {
     let text = grains(
         "[driving]\ncontroller = \"rate-limited\"\nspeed = 1.0\npressure = 1e6\nforce_rate = 1e6\n[box]\nwidth = 0.1\n",
     ) + "role = \"driven\"\n";

@@ -15,7 +15,7 @@ fn gears(reading: &str) -> String {
 }
 
 #[test]
-fn corrected_angles_go_on_where_those_of_the_thesis_jump() {
+fn corrected_angles_continue_where_thesis_angles_wrap() {
     for (reading, unwrapped) in [("corrected", true), ("thesis", false)] {
         let mut world = world(&gears(reading));
         advance(&mut world, 10_000);
@@ -37,7 +37,7 @@ fn corrected_angles_go_on_where_those_of_the_thesis_jump() {
 }
 
 #[test]
-fn a_bond_turned_round_many_times_comes_back_unstrained() {
+fn a_bond_is_unstrained_after_many_rigid_turns() {
     // Rigid rotation about the common centre: no strain at any angle.
     let omega = 1e4;
     let text = head("velocity-verlet", 1e-8)
@@ -85,7 +85,7 @@ fn the_drag_constant_follows_the_reading() {
 }
 
 #[test]
-fn a_truncated_spring_pays_back_no_more_than_it_was_given() {
+fn a_truncated_spring_releases_no_more_energy_than_it_stored() {
     use gouge_dem::laws::{CundallStrack, CundallStrackTruncated, TangentialLaw, TangentialMotion};
     // The closed cycle of thesis E15: slide under a low load, return under a high one.
     fn work<L: TangentialLaw>(law: L) -> f64 {

@@ -9,7 +9,7 @@ use gouge_dem::laws::{characteristic_length, drag_coefficient};
 use std::f64::consts::PI;
 
 #[test]
-fn the_drag_of_other_shapes_has_the_base_ten() {
+fn the_drag_of_nonspherical_particles_uses_base_ten() {
     // At large Reynolds numbers only the last term is left: 0.42 for a sphere; general sphericities of
     // 10^-1 and 10^-32, of whose logarithms 1 and 2 are the fifth roots, add a factor of 10^0.4 or 10^0.8.
     let limit = |sphericity: f64| drag_coefficient(1e300, [1.0, sphericity, 1.0]);

@@ -6,7 +6,7 @@ use gouge_dem::integrators::{crack_bound, wave_bound};
 use gouge_dem::material::GRANITE;
 
 #[test]
-fn bounds_of_the_step_are_those_of_waves_and_cracks() {
+fn time_step_bounds_match_waves_and_cracks() {
     let bound = |r: f64| crack_bound(GRANITE.elastic(), 2700.0, r, 15.0);
     // Neither the mean nor the smallest radius gives the 18 ns of section 4.2.
     assert!(
@@ -27,7 +27,7 @@ fn bounds_of_the_step_are_those_of_waves_and_cracks() {
 }
 
 #[test]
-fn a_displacement_below_half_the_spacing_of_numbers_moves_nothing() {
+fn a_displacement_below_half_an_ulp_is_lost() {
     let text = head("euler", 1e-8) + &particle([1.0, 0.0], [1e-9, 1e-9], 0.0, 1e-3);
     let mut world = world(&text);
     advance(&mut world, 1000);

@@ -20,7 +20,7 @@ fn on_a_small_disk(blocks: usize, scene: &Path, out: &Path, resume: bool) -> Out
 }
 
 #[test]
-fn a_full_disk_is_named_and_the_run_continues_when_there_is_room() {
+fn a_full_disk_is_reported_and_the_run_continues_when_there_is_space() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = write_scene(folder.path(), &meeting(1e-8));
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
@@ -79,7 +79,7 @@ fn a_checkpoint_that_does_not_fit_leaves_the_earlier_one() {
 }
 
 #[test]
-fn an_unfinished_run_is_not_begun_anew() {
+fn an_unfinished_run_is_not_overwritten() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = write_scene(folder.path(), &meeting(1e-8));
     let out = folder.path().join("out");

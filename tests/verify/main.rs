@@ -44,7 +44,7 @@ fn page(folder: &Path) -> String {
 }
 
 #[test]
-fn a_page_with_figures_apart_shows_the_same_as_a_page_alone() {
+fn a_page_with_separate_figures_shows_the_same_as_a_self_contained_page() {
     let folder = tempfile::tempdir().expect("a folder");
     let (alone, apart) = (folder.path().join("alone"), folder.path().join("apart"));
     let only = ["--only", "chung-ooi.4"];

@@ -27,7 +27,7 @@ const SKIPPED: [&str; 14] = [
     "register::thorough::",
     "pay_for_use::a_recorded_state_continues_with_the_same_bits",
     "pay_for_use::a_step_allocates_nothing",
-    "estimators::edges_do_not_thin_an_ideal_gas",
+    "estimators::the_radial_distribution_of_an_ideal_gas_is_corrected_for_edges",
     "estimators::an_ideal_gas_has_no_excess_entropy",
     "collisions::restitution_of_truncated_kelvin_voigt",
 ];
