@@ -1,4 +1,5 @@
-//! Calibration against the laws of the kernel, integrated without its world, and the numbers of the thesis.
+//! Calibration against collisions integrated from the kernel's laws without its world, and against the numbers of
+//! the thesis.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::calibration::{
@@ -14,7 +15,7 @@ use gouge_dem::particles::sphere_mass;
 /// Restitution and duration of a head-on collision of equal spheres at the given speed, by classical
 /// Runge-Kutta steps until the force first vanishes.
 fn collide(law: impl NormalLaw, radius: f64, mass: f64, speed: f64, step: f64) -> (f64, f64) {
-    // Just outside contact the laws are silent; a first ulp of overlap starts them.
+    // Without overlap the laws give no force, so the collision starts with an overlap of one ulp.
     let slope = |x: f64, v: f64| (v, law.force([radius; 2], x, v) / mass);
     let (mut x, mut v, mut time) = (0.0_f64, speed, 0.0);
     loop {
@@ -80,7 +81,7 @@ fn restitution_at_strong_damping_is_inversely_quadratic_in_the_damping_ratio() {
         );
     }
     let step = |ratio: f64| truncated_duration(ratio) - truncated_duration(1.0);
-    // Smooth through critical damping: slope -2/3.
+    // The duration is smooth at critical damping, with slope -2/3.
     for offset in [-1e-3, -1e-6, -1e-9, 1e-9, 1e-6, 1e-3] {
         assert_abs_diff_eq!(
             step(1.0 + offset) / offset,
@@ -106,7 +107,7 @@ fn the_damping_bound_is_the_damping_of_the_law_at_the_breaking_overlap() {
         matching_stiffness(elastic, radius, strength, factor),
     );
     assert_abs_diff_eq!(damping / bound, 1.0, epsilon = 1e-12);
-    // About a tenth of a radius: hardly the small overlap that the law assumes.
+    // About a tenth of the radius, although the law assumes small overlaps.
     let typical = breaking_overlap_hertzian(elastic, radius, strength, 1.0) / radius;
     assert_abs_diff_eq!(typical, 0.108, epsilon = 5e-4);
 }
@@ -134,7 +135,7 @@ fn restitution_of_metre_spheres_deviates_from_first_order_quadratically() {
         "{}",
         rebound(0.83)
     );
-    // The neglected term is of second order: ten times less damping, a hundred times less error.
+    // The neglected term is of second order: a tenth of the damping gives a hundredth of the error.
     let error = |loss: f64| rebound(1.0 - loss) - (1.0 - loss);
     assert!(
         abs_diff_eq!(error(0.02) / error(0.002), 100.0, epsilon = 5.0),

@@ -1,4 +1,4 @@
-//! The commands and their outputs, as the contract fixes them.
+//! The commands and their outputs, as specified by the contract.
 
 use crate::program::{run, stderr, stdout, write_scene};
 use crate::worlds::{head, particle};
@@ -46,7 +46,7 @@ fn links_prints_every_pair_with_its_forces() {
     near(number(&rows[0], 8), 1e-4);
     near(number(&rows[0], 12), 1.0);
     near(number(&rows[0], 15), -1010.0);
-    // psi began at 0.01 and pi - 0.01; both ends are now at 0 and pi: zeta = -+0.01 mm cancel.
+    // psi was 0.01 and pi - 0.01 initially and is 0 and pi now: the displacements zeta = -+0.01 mm cancel.
     near(number(&rows[0], 10), -1e-5);
     near(number(&rows[0], 11), 1e-5);
     assert!(number(&rows[0], 16).abs() < 1e-6);
@@ -90,7 +90,7 @@ fn stability_follows_the_moment_of_inertia() {
         assert!(output.status.success(), "{}", stderr(&output));
         let report = json(&stdout(&output));
         let bounds = report["bounds"].as_array().expect("a list");
-        // A contact sees both rotations; the ends of a beam turn alike or oppositely.
+        // Both rotations contribute to a contact; the ends of a beam rotate in the same sense or in opposite senses.
         let squares = [
             ("contact tangential", 2.0 * (1.0 + 1.0 / factor)),
             ("bond shear", 1.0 + 1.0 / factor),
@@ -249,7 +249,7 @@ fn verify_runs_selected_checks_and_writes_reports() {
     );
 }
 
-/// The two reports of a run of some checks, without what was timed.
+/// The two reports of a run of some checks, without timings.
 fn timeless_reports() -> (Value, String) {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");

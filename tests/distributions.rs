@@ -1,4 +1,4 @@
-//! Distributions against quadrature and samples.
+//! Distributions compared with quadrature and samples.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::distributions::{
@@ -9,7 +9,7 @@ use gouge_dem::setup::SizeRange;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// Largest distance between the cumulative distribution and that of samples.
+/// Largest distance between the cumulative distribution and the empirical one of samples (Kolmogorov-Smirnov).
 fn distance(law: &impl Distribution, mut samples: Vec<f64>) -> f64 {
     samples.sort_by(f64::total_cmp);
     let n = samples.len() as f64;
@@ -20,7 +20,7 @@ fn distance(law: &impl Distribution, mut samples: Vec<f64>) -> f64 {
     samples.iter().enumerate().map(gap).fold(0.0, f64::max)
 }
 
-/// Whether the density is the slope of the cumulative distribution everywhere.
+/// Largest difference between the density and the slope of the cumulative distribution.
 fn slope_error(law: &impl Distribution, low: f64, high: f64) -> f64 {
     let h = (high - low) * 1e-5;
     let at = |k: u32| low + (high - low) * (f64::from(k) + 0.37) / 997.0;
@@ -33,7 +33,7 @@ fn slope_error(law: &impl Distribution, low: f64, high: f64) -> f64 {
 }
 
 const N: usize = 100_000;
-/// Kolmogorov's bound that a true law exceeds once in 10^8: sqrt(ln(2 10^8) / 2 N).
+/// Kolmogorov's bound, which a correct law exceeds with probability 10^-8: sqrt(ln(2 10^8) / 2 N).
 const BOUND: f64 = 9.78e-3;
 
 #[test]
@@ -70,7 +70,7 @@ fn samples_follow_the_closed_form_distributions() {
         .map(|_| draw(&narrow) * draw(&wide).min(draw(&wide)))
         .collect();
     assert!(distance(&weakest, samples) < BOUND);
-    // The single radius of the thesis is another law, and the bound can tell.
+    // The single radius of the thesis gives another distribution, which exceeds the bound.
     let other = (0..N).map(|_| draw(&narrow) * draw(&wide)).collect();
     assert!(distance(&weakest, other) > 10.0 * BOUND);
 }
@@ -199,7 +199,7 @@ fn size_bounds_are_at_the_onset_of_ordering() {
         2.0_f64.sqrt(),
         epsilon = 1e-15
     );
-    // The thesis prints 0.99; the exact value lies inside the ordering region, not outside.
+    // The thesis prints 0.99; the exact value lies inside the ordering region.
     assert_abs_diff_eq!(relative, 0.099_057_6, epsilon = 1e-7);
     assert!(crystallises(relative) && !crystallises(0.1));
     let back = Uniform::with_moments(uniform.mean(), uniform.deviation());
@@ -253,7 +253,7 @@ fn densities_of_functions_of_two_variables_match_integration() {
             assert_abs_diff_eq!(UniformSum(a, b).density(x), expected, epsilon = 2e-4);
         }
     }
-    // The smaller of two radii exceeds y if both do.
+    // The smaller of two radii exceeds y if both radii do.
     let law = WeakestProduct {
         radius: wide,
         factor: narrow,

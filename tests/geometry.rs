@@ -1,4 +1,4 @@
-//! Geometry against identities and quadrature.
+//! Geometry compared with identities and quadrature.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_common::geometry::{Metric, Open, PeriodicX, Vec2};
@@ -122,7 +122,7 @@ fn the_mean_distance_is_the_average_over_the_contact() {
             "{r} {y}"
         );
     }
-    // The mean of the extremities overestimates u - y by a half near touch.
+    // Near touch the mean of the extreme values overestimates u - y by one half.
     let (r, y) = (1.0, 0.999);
     let ratio = (mean_distance_of_extremities(r, y) - y) / (mean_distance(r, y) - y);
     assert_abs_diff_eq!(ratio, 1.5, epsilon = 1e-3);
@@ -133,7 +133,7 @@ fn areas_and_volumes_match_quadrature() {
     for (radii, distance) in [([1.0, 1.0], 1.7), ([1.0, 0.6], 1.2), ([2.0, 0.7], 1.6_f64)] {
         let [r, s] = radii;
         let y = focal_distance(radii, distance);
-        // Slices at x: the smaller of both half-heights.
+        // Slices at x have the smaller of both half-heights.
         let half = |x: f64| {
             let a = r * r - x * x;
             let b = s * s - (x - distance) * (x - distance);

@@ -1,8 +1,8 @@
-//! What is absent costs nothing and changes nothing; a step allocates nothing.
+//! Parts that a scene does not have change nothing; a step allocates nothing.
 
 use crate::worlds::{INTEGRATORS, advance, bits, head, particle, sheared_with, world};
 
-/// A handful of grains that collide, spin and fall apart again.
+/// A few spinning grains that collide and separate again.
 fn grains(more: &str) -> String {
     let mut text = head("velocity-verlet", 1e-8) + more;
     text += "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n";
@@ -142,7 +142,7 @@ fn records_with_wrong_indices_are_refused_or_run() {
     advance(&mut world, 10);
     let words = world.to_words();
     let mut refused = 0;
-    // A particle beyond the last is at most five numbers away from one that there is.
+    // Adding at most five turns any index into one beyond the last particle.
     for place in 0..words.len() {
         for more in 1..=5 {
             let mut damaged = words.clone();
@@ -153,9 +153,9 @@ fn records_with_wrong_indices_are_refused_or_run() {
             }
         }
     }
-    // Five lengths of lists and the bond, whose second particle would be beyond the last, at least.
+    // At least five lengths of lists and the bond, whose second particle would be beyond the last.
     assert!(refused >= 6, "{refused}");
-    // A number or a vector too many in any list of five.
+    // One number or one vector too many in any list of length five.
     let lengths = (0..words.len()).filter(|&place| words[place] == 5);
     for place in lengths.clone() {
         for more in [1, 2] {

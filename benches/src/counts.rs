@@ -16,7 +16,7 @@ use std::process::Command;
 
 /// A subcommand that this program runs under callgrind.
 #[derive(Subcommand)]
-pub enum Errand {
+pub enum Subtask {
     /// Advance a recorded state
     #[command(hide = true)]
     Steps {
@@ -35,7 +35,7 @@ pub enum Errand {
     },
 }
 
-impl Errand {
+impl Subtask {
     /// Run the subcommand.
     ///
     /// # Errors

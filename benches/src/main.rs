@@ -17,7 +17,7 @@ mod threads;
 mod worlds;
 
 use clap::{Parser, Subcommand};
-use counts::{Counting, Errand};
+use counts::{Counting, Subtask};
 use gouge_runner::error::Error;
 use gouge_runner::machine::{CallingThread, start_pool};
 use lammps::Lammps;
@@ -53,7 +53,7 @@ enum Command {
         seeds: u64,
     },
     #[command(flatten)]
-    Errand(Errand),
+    Subtask(Subtask),
 }
 
 #[derive(Subcommand)]
@@ -117,7 +117,7 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
     let measurement = match arguments.command {
         Command::Measure(measurement) => measurement,
         Command::Inertia { seeds } => return inertia::measure(seeds),
-        Command::Errand(errand) => return errand.run(),
+        Command::Subtask(subtask) => return subtask.run(),
     };
     let rounds = arguments.rounds;
     let instructions = start_pool(CallingThread::JoinsPool)?.instructions.name();

@@ -32,14 +32,14 @@ fn a_displacement_below_half_an_ulp_is_lost() {
     let mut world = world(&text);
     advance(&mut world, 1000);
     let x = world.particles().position[0];
-    assert_eq!(x.x, 1.0, "lost next to one metre");
+    assert_eq!(x.x, 1.0, "lost in a coordinate of one metre");
     assert!(
         relative_eq!(x.y, 1e-14, epsilon = 0.0, max_relative = 1e-9),
-        "kept next to nothing"
+        "kept in a coordinate of zero"
     );
 }
 
-/// Largest residual over the largest energy of a run, and the terms at its end.
+/// Largest residual of a run divided by its largest energy, and the terms at its end.
 fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
     let mut world = world(text);
     let (mut residual, mut scale) = (0.0_f64, world.energy().mechanical());
@@ -52,7 +52,7 @@ fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
     (residual / scale, world.energy())
 }
 
-/// Two spheres meet obliquely with spin.
+/// Two spinning spheres collide obliquely.
 fn oblique(step: f64, law: &str) -> String {
     head("velocity-verlet", step)
         + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n"
@@ -74,7 +74,7 @@ fn the_balance_of_a_collision_closes() {
             "law = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 3e6\n",
             1e-3,
         ),
-        // Its sign may flip in the middle of a step; the force then jumps by twice the limit.
+        // The sign of friction may change within a step; the force then jumps by twice the Coulomb limit.
         (
             "law = \"cundall-strack\"\nfriction = 0.5\nstiffness = 3e6\n",
             1e-2,
@@ -95,7 +95,7 @@ fn the_balance_of_a_collision_closes() {
 
 #[test]
 fn the_balance_of_a_breaking_bond_closes() {
-    // Pulled apart, or pressed until it breaks, when the contact that begins is booked as bonding.
+    // The bond is pulled or pressed until it breaks. In compression a contact begins, whose energy is booked as bonding.
     for (speed, bonds) in [(8.0, false), (-8.0, true)] {
         let text = head("velocity-verlet", 1e-9)
             + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n\
@@ -109,7 +109,7 @@ fn the_balance_of_a_breaking_bond_closes() {
         assert!(residual < 1e-3, "{residual}");
         assert!(end.breaking > 0.0 && end.friction > 0.0);
         assert_eq!(end.bonding > 0.0, bonds, "{end:?}");
-        // Two elements of 28 MPa on pi mm^2 hold at least F^2 / (2 k) when pulled straight.
+        // A bond that breaks in pure tension at F = 88 N, 28 MPa on pi mm^2, stores F^2 / (2 k).
         assert!(end.breaking < 88.0_f64.powi(2) / 2e7 * 1.5);
     }
 }

@@ -1,17 +1,17 @@
-//! Runs that fail on the way keep their last good state and say what happened.
+//! Runs that fail keep their last good state and report what happened.
 
 use super::{fault, summary, text};
 use crate::program::{run, stderr, write_scene};
 use crate::worlds::{INTEGRATORS, head, particle};
 use std::fs;
 
-/// Laws of a chain of bonded grains that touch others.
+/// Laws of a chain of bonded grains that touch other grains.
 const LAWS: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
     [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e8\n\
     [bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
     [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n";
 
-/// Six grains, of which the first three are bonded and the first one moves.
+/// Six grains; the first three are bonded, and the first one moves.
 fn chain(integrator: &str, step: f64, end: f64) -> String {
     let grain = |i: usize| {
         let speed = if i == 0 { 1.0 } else { 0.0 };

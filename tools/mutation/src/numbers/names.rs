@@ -20,7 +20,7 @@ const PROPERTIES: [&str; 10] = [
 ];
 
 /// Structures that only report results or errors.
-const TIDINGS: [&str; 3] = ["Interaction", "ModelError", "StepError"];
+const REPORTS: [&str; 3] = ["Interaction", "ModelError", "StepError"];
 
 #[derive(Clone)]
 struct Variable {
@@ -162,10 +162,10 @@ impl<'a> Names<'a> {
                     return None;
                 };
                 let owner = self.shape(&field.base);
-                let tells = owner.is_some_and(|owner| TIDINGS.contains(&owner.name.as_str()));
+                let is_report = owner.is_some_and(|owner| REPORTS.contains(&owner.name.as_str()));
                 let counts = shape.is_double()
                     || shape.is_real() && PROPERTIES.contains(&name.to_string().as_str());
-                (counts && !tells).then_some(Kind::Coefficient)
+                (counts && !is_report).then_some(Kind::Coefficient)
             }
             Expr::Index(index) => {
                 let list = innermost_name(&index.expr)?;
