@@ -121,7 +121,9 @@ proptest! {
 #[test]
 fn the_thesis_reading_loses_angular_momentum_as_stated() {
     // dL/dt = (d_ij + d_ji - D) F_t: the defect of the printed torque (thesis E10).
-    let mut world = world(&sliding_pair("thesis", "radius", LAWS[0], 2.5e-3, 0.0, 500.0));
+    let mut world = world(&sliding_pair(
+        "thesis", "radius", LAWS[0], 2.5e-3, 0.0, 500.0,
+    ));
     let mut expected = 0.0;
     let before = momenta(&world).2;
     for _ in 0..200 {

@@ -238,7 +238,10 @@ fn items_and_tests_named_by_the_table_exist() {
         if row.items.is_empty() {
             assert_eq!(row.item_cell, "-", "{numbers:?}");
             let is_explained = row.formula.starts_with("not implemented: ");
-            assert!(is_explained, "{numbers:?}: the reason for 'not implemented' is missing");
+            assert!(
+                is_explained,
+                "{numbers:?}: the reason for 'not implemented' is missing"
+            );
             continue;
         }
         for item in &row.items {
@@ -246,7 +249,10 @@ fn items_and_tests_named_by_the_table_exist() {
         }
         let has_doctest = || row.items.iter().any(|item| has_example(item));
         if row.test_cell == "doctest" {
-            assert!(has_doctest(), "{numbers:?}: the item has no documentation example");
+            assert!(
+                has_doctest(),
+                "{numbers:?}: the item has no documentation example"
+            );
             continue;
         }
         let named = quoted(&row.test_cell);
@@ -275,7 +281,8 @@ fn every_cited_erratum_has_its_section() {
     for (file, text) in prose() {
         for (id, at) in cited(&text) {
             let source = source_before(&text, at, &sources);
-            let source = source.unwrap_or_else(|| panic!("{}: no source is named before {id}", file.display()));
+            let source = source
+                .unwrap_or_else(|| panic!("{}: no source is named before {id}", file.display()));
             let is_there = errata.contains(&(source, id.to_owned()));
             assert!(is_there, "{} cites {source} {id}", file.display());
         }

@@ -70,8 +70,8 @@ fn proportional_viscosities_give_their_relaxation_time_as_dissipative_constant()
             relative_eq!(constant, 1.5 * tau, epsilon = 0.0, max_relative = 1e-12),
             "{nu}: {constant}"
         );
-        // The printed equation is wrong by the factor (1 - nu) (1 + 4 nu)^2 / (12 nu^2 (2 - nu)). It is right with twice
-        // the shear viscosity, the convention of its source.
+        // The printed equation is wrong by the factor (1 - nu) (1 + 4 nu)^2 / (12 nu^2 (2 - nu)). It is right with
+        // twice the shear viscosity, the convention of its source.
         if nu > 0.0 {
             let printed = dissipative_constant_printed(solid, eta_g, eta_k) / tau;
             let miss = (1.0 - nu) * (1.0 + 4.0 * nu).powi(2) / (12.0 * nu * nu * (2.0 - nu));
@@ -361,7 +361,8 @@ fn a_contact_across_the_periodic_boundary_behaves_like_any_other() {
     assert!(inside[0].x < 0.0, "they have met");
     for shift in [5.0e-3, 5.3e-3, 6.0e-3] {
         for (here, there) in inside.iter().zip(collide(shift)) {
-            // Positions differ by rounding errors of 1e-18 m, which the contact amplifies to relative differences of 1e-11.
+            // Positions differ by rounding errors of 1e-18 m, which the contact amplifies to relative differences of
+            // 1e-11.
             assert!((*here - there).norm() < 1e-9 * here.norm(), "{shift}");
         }
     }

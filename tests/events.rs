@@ -56,8 +56,8 @@ const OFTEN: RunOptions = RunOptions {
     checkpoint_interval: 0.0,
 };
 
-/// A small fault with short phases: two settling phases of 600 steps, relaxing and pressing phases of 800 steps, shear of
-/// 4000 steps.
+/// A small fault with short phases: two settling phases of 600 steps, relaxing and pressing phases of 800 steps,
+/// shear of 4000 steps.
 fn fault() -> Scene {
     let mut text = builtin::text("granite-fault-small")
         .expect("built in")

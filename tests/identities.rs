@@ -57,7 +57,8 @@ fn angles_on_the_axes_have_their_values() {
 
 #[test]
 fn the_displaced_volume_loses_the_contact_area_per_distance() {
-    // Separating the bodies by dD reduces the overlap volume by its cross-section: dV/dD = -A for spheres and cylinders.
+    // Separating the bodies by dD reduces the overlap volume by its cross-section: dV/dD = -A for spheres and
+    // cylinders.
     let (h, depth) = (1e-6, 0.7);
     for radii in [[1.0_f64, 1.0], [1.0, 1.7], [2.5, 0.4]] {
         let (near, far) = ((radii[0] - radii[1]).abs(), radii[0] + radii[1]);
@@ -133,7 +134,8 @@ fn rates_are_the_derivatives_of_displacements() {
                 before.tangential_displacement[end],
                 last.tangential_displacement[end],
             );
-            // thesis E11: if the lever arm depends on the distance, its rate d' times the angle adds a term that (34) omits.
+            // thesis E11: if the lever arm depends on the distance, its rate d' times the angle adds a term that (34)
+            // omits.
             let arm = |d: f64| match distance {
                 "radius" => r[end],
                 "focal" => FocalArm.distances(r, d)[end],

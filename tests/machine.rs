@@ -1,6 +1,6 @@
 //! Results depend neither on the instructions of the machine nor on the number of threads, nor on compiler
-//! optimisation. Fingerprints of the bits are recorded; `cargo test --profile unoptimised machine` compares them without
-//! optimisation.
+//! optimisation. Fingerprints of the bits are recorded; `cargo test --profile unoptimised machine` compares them
+//! without optimisation.
 
 use crate::program::{gouge, stderr};
 use crate::recorded::record;

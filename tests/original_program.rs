@@ -223,8 +223,8 @@ fn bond(rules: &Rules) -> BondLaws {
     }
 }
 
-/// Largest differences, magnitudes or tolerances of position, velocity, angle and angular velocity of any particle and of
-/// the total driving force, in SI units.
+/// Largest differences, magnitudes or tolerances of position, velocity, angle and angular velocity of any particle
+/// and of the total driving force, in SI units.
 #[derive(Clone, Copy, Debug, Default)]
 struct Deviation([f64; 5]);
 
@@ -348,11 +348,11 @@ const LINKS: f64 = 8.0;
 ///
 /// A position X has the error eps X and an angle A the error eps A. So the force of a contact or bond with stiffness k
 /// and damping g has the error eps (k (X + r A) + g V), where V is the relative surface velocity. In one step this
-/// changes a velocity by the force error times dt / m. Errors of all contacts, bonds and steps are assumed to add like a
-/// random walk, with the square root of the number of steps, and to be amplified by the motion until the end
-/// (`growth`). The error of a position is the velocity error times the time, plus the rounding error of the position's
-/// own sum. The latter repeats in free flight and so grows linearly with the number of steps. The driving force is a sum
-/// of equal terms, which is the same on both sides unless a sign differs.
+/// changes a velocity by the force error times dt / m. Errors of all contacts, bonds and steps are assumed to add
+/// like a random walk, with the square root of the number of steps, and to be amplified by the motion until the end
+/// (`growth`). The error of a position is the velocity error times the time, plus the rounding error of the
+/// position's own sum. The latter repeats in free flight and so grows linearly with the number of steps. The driving
+/// force is a sum of equal terms, which is the same on both sides unless a sign differs.
 fn rounding(run: &Replay, growth: f64) -> Deviation {
     let Original { rules, grains, .. } = &run.twins.oracle;
     let steps = run.twins.world.steps() as f64;

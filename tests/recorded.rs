@@ -44,7 +44,10 @@ fn summaries_of_built_in_scenes() {
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let text = stdout(&run(&["scenes", name]));
-        assert!(text.contains(end), "{name} does not contain the expected end time");
+        assert!(
+            text.contains(end),
+            "{name} does not contain the expected end time"
+        );
         let scene = write_scene(folder.path(), &text.replace(end, shorter));
         let out = folder.path().join("out");
         let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("UTF-8"));

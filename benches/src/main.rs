@@ -46,7 +46,8 @@ struct Arguments {
 enum Command {
     #[command(flatten)]
     Measure(Measurement),
-    /// Print the friction of the small fault, with the moment of inertia of spheres and with that of the thesis's author, as CSV
+    /// Print the friction of the small fault, with the moment of inertia of spheres and with that of the thesis's
+    /// author, as CSV
     Inertia {
         /// Number of seeds
         #[arg(long, default_value_t = 16)]

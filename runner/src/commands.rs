@@ -162,7 +162,8 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
             push * law.damping,
         ));
         if let Some(beam) = bond.tangential {
-            // Equal particles in touch, rotating in the same and in opposite senses: 7/2 k / m and 5/2 k / m for spheres.
+            // Equal particles in touch, rotating in the same and in opposite senses: 7/2 k / m and 5/2 k / m for
+            // spheres.
             let (shear, turn) = ((1.0 + ease) / lightest, ease / lightest);
             bounds.push(bound(
                 "bond shear",
@@ -226,6 +227,8 @@ pub fn scenes(name: Option<&str>) -> Result<String, Error> {
     let text = text.or_else(|| references::scene_text(name));
     text.ok_or_else(|| {
         let names = builtin::names().join(", ");
-        Error::Argument(format!("'{name}' is not a built-in scene; must be one of: {names}"))
+        Error::Argument(format!(
+            "'{name}' is not a built-in scene; must be one of: {names}"
+        ))
     })
 }

@@ -102,8 +102,8 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
 
 #[test]
 fn exact_driving_settles_with_every_integrator() {
-    // A grain in a viscous medium starts at rest, is accelerated to 2 m/s and then driven at this speed. The force only has
-    // to balance the drag 6 pi eta r v.
+    // A grain in a viscous medium starts at rest, is accelerated to 2 m/s and then driven at this speed. The force
+    // only has to balance the drag 6 pi eta r v.
     for integrator in INTEGRATORS {
         let text = head(integrator, 1e-6)
             + "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
@@ -167,7 +167,8 @@ fn the_rate_limited_controller_brings_the_reaction_to_the_load() {
 
 #[test]
 fn friction_is_the_signed_ratio_of_sums() {
-    // Dragged at constant speed through a medium while a harmonic well carries the load: friction is 6 pi eta r v / (p A).
+    // Dragged at constant speed through a medium while a harmonic well carries the load: friction is 6 pi eta r v /
+    // (p A).
     for speed in [2.0, -2.0] {
         let text = head("symplectic-euler", 1e-6)
             + "[box]\nheight = 0.2\n[ambient]\nlaw = \"creeping\"\nviscosity = 10.0\n\

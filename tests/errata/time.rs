@@ -95,7 +95,8 @@ fn the_balance_of_a_collision_closes() {
 
 #[test]
 fn the_balance_of_a_breaking_bond_closes() {
-    // The bond is pulled or pressed until it breaks. In compression a contact begins, whose energy is booked as bonding.
+    // The bond is pulled or pressed until it breaks. In compression a contact begins, whose energy is booked as
+    // bonding.
     for (speed, bonds) in [(8.0, false), (-8.0, true)] {
         let text = head("velocity-verlet", 1e-9)
             + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n\

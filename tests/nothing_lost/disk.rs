@@ -1,6 +1,6 @@
 //! Full disks, foreign files and unfinished runs: nothing is overwritten unless requested.
 
-use super::{assert_same, complete, fault, files, kill, meeting, start, text};
+use super::{assert_same, colliding_pair, complete, fault, files, kill, start, text};
 use crate::program::{run, stderr, write_scene};
 use crate::worlds::head;
 use rand_pcg::Pcg64;

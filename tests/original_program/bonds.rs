@@ -3,8 +3,8 @@
 use super::{EACH_RUBBING, RULES, STABLE, STRENGTH, Twins, check, grain, replay};
 use gouge_validation::oracles::original::{Original, Rules, Spring};
 
-/// A bonded pair of unequal grains with the given spins; the velocity of the second grain has components along and across
-/// the line of centres.
+/// A bonded pair of unequal grains with the given spins; the velocity of the second grain has components along and
+/// across the line of centres.
 fn bonded(rules: Rules, distance: f64, velocity: [f64; 2], spins: [f64; 2]) -> Original {
     let normal = [0.3_f64.cos(), -0.3_f64.sin()];
     let mut grains = vec![grain([4e-3, 6e-3], 1.15e-3), grain([0.0; 2], 0.9e-3)];

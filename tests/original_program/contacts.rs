@@ -31,7 +31,10 @@ fn collisions_follow_the_original_program() {
         ("from afar", 1.2e-3, [200.0, 1.0], [4e3, 0.0]),
     ];
     for rubbing in EACH_RUBBING {
-        for (place, x) in [("inside", 10e-3), ("at the periodic boundary", BOX - 0.4e-3)] {
+        for (place, x) in [
+            ("inside", 10e-3),
+            ("at the periodic boundary", BOX - 0.4e-3),
+        ] {
             for (motion, gap, velocity, spins) in motions {
                 let grains = approaching(x, gap, velocity, spins);
                 let rules = Rules {
@@ -40,7 +43,10 @@ fn collisions_follow_the_original_program() {
                     ..RULES
                 };
                 let run = replay(Twins::new(Original::new(rules, grains), false), 1000);
-                assert!((20..900).contains(&run.touching), "the grains collide and separate");
+                assert!(
+                    (20..900).contains(&run.touching),
+                    "the grains collide and separate"
+                );
                 let turns = (run.twins.oracle.grains[0].omega - spins[0]).abs() > 1e-6;
                 assert!(
                     turns == (rubbing != Rubbing::Zero && motion != "head on"),

@@ -42,8 +42,7 @@ impl Scene {
         }
         let sums = |contact: ContactLaws| matches!(contact.distance, ContactDistance::Mixed(_));
         if self.contact.is_some_and(sums) && !self.contacts.is_empty() {
-            let accepted =
-                "a table cannot be combined with [[contacts]]: it makes tangential displacements begin at zero";
+            let accepted = "a table cannot be combined with [[contacts]]: it makes tangential displacements begin at zero";
             return Err(root.table("contact")?.error("distance", accepted));
         }
         self.check_pairs()?;

@@ -228,7 +228,8 @@ pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
     }
     table.allow(&["law", "stiffness"])?;
     let Some(height) = domain.height else {
-        let accepted = "needs box.height, because a harmonic well is centred at half the height of the box";
+        let accepted =
+            "needs box.height, because a harmonic well is centred at half the height of the box";
         return Err(table.error("law", accepted));
     };
     let stiffness = table.number("stiffness", Range::NonNegative)?;

@@ -358,7 +358,10 @@ fn domain(root: &Table) -> Result<Domain> {
         .optional_choice("boundary", &boundaries)?
         .unwrap_or(false);
     if periodic && width.is_none() {
-        return Err(table.error("width", "missing; required if boundary is periodic-x; must be a width in m"));
+        return Err(table.error(
+            "width",
+            "missing; required if boundary is periodic-x; must be a width in m",
+        ));
     }
     Ok(Domain {
         width,

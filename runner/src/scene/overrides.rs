@@ -208,7 +208,9 @@ impl Override {
             DeValue::Table(table) => {
                 if !table.contains_key(name) && next.is_some_and(|next| index(next).is_some()) {
                     let array = path_of(&self.names[..=depth]);
-                    return Err(self.error(&format!("names an array that the scene does not have: {array}")));
+                    return Err(self.error(&format!(
+                        "names an array that the scene does not have: {array}"
+                    )));
                 }
                 if depth + 2 == self.names.len() && !matches!(value.get_ref(), DeValue::Table(_)) {
                     claim_array(table, name, key());

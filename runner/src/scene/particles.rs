@@ -299,7 +299,8 @@ fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>> {
         return Ok(None);
     };
     if root.has(list) {
-        let accepted = format!("cannot be combined with [[{list}]]; only one of the two may be given");
+        let accepted =
+            format!("cannot be combined with [[{list}]]; only one of the two may be given");
         return Err(root.error(&key, &accepted));
     }
     let path = folder.join(name);
@@ -377,7 +378,12 @@ impl Rows {
                 return Err(source.error(0, "column", &shortened(name), &accepted));
             }
             if !seen.insert(name) {
-                return Err(source.error(0, "column", name, "appears twice in the header; each column may appear only once"));
+                return Err(source.error(
+                    0,
+                    "column",
+                    name,
+                    "appears twice in the header; each column may appear only once",
+                ));
             }
         }
         match required.iter().find(|name| !seen.contains(*name)) {

@@ -151,9 +151,9 @@ pub fn setup(
     }
     check_dependencies(root, &table)?;
     Ok(Some(Setup {
-        seed: table.optional_whole("seed")?.ok_or_else(|| {
-            table.error("seed", "missing; must be an integer, zero or greater")
-        })?,
+        seed: table
+            .optional_whole("seed")?
+            .ok_or_else(|| table.error("seed", "missing; must be an integer, zero or greater"))?,
         lattice: lattice(&table.table("lattice")?, sizes, domain)?,
         sizes,
         settle: phases("settle", false)?,
@@ -342,7 +342,10 @@ fn bonding(setup: &Table) -> Result<Option<Bonding>> {
             .filter(|&spread| spread < 1.0)
             .map_or_else(
                 || match table.has("strength_spread") {
-                    true => Err(table.error("strength_spread", "must be a number from 0 to less than 1")),
+                    true => {
+                        Err(table
+                            .error("strength_spread", "must be a number from 0 to less than 1"))
+                    }
                     false => Ok(0.0),
                 },
                 Ok,
@@ -364,7 +367,9 @@ fn fault(setup: &Table, domain: &Domain) -> Result<Option<FaultTable>> {
     ) {
         (Some(level), _) => level,
         (None, Some(height)) => 0.5 * height,
-        (None, None) => return Err(table.error("level", "missing; required if box.height is absent")),
+        (None, None) => {
+            return Err(table.error("level", "missing; required if box.height is absent"));
+        }
     };
     Ok(Some(FaultTable {
         level,

@@ -102,7 +102,9 @@ impl Range {
             Self::Finite => "must be a finite number".to_owned(),
             Self::Positive => "must be a finite number greater than zero".to_owned(),
             Self::NonNegative => "must be a finite number, zero or greater".to_owned(),
-            Self::Between(low, high) => format!("must be a number greater than {low} and less than {high}"),
+            Self::Between(low, high) => {
+                format!("must be a number greater than {low} and less than {high}")
+            }
         }
     }
 }
@@ -149,8 +151,7 @@ fn number_of(value: &DeValue) -> Option<f64> {
 }
 
 /// What is accepted instead of an integer outside the range of TOML integers.
-const TOO_LONG: &str =
-    "must be an integer that fits into 64 bits; a larger number needs a decimal point or an exponent";
+const TOO_LONG: &str = "must be an integer that fits into 64 bits; a larger number needs a decimal point or an exponent";
 
 fn is_integer(value: &DeValue) -> bool {
     matches!(value, DeValue::Integer(_))

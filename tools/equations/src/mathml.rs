@@ -54,7 +54,8 @@ fn protect(mathml: &str) -> String {
     output
 }
 
-/// Whether Markdown would interpret the character. Within a tag it only interprets a bar, which ends the cell of a table.
+/// Whether Markdown would interpret the character. Within a tag it only interprets a bar, which ends the cell of a
+/// table.
 fn meaningful(place: Place, character: char) -> bool {
     match place {
         Place::Text => character.is_ascii_punctuation() || character.is_ascii_control(),

@@ -1,4 +1,5 @@
-//! Exemptions: numbers that control an algorithm but appear in no formula. Changing one by a millionth changes no result.
+//! Exemptions: numbers that control an algorithm but appear in no formula. Changing one by a millionth changes no
+//! result.
 
 use super::site::Site;
 
@@ -27,15 +28,14 @@ const fn exempt(
 }
 
 const LIST: &str = "determines when the neighbour list is rebuilt and which pairs without overlap it contains; no result depends on it";
-const BISECTION: &str =
-    "where an interval is divided; the bisection continues until the interval cannot be divided further";
+const BISECTION: &str = "where an interval is divided; the bisection continues until the interval cannot be divided further";
 const SCAN: &str = "range and resolution of the search for the first unstable step";
-const TINY: &str =
-    "a term below 2e-9 wherever it is used; a millionth of it is less than rounding";
+const TINY: &str = "a term below 2e-9 wherever it is used; a millionth of it is less than rounding";
 const BRACKET: &str = "brackets the root that the bisection then finds";
 const NORMALISED: &str = "a common factor of all pairs; the distribution is normalised afterwards";
 const BEYOND: &str = "which samples and pairs are visited; those beyond contribute nothing";
-const ROUNDING: &str = "clamps a probability that exceeds one by rounding; exact probabilities never do";
+const ROUNDING: &str =
+    "clamps a probability that exceeds one by rounding; exact probabilities never do";
 
 const EXEMPTIONS: &[Exemption] = &[
     exempt("kernel/common/src/neighbors/list.rs", "", "", LIST),

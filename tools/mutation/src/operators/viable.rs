@@ -21,8 +21,8 @@ struct LeftOut {
     switches: BTreeSet<usize>,
 }
 
-/// Build the mutants into a copy of the workspace, without those that do not compile. Return the switches of the latter.
-/// They are stored in the folder, so that a continued run finds the same copy.
+/// Build the mutants into a copy of the workspace, without those that do not compile. Return the switches of the
+/// latter. They are stored in the folder, so that a continued run finds the same copy.
 ///
 /// # Errors
 /// A file that cannot be read or written, or a compiler error that no mutant causes.
