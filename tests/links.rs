@@ -206,7 +206,7 @@ fn edge_bonds_break_only_in_phases_that_let_them() {
             .continue_with(model, roles)
             .expect("the kernel goes on");
         advance(&mut world, 5000);
-        let found = world.bonds().map(|strong| strong.len());
+        let found = world.bonds().map(|bonds| bonds.len());
         assert_eq!(found, Some(holding), "{role} {yielding} {model:?}");
     }
 }

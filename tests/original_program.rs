@@ -286,14 +286,14 @@ fn replay(twins: Twins, steps: u64) -> Replay {
 
 /// Check that both sides have the same bonds and, if the kernel stores contacts, the same contacts.
 fn compare_links(Twins { world, oracle }: &Twins) {
-    let pairs = world.bonds().map_or(&[][..], |strong| strong.pairs());
+    let pairs = world.bonds().map_or(&[][..], |bonds| bonds.pairs());
     let bonded = in_order(pairs.iter().copied());
     let expected: Vec<Ends> = oracle.bonds.keys().copied().collect();
     assert_eq!(bonded, expected, "bonds after {} steps", world.steps());
     if matches!(oracle.rules.rubbing, Rubbing::CundallStrack { .. }) {
         let moves = |i: usize| oracle.grains[i].duty != Duty::Fixed;
-        let weak = world.contacts().expect("there are contacts");
-        let touching = in_order(weak.remembered().map(|(pair, _)| pair));
+        let contacts = world.contacts().expect("there are contacts");
+        let touching = in_order(contacts.remembered().map(|(pair, _)| pair));
         let expected = oracle
             .contacts
             .keys()

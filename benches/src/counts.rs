@@ -213,8 +213,8 @@ impl Program<'_> {
         rounds: usize,
     ) -> Result<Counts, Error> {
         let particles = world.particles().len();
-        let pairs = world.contacts().map_or(0, |weak| weak.pairs.len());
-        let bonds = world.bonds().map_or(0, |strong| strong.len());
+        let pairs = world.contacts().map_or(0, |contacts| contacts.pairs.len());
+        let bonds = world.bonds().map_or(0, |bonds| bonds.len());
         let mut timer = Timer::new(world, 10)?;
         let steps = if counted == Counted::Large { 4 } else { 1 } * STEPS / 4;
         let mut ours = Sample::default();

@@ -24,7 +24,7 @@ const FILES: [&str; 5] = [CHECKPOINT, SUMMARY, SERIES, PARTICLES, PICTURE];
 /// Check that the outputs would not replace a file that the scene reads.
 ///
 /// # Errors
-/// A folder in which they would.
+/// A folder with a file that would be replaced.
 pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error> {
     for name in FILES {
         let output = folder.join(name);
