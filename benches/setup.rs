@@ -1,4 +1,4 @@
-//! What happens rarely: reading a scene, setting it up, finding neighbours, writing a report.
+//! Times of rare operations: reading a scene, setting it up, finding neighbours, writing a report.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use gouge_common::geometry::Domain;
@@ -68,7 +68,7 @@ fn list_contacts(criterion: &mut Criterion, particles: &Particles<f64>) {
     let near = contacts.pairs.iter();
     let touching: Vec<_> = near.map(|&pair| (pair, touching())).collect();
     contacts.restore(&touching);
-    let name = format!("list the contacts of {} grains anew", particles.len());
+    let name = format!("rebuild the contact list of {} grains", particles.len());
     criterion.bench_function(&name, |bencher| {
         bencher.iter(|| {
             contacts.rebuild(BOX, black_box(particles), None, &mut list);
@@ -87,7 +87,7 @@ fn touching() -> ContactMemory<f64> {
 
 fn report(criterion: &mut Criterion) {
     let folder = std::env::temp_dir().join("gouge-bench-report");
-    criterion.bench_function("report on the identities", |bencher| {
+    criterion.bench_function("report on one check", |bencher| {
         bencher.iter(|| {
             verify::verify(
                 Some("identities.minimum-image"),

@@ -1,7 +1,7 @@
-//! Whole steps, by what their scenes contain: one entry a law, a method and a part.
+//! Times of whole steps: one entry per law, integrator and optional part of a scene.
 //!
-//! Passes are chosen once a step and have no door of their own; what one costs is the difference between
-//! two entries. Set-up is outside the timed part.
+//! A single pass cannot be called from outside the kernel, so its cost is the difference between two entries. Set-up
+//! is not timed.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use gouge_dem::World;
@@ -28,7 +28,7 @@ const CREEPING: &str = "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n";
 const GRAVITY: &str = "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n";
 const LEDGER: &str = "[output]\nenergy = true\n";
 
-/// 2500 grains on a lattice on which they overlap by a thousandth; bonded if the text has bonds.
+/// 2500 grains on a lattice, overlapping by 0.1 % of their diameter; bonded if the text has bonds.
 fn lattice(integrator: &str, parts: &[&str]) -> Option<World> {
     let parts = parts.concat();
     let output = if parts.contains("[output]") {
@@ -52,7 +52,7 @@ fn lattice(integrator: &str, parts: &[&str]) -> Option<World> {
     gouge_runner::run::begin_phase(&scene, &gouge_runner::run::phases(&scene), 0, None).ok()
 }
 
-/// After some steps: in the first one every contact begins, which costs more than all that follows.
+/// The world after some steps. In the first step every contact begins, so that this step costs more than later ones.
 fn under_way(mut world: World) -> Option<World> {
     (0..10).try_for_each(|_| world.step()).ok()?;
     Some(world)

@@ -1,4 +1,4 @@
-//! The program carries a copy of the folder `references`: it is built again when that changes.
+//! The program embeds a copy of the folder `references`, so it is rebuilt if the folder changes.
 
 fn main() {
     println!("cargo::rerun-if-changed=../references");

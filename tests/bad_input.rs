@@ -1,17 +1,17 @@
-//! Unusable input: every mistake is named with file, line, key, value and what is accepted.
+//! Invalid input: every error names file, line, key, value and what is accepted.
 //!
-//! The cases are data: `bad_input/NAME.txt` lists mistakes in the usable scene `bad_input/NAME.toml`.
+//! The cases are data: `bad_input/NAME.txt` lists mistakes in the valid scene `bad_input/NAME.toml`.
 //! A case is a paragraph of lines that begin with a mark; `\n`, `\r` and `\xNN` stand for bytes.
 //!
 //! | mark | meaning |
 //! |---|---|
-//! | `#` | a remark |
+//! | `#` | a comment |
 //! | `-`, `+` | the first text in the scene is replaced by the second |
 //! | `$` | an override, `KEY=VALUE` |
-//! | `@` | a file beside the scene is replaced: its name, a space, its content |
-//! | `=` | what the message says after the line of the scene that ends with `# here`, or its first line |
-//! | `!` | what the message says, beginning with the name of the file beside the scene |
-//! | `>` | what the message says in full |
+//! | `@` | a CSV file of the scene is replaced: its name, a space, its content |
+//! | `=` | the message after file and line; the line is the one that ends with `# here`, or else the first |
+//! | `!` | the message from the name of the CSV file on |
+//! | `>` | the whole message |
 //!
 //! ` ... ` in an expected message stands for any text.
 
@@ -24,10 +24,10 @@ use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// Longest time that the program may take to refuse its input.
+/// Longest time that the program may take to reject its input.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// Files beside the scene of `bad_input/beside.toml`.
+/// CSV files of the scene `bad_input/beside.toml`.
 const BESIDE: [(&str, &str); 3] = [
     (
         "p.csv",
@@ -40,7 +40,7 @@ const BESIDE: [(&str, &str); 3] = [
     ),
 ];
 
-/// A mistake and the message that it must lead to.
+/// A mistake and the message that it must cause.
 #[derive(Clone, Debug, Default)]
 struct Case {
     scene: Vec<u8>,
@@ -50,7 +50,7 @@ struct Case {
     expected: String,
 }
 
-/// A folder in which broken scenes are tried, one after the other.
+/// A folder in which invalid scenes are tested one after another.
 struct Bench {
     folder: TempDir,
     failures: Vec<String>,
@@ -69,7 +69,7 @@ impl Bench {
         self.folder.path().join(name)
     }
 
-    /// Try a case with the command that writes and with those that only print.
+    /// Test a case with all commands that take a scene.
     fn check(&mut self, case: &Case) {
         let scene = self.path("scene.toml");
         std::fs::write(&scene, &case.scene).expect("the folder is writable");
@@ -86,7 +86,7 @@ impl Bench {
         self.refuses(&scene, &case.overrides, &expected);
     }
 
-    /// All commands that take a scene refuse it with a message.
+    /// Check that all commands that take a scene reject it with the expected message.
     fn refuses(&mut self, scene: &Path, overrides: &[String], expected: &str) {
         let out = self.path("out");
         for command in ["run", "links", "stability"] {
@@ -110,7 +110,7 @@ impl Bench {
             if !is_refused {
                 let (status, said) = (output.status, said.chars().take(600).collect::<String>());
                 self.failures.push(format!(
-                    "{command} {overrides:?}\nwanted {expected}\nsaid {status} {said}"
+                    "{command} {overrides:?}\nexpected {expected}\nfound {status} {said}"
                 ));
                 let _ = std::fs::remove_dir_all(&out);
                 return;
@@ -128,7 +128,7 @@ impl Bench {
     }
 }
 
-/// Output of a program that must end soon.
+/// Output of a program, which is killed after the given time.
 fn within(patience: Duration, mut command: Command) -> Output {
     let command = command
         .stdin(Stdio::null())
@@ -136,7 +136,7 @@ fn within(patience: Duration, mut command: Command) -> Output {
         .stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
     let began = Instant::now();
-    // What is said here is short: it fits into the pipes.
+    // The output is short enough to fit into the pipes.
     while child.try_wait().expect("the program is ours").is_none() {
         if began.elapsed() > patience {
             let _ = child.kill();
@@ -146,14 +146,14 @@ fn within(patience: Duration, mut command: Command) -> Output {
     child.wait_with_output().expect("the program is ours")
 }
 
-/// Whether a message begins as expected, where ` ... ` stands for any text.
+/// Whether a message begins with the expected text, in which ` ... ` stands for any text.
 fn matches(said: &str, expected: &str) -> bool {
     let mut parts = expected.split(" ... ");
     let begins = parts.next().is_some_and(|first| said.starts_with(first));
     begins && parts.all(|part| said.contains(part))
 }
 
-/// The bytes that a text of a case stands for.
+/// The bytes of a text of a case, with escapes replaced.
 fn bytes_of(text: &str) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut rest = text;
@@ -204,10 +204,10 @@ fn case(scene: &str, paragraph: &str) -> Option<Case> {
     (!case.expected.is_empty()).then_some(case)
 }
 
-/// Try all cases of a list; return how many there were.
+/// Test all cases of a list and return their number.
 fn check_list(scene: &str, list: &str) -> usize {
     let mut bench = Bench::new();
-    // The scene itself is usable, so each refusal is due to the one mistake.
+    // The scene itself is valid, so each error is due to the one mistake.
     let path = bench.path("scene.toml");
     std::fs::write(&path, scene).expect("the folder is writable");
     for (name, text) in BESIDE {
@@ -237,7 +237,7 @@ fn mistakes_in_a_set_up_are_named() {
 }
 
 #[test]
-fn mistakes_in_files_beside_a_scene_are_named() {
+fn mistakes_in_csv_files_are_named() {
     let list = include_str!("bad_input/beside.txt");
     assert!(check_list(include_str!("bad_input/beside.toml"), list) > 35);
 }
@@ -248,7 +248,7 @@ fn mistakes_in_overrides_are_named() {
     assert!(check_list(include_str!("bad_input/full.toml"), list) > 50);
 }
 
-/// The override that sets the value that the expected message of a case shows, if the message shows all of it.
+/// The override that sets the value shown in the expected message of a case, if the message shows the whole value.
 fn same_mistake(case: &Case) -> Option<String> {
     let (_, message) = case
         .expected
@@ -311,14 +311,14 @@ fn text_noise(number: usize) -> Vec<u8> {
     (0..number).map(|_| one()).collect::<String>().into_bytes()
 }
 
-/// Size of a file that nobody writes by hand, in bytes.
+/// Size of a file far larger than any scene, in bytes.
 const MANY: usize = 1 << 20;
 
 fn many(text: &str, number: usize) -> Vec<u8> {
     text.repeat(number).into_bytes()
 }
 
-/// Files that are empty, noise, or end too early, with what the message says.
+/// Files that are empty, random or truncated, with the expected messages.
 fn no_scenes() -> [(Vec<u8>, &'static str); 11] {
     [
         (vec![], "scene.toml:1: time: missing"),
@@ -344,7 +344,7 @@ fn no_scenes() -> [(Vec<u8>, &'static str); 11] {
     ]
 }
 
-/// Files in which something is repeated very often, with what the message says.
+/// Files in which something is repeated very often, with the expected messages.
 fn repetitive_scenes() -> [(Vec<u8>, &'static str); 13] {
     [
         (many("[", 100_000), "scene.toml:1: [[[ ... must be TOML"),
@@ -394,7 +394,7 @@ fn repetitive_scenes() -> [(Vec<u8>, &'static str); 13] {
 }
 
 #[test]
-fn what_is_no_scene_at_all_is_refused() {
+fn files_that_are_not_scenes_are_refused() {
     let mut bench = Bench::new();
     for (scene, expected) in no_scenes().into_iter().chain(repetitive_scenes()) {
         bench.check(&Case {

@@ -1,4 +1,5 @@
-//! Calibration against the laws of the kernel, integrated without its world, and the numbers of the thesis.
+//! Calibration against collisions integrated from the kernel's laws without its world, and against the numbers of
+//! the thesis.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::calibration::{
@@ -14,7 +15,7 @@ use gouge_dem::particles::sphere_mass;
 /// Restitution and duration of a head-on collision of equal spheres at the given speed, by classical
 /// Runge-Kutta steps until the force first vanishes.
 fn collide(law: impl NormalLaw, radius: f64, mass: f64, speed: f64, step: f64) -> (f64, f64) {
-    // Just outside contact the laws are silent; a first ulp of overlap starts them.
+    // Without overlap the laws give no force, so the collision starts with an overlap of one ulp.
     let slope = |x: f64, v: f64| (v, law.force([radius; 2], x, v) / mass);
     let (mut x, mut v, mut time) = (0.0_f64, speed, 0.0);
     loop {
@@ -32,7 +33,7 @@ fn collide(law: impl NormalLaw, radius: f64, mass: f64, speed: f64, step: f64) -
 }
 
 #[test]
-fn truncated_collisions_are_those_of_the_law() {
+fn truncated_restitution_and_duration_match_integrated_collisions() {
     let (mass, stiffness) = (0.5 * sphere_mass(2700.0, 1e-3), 1e7_f64);
     let frequency = (stiffness / mass).sqrt();
     for ratio in [0.01, 0.2, 0.6649, 0.999_999, 1.0, 1.000_001, 3.0] {
@@ -53,7 +54,7 @@ fn truncated_collisions_are_those_of_the_law() {
 }
 
 #[test]
-fn the_damping_of_the_thesis_leaves_less_than_a_quarter() {
+fn the_damping_of_the_thesis_gives_a_restitution_below_a_quarter() {
     let (mass, stiffness) = (0.5 * sphere_mass(2700.0, 1e-3), 1e7_f64);
     let critical = 2.0 * (stiffness * mass).sqrt();
     assert_abs_diff_eq!(
@@ -71,7 +72,7 @@ fn the_damping_of_the_thesis_leaves_less_than_a_quarter() {
 }
 
 #[test]
-fn strong_damping_leaves_the_inverse_square_of_its_ratio() {
+fn restitution_at_strong_damping_is_inversely_quadratic_in_the_damping_ratio() {
     for restitution in [1e-8, 1e-12, 1e-16, 1e-30] {
         let found = damping_ratio_for(restitution) * 2.0 * f64::sqrt(restitution);
         assert!(
@@ -80,7 +81,7 @@ fn strong_damping_leaves_the_inverse_square_of_its_ratio() {
         );
     }
     let step = |ratio: f64| truncated_duration(ratio) - truncated_duration(1.0);
-    // Smooth through critical damping: slope -2/3.
+    // The duration is smooth at critical damping, with slope -2/3.
     for offset in [-1e-3, -1e-6, -1e-9, 1e-9, 1e-6, 1e-3] {
         assert_abs_diff_eq!(
             step(1.0 + offset) / offset,
@@ -91,7 +92,7 @@ fn strong_damping_leaves_the_inverse_square_of_its_ratio() {
 }
 
 #[test]
-fn the_bound_is_the_damping_of_the_law_at_the_overlap_of_breaking() {
+fn the_damping_bound_is_the_damping_of_the_law_at_the_breaking_overlap() {
     let elastic = GRANITE.elastic();
     let (radius, strength, factor, constant) = (1e-3, 280e6, 1.07, 1.6e-4);
     let law = Bshp {
@@ -106,13 +107,13 @@ fn the_bound_is_the_damping_of_the_law_at_the_overlap_of_breaking() {
         matching_stiffness(elastic, radius, strength, factor),
     );
     assert_abs_diff_eq!(damping / bound, 1.0, epsilon = 1e-12);
-    // About a tenth of a radius: hardly the small overlap that the law assumes.
+    // About a tenth of the radius, although the law assumes small overlaps.
     let typical = breaking_overlap_hertzian(elastic, radius, strength, 1.0) / radius;
     assert_abs_diff_eq!(typical, 0.108, epsilon = 5e-4);
 }
 
 #[test]
-fn metre_spheres_rebound_nearly_as_the_first_order_promises() {
+fn restitution_of_metre_spheres_deviates_from_first_order_quadratically() {
     let elastic = GRANITE.elastic();
     let mass = 0.5 * sphere_mass(2700.0, 0.5);
     let rebound = |restitution: f64| {
@@ -134,7 +135,7 @@ fn metre_spheres_rebound_nearly_as_the_first_order_promises() {
         "{}",
         rebound(0.83)
     );
-    // The neglected term is of second order: ten times less damping, a hundred times less error.
+    // The neglected term is of second order: a tenth of the damping gives a hundredth of the error.
     let error = |loss: f64| rebound(1.0 - loss) - (1.0 - loss);
     assert!(
         abs_diff_eq!(error(0.02) / error(0.002), 100.0, epsilon = 5.0),
@@ -161,7 +162,7 @@ fn granite_gives_the_numbers_of_the_thesis() {
 }
 
 #[test]
-fn both_laws_carry_the_breaking_force_at_their_overlaps() {
+fn both_normal_laws_reach_the_breaking_force_at_their_breaking_overlaps() {
     let elastic = GRANITE.elastic();
     let k = matching_stiffness(elastic, 1e-3, 280e6, 0.95);
     let linear = breaking_overlap_linear(k, 1e-3, 280e6, 0.95);
@@ -170,7 +171,7 @@ fn both_laws_carry_the_breaking_force_at_their_overlaps() {
 }
 
 #[test]
-fn the_first_coefficient_is_that_of_an_integrated_collision() {
+fn the_first_restitution_coefficient_matches_an_integrated_collision() {
     // x'' = -(x^1.5 + b sqrt(x) x') from x = 0 at unit speed, by classical Runge-Kutta.
     let force = |x: f64, v: f64| -(x.max(0.0).powf(1.5) + 1e-3 * x.max(0.0).sqrt() * v);
     let (mut x, mut v, h) = (1e-12, 1.0, 1e-5);
@@ -203,7 +204,7 @@ fn damping_ratios_invert_restitutions() {
 }
 
 #[test]
-fn friction_rises_to_its_peak_and_decays_to_its_residual() {
+fn friction_rises_to_its_peak_and_decays_to_its_residual_value() {
     let decay = FrictionDecay {
         peak_time: 2.0,
         peak: 0.9,

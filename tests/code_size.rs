@@ -1,10 +1,10 @@
 //! Files and functions are short, and functions are not deeply nested.
 //!
-//! The length of a function is that of its lines from `fn` to its closing brace, comments and empty lines
-//! included. Its nesting is the largest number of blocks of control flow around anything in it: branches of
-//! `if` and `let ... else` (an `else if` is beside its `if`, not inside it), arms of `match`, bodies of
-//! loops, and bodies of closures that are blocks. A function inside another one is counted by itself, and
-//! its lines count for both. What stands inside the parentheses of a macro is not parsed and not counted.
+//! The length of a function is the number of lines from `fn` to the closing brace, including comments and empty
+//! lines. Its nesting is the largest number of nested blocks of control flow: branches of `if` and `let ... else`
+//! (an `else if` is at the level of its `if`), arms of `match`, bodies of loops, and closures whose bodies are blocks.
+//! A function inside another one is counted separately, and its lines count for both. Arguments of macros are not
+//! parsed and not counted.
 
 use crate::sources::{read, root, rust_files};
 use proc_macro2::Span;
@@ -29,10 +29,10 @@ const LONGEST_FILE: usize = 500;
 /// Longest function in lines.
 const LONGEST_FUNCTION: usize = 60;
 
-/// Most blocks of control flow around a statement.
+/// Largest number of nested blocks of control flow.
 const DEEPEST: usize = 4;
 
-/// A function as it was found.
+/// Length and nesting of a function.
 #[derive(Debug, PartialEq, Eq)]
 struct Function {
     name: String,
@@ -40,7 +40,7 @@ struct Function {
     nesting: usize,
 }
 
-/// Functions of a file, inner ones after those around them.
+/// Functions of a file; inner functions come after the enclosing ones.
 #[derive(Default)]
 struct Functions(Vec<Function>);
 
@@ -79,7 +79,7 @@ impl<'ast> Visit<'ast> for Functions {
     }
 }
 
-/// Blocks of control flow around the place that is visited.
+/// Number of blocks of control flow around the visited node.
 #[derive(Default)]
 struct Nesting {
     now: usize,
@@ -156,7 +156,7 @@ fn files() -> impl Iterator<Item = PathBuf> {
 }
 
 #[test]
-fn lengths_and_nesting_are_counted_as_stated() {
+fn lengths_and_nesting_are_counted_as_documented() {
     let text = "
         fn outer(x: u32) -> u32 {
             let Some(y) = next(x) else { return 0 };

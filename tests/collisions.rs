@@ -1,4 +1,4 @@
-//! Two particles meet: closed forms of the outcome.
+//! Collisions of two particles against closed forms of the outcome.
 
 use crate::worlds::{advance, head, particle, world};
 use approx::abs_diff_eq;
@@ -32,8 +32,8 @@ fn restitution(damping_ratio: f64) -> f64 {
 }
 
 #[test]
-fn restitution_of_truncated_kelvin_voigt_is_the_closed_form() {
-    // exp(-beta t) with t the first zero of the force, evaluated to twelve digits elsewhere.
+fn restitution_of_truncated_kelvin_voigt_matches_the_closed_form() {
+    // exp(-beta t), where t is the first zero of the force; evaluated to twelve digits independently.
     let table = [
         (0.05, 0.858758101775),
         (0.1, 0.744079397722),
@@ -44,8 +44,8 @@ fn restitution_of_truncated_kelvin_voigt_is_the_closed_form() {
     ];
     for (ratio, expected) in table {
         let found = restitution(ratio);
-        // The onset is missed by up to a step: relative error below the step in units of 1/w, 1e-5,
-        // times the damping ratio; the scheme itself contributes 1e-10.
+        // The beginning of the contact is detected up to one step late: the relative error is below the step in units
+        // of 1/w, 1e-5, times the damping ratio. The integrator itself contributes 1e-10.
         assert!(
             abs_diff_eq!(found / expected, 1.0, epsilon = 3e-5),
             "{ratio}: {found}, {expected}"
@@ -55,7 +55,7 @@ fn restitution_of_truncated_kelvin_voigt_is_the_closed_form() {
 
 #[test]
 fn separate_particles_do_not_feel_each_other_while_they_approach() {
-    // Literally (36) would push this pair apart: damping times approach exceeds the negative spring.
+    // Taken literally, (36) would push this pair apart: damping times approach speed exceeds the negative spring force.
     let text = head("euler", 1e-9)
         + &contact(1e7, 10.0, "")
         + &particle([-1.1e-3, 0.0], [1.0, 0.0], 0.0, 1e-3)
@@ -83,8 +83,8 @@ const LAWS: [&str; 3] = [
     "law = \"cundall-strack-truncated\"\nfriction = 0.6\nstiffness = 3e6\n",
 ];
 
-/// Two spheres of different size that overlap, slide and spin.
-fn rubbing(reading: &str, distance: &str, law: &str, x: f64, y: f64, spin: f64) -> String {
+/// Two spheres of different sizes that overlap, slide and spin.
+fn sliding_pair(reading: &str, distance: &str, law: &str, x: f64, y: f64, spin: f64) -> String {
     format!("reading = \"{reading}\"\n")
         + &head("symplectic-euler", 1e-9)
         + &contact(1e7, 1.0, &format!("distance = \"{distance}\""))
@@ -97,7 +97,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
     #[test]
-    fn weak_links_conserve_momentum_and_angular_momentum(
+    fn contacts_conserve_momentum_and_angular_momentum(
         law in 0_usize..3,
         distance in prop::sample::select(vec!["radius", "focal", "mean"]),
         angle in 0.0..std::f64::consts::TAU,
@@ -106,11 +106,11 @@ proptest! {
     ) {
         let reach = (1.0 - depth) * 2.7e-3;
         let (x, y) = (reach * angle.cos(), reach * angle.sin());
-        let mut world = world(&rubbing("corrected", distance, LAWS[law], x, y, spin));
+        let mut world = world(&sliding_pair("corrected", distance, LAWS[law], x, y, spin));
         let before = momenta(&world);
         advance(&mut world, 300);
         let after = momenta(&world);
-        // Scales: total |m v| about 2e-4 kg m/s, times 3 mm; 300 steps of a few roundings each.
+        // Scales: total |m v| is about 2e-4 kg m/s, times 3 mm; 300 steps with a few rounding errors each.
         prop_assert!(abs_diff_eq!(after.0, before.0, epsilon = 1e-17));
         prop_assert!(abs_diff_eq!(after.1, before.1, epsilon = 1e-17));
         let (old, new) = (before.2, after.2);
@@ -121,7 +121,9 @@ proptest! {
 #[test]
 fn the_thesis_reading_loses_angular_momentum_as_stated() {
     // dL/dt = (d_ij + d_ji - D) F_t: the defect of the printed torque (thesis E10).
-    let mut world = world(&rubbing("thesis", "radius", LAWS[0], 2.5e-3, 0.0, 500.0));
+    let mut world = world(&sliding_pair(
+        "thesis", "radius", LAWS[0], 2.5e-3, 0.0, 500.0,
+    ));
     let mut expected = 0.0;
     let before = momenta(&world).2;
     for _ in 0..200 {
@@ -140,8 +142,8 @@ fn the_thesis_reading_loses_angular_momentum_as_stated() {
 }
 
 #[test]
-fn opposite_spins_of_equal_spheres_leave_no_trace() {
-    // Chung and Ooi's seventh test: the contact does not slip, so spins and directions stay exactly.
+fn opposite_spins_of_equal_spheres_change_neither_spins_nor_directions() {
+    // Test 7 of Chung and Ooi: the contact does not slip, so spins and directions do not change at all.
     for law in LAWS {
         for k in 1..=17 {
             let spin = 2.0 * (f64::from(k) * std::f64::consts::PI / 36.0).tan();
@@ -164,8 +166,8 @@ fn opposite_spins_of_equal_spheres_leave_no_trace() {
 }
 
 #[test]
-fn a_rolling_contact_stores_nothing_however_far_it_rolls() {
-    // A sphere rolls on a fixed one without slip, several times round: a wrapped angle would jump.
+fn rolling_without_slip_builds_up_no_tangential_displacement() {
+    // A sphere rolls without slip around a fixed one, several times: a wrapped angle would jump.
     let radii = [3e-3, 1e-3];
     let reach = 0.999 * (radii[0] + radii[1]);
     let orbit = 40.0;
@@ -179,7 +181,7 @@ fn a_rolling_contact_stores_nothing_however_far_it_rolls() {
         )
         + &particle([reach, 0.0], [0.0, speed], spin, radii[1]);
     let mut world = world(&text);
-    // The link is far too weak to bend the path, so follow the circle by stepping along chords of it.
+    // The contact is far too weak to bend the path, so only a few steps along chords of the circle are taken.
     advance(&mut world, 20);
     let link = world.interactions()[0];
     let slip: f64 = link.tangential_displacement.iter().sum();

@@ -1,4 +1,4 @@
-//! The commands and their outputs, as the contract fixes them.
+//! The commands and their outputs, as specified by the contract.
 
 use crate::program::{run, stderr, stdout, write_scene};
 use crate::worlds::{head, particle};
@@ -46,7 +46,7 @@ fn links_prints_every_pair_with_its_forces() {
     near(number(&rows[0], 8), 1e-4);
     near(number(&rows[0], 12), 1.0);
     near(number(&rows[0], 15), -1010.0);
-    // psi began at 0.01 and pi - 0.01; both ends are now at 0 and pi: zeta = -+0.01 mm cancel.
+    // psi was 0.01 and pi - 0.01 initially and is 0 and pi now: the displacements zeta = -+0.01 mm cancel.
     near(number(&rows[0], 10), -1e-5);
     near(number(&rows[0], 11), 1e-5);
     assert!(number(&rows[0], 16).abs() < 1e-6);
@@ -56,7 +56,7 @@ fn links_prints_every_pair_with_its_forces() {
 }
 
 #[test]
-fn stability_names_bounds_and_verdict() {
+fn stability_reports_bounds_and_whether_they_are_satisfied() {
     let output = run(&["stability", "granite-fault-small"]);
     assert!(output.status.success(), "{}", stderr(&output));
     let report = json(&stdout(&output));
@@ -90,7 +90,7 @@ fn stability_follows_the_moment_of_inertia() {
         assert!(output.status.success(), "{}", stderr(&output));
         let report = json(&stdout(&output));
         let bounds = report["bounds"].as_array().expect("a list");
-        // A contact sees both rotations; the ends of a beam turn alike or oppositely.
+        // Both rotations contribute to a contact; the ends of a beam rotate in the same sense or in opposite senses.
         let squares = [
             ("contact tangential", 2.0 * (1.0 + 1.0 / factor)),
             ("bond shear", 1.0 + 1.0 / factor),
@@ -107,7 +107,7 @@ fn stability_follows_the_moment_of_inertia() {
 }
 
 #[test]
-fn scenes_lists_and_prints() {
+fn scenes_lists_all_scenes_and_prints_one() {
     let list = stdout(&run(&["scenes"]));
     for name in [
         "granite-fault",
@@ -131,7 +131,7 @@ fn scenes_lists_and_prints() {
 }
 
 #[test]
-fn a_run_leaves_what_the_contract_lists() {
+fn a_run_writes_all_outputs_of_the_contract() {
     let folder = tempfile::tempdir().expect("a folder");
     let text = stdout(&run(&["scenes", "three-point-bend"])).replace("end = 3e-3", "end = 3e-5");
     let path = write_scene(folder.path(), &text);
@@ -190,7 +190,7 @@ fn a_run_leaves_what_the_contract_lists() {
 }
 
 #[test]
-fn sums_of_the_balance_are_those_of_the_summary() {
+fn the_energy_terms_of_the_summary_balance_up_to_the_residual() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");
     let output = run(&[
@@ -217,7 +217,7 @@ fn sums_of_the_balance_are_those_of_the_summary() {
 }
 
 #[test]
-fn verify_selects_and_reports() {
+fn verify_runs_selected_checks_and_writes_reports() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
     let output = run(&["verify", "--only", "order.smooth", "--out", out]);
@@ -249,7 +249,7 @@ fn verify_selects_and_reports() {
     );
 }
 
-/// The two reports of a run of some checks, without what was timed.
+/// The two reports of a run of some checks, without timings.
 fn timeless_reports() -> (Value, String) {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
@@ -273,7 +273,7 @@ fn two_verifications_differ_only_in_their_timings() {
 }
 
 #[test]
-fn the_report_needs_nothing_beside_it() {
+fn the_report_needs_no_other_file() {
     let (_, page) = timeless_reports();
     for outside in ["src=", "<link", "<script", "@import", "url("] {
         assert!(!page.contains(outside), "{outside}");

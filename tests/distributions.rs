@@ -1,4 +1,4 @@
-//! Distributions against quadrature and samples.
+//! Distributions compared with quadrature and samples.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::distributions::{
@@ -9,7 +9,7 @@ use gouge_dem::setup::SizeRange;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// Largest distance between the cumulative distribution and that of samples.
+/// Largest distance between the cumulative distribution and the empirical one of samples (Kolmogorov-Smirnov).
 fn distance(law: &impl Distribution, mut samples: Vec<f64>) -> f64 {
     samples.sort_by(f64::total_cmp);
     let n = samples.len() as f64;
@@ -20,7 +20,7 @@ fn distance(law: &impl Distribution, mut samples: Vec<f64>) -> f64 {
     samples.iter().enumerate().map(gap).fold(0.0, f64::max)
 }
 
-/// Whether the density is the slope of the cumulative distribution everywhere.
+/// Largest difference between the density and the slope of the cumulative distribution.
 fn slope_error(law: &impl Distribution, low: f64, high: f64) -> f64 {
     let h = (high - low) * 1e-5;
     let at = |k: u32| low + (high - low) * (f64::from(k) + 0.37) / 997.0;
@@ -33,11 +33,11 @@ fn slope_error(law: &impl Distribution, low: f64, high: f64) -> f64 {
 }
 
 const N: usize = 100_000;
-/// Kolmogorov's bound that a true law exceeds once in 10^8: sqrt(ln(2 10^8) / 2 N).
+/// Kolmogorov's bound, which a correct law exceeds with probability 10^-8: sqrt(ln(2 10^8) / 2 N).
 const BOUND: f64 = 9.78e-3;
 
 #[test]
-fn closed_forms_are_the_laws_of_samples() {
+fn samples_follow_the_closed_form_distributions() {
     let mut random = Pcg64::new(1, 2);
     let mut draw = |u: &Uniform| u.low + (u.high - u.low) * random.random::<f64>();
     // Both orders of the cases of (122) and (124).
@@ -70,13 +70,13 @@ fn closed_forms_are_the_laws_of_samples() {
         .map(|_| draw(&narrow) * draw(&wide).min(draw(&wide)))
         .collect();
     assert!(distance(&weakest, samples) < BOUND);
-    // The single radius of the thesis is another law, and the bound can tell.
+    // The single radius of the thesis gives another distribution, which exceeds the bound.
     let other = (0..N).map(|_| draw(&narrow) * draw(&wide)).collect();
     assert!(distance(&weakest, other) > 10.0 * BOUND);
 }
 
 #[test]
-fn densities_are_slopes_of_cumulatives() {
+fn densities_are_derivatives_of_cumulative_distributions() {
     let a = Uniform {
         low: 0.8,
         high: 1.3,
@@ -121,7 +121,7 @@ fn densities_are_slopes_of_cumulatives() {
 }
 
 #[test]
-fn the_strength_of_the_thesis_has_its_moments() {
+fn moments_of_the_strength_of_the_thesis_match_quadrature() {
     let sizes = SizeRange::around(1.0);
     let radius = Uniform {
         low: sizes.minimum,
@@ -165,7 +165,7 @@ fn the_strength_of_the_thesis_has_its_moments() {
 }
 
 #[test]
-fn weibull_moments_are_those_of_its_limits() {
+fn weibull_moments_match_special_cases() {
     let exponential = Weibull {
         location: 1.0,
         scale: 2.0,
@@ -186,7 +186,7 @@ fn weibull_moments_are_those_of_its_limits() {
 }
 
 #[test]
-fn size_bounds_are_on_the_verge_of_order() {
+fn size_bounds_are_at_the_onset_of_ordering() {
     let sizes = SizeRange::around(1.0);
     let uniform = Uniform {
         low: sizes.minimum,
@@ -199,7 +199,7 @@ fn size_bounds_are_on_the_verge_of_order() {
         2.0_f64.sqrt(),
         epsilon = 1e-15
     );
-    // The thesis prints 0.99; the exact value lies inside the ordering region, not outside.
+    // The thesis prints 0.99; the exact value lies inside the ordering region.
     assert_abs_diff_eq!(relative, 0.099_057_6, epsilon = 1e-7);
     assert!(crystallises(relative) && !crystallises(0.1));
     let back = Uniform::with_moments(uniform.mean(), uniform.deviation());
@@ -210,7 +210,7 @@ fn size_bounds_are_on_the_verge_of_order() {
 }
 
 #[test]
-fn two_dimensions_save_a_factor_of_sixty_one() {
+fn two_dimensions_need_sixty_one_times_fewer_particles() {
     assert_abs_diff_eq!(
         DENSEST_DISCS,
         std::f64::consts::PI / 12.0_f64.sqrt(),
@@ -231,7 +231,7 @@ fn quadrature(low: f64, high: f64, function: impl Fn(f64) -> f64) -> f64 {
 }
 
 #[test]
-fn densities_are_integrals_over_one_of_their_variables() {
+fn densities_of_functions_of_two_variables_match_integration() {
     let (wide, narrow) = (
         Uniform {
             low: 0.8,
@@ -253,7 +253,7 @@ fn densities_are_integrals_over_one_of_their_variables() {
             assert_abs_diff_eq!(UniformSum(a, b).density(x), expected, epsilon = 2e-4);
         }
     }
-    // The smaller of two radii exceeds y if both do.
+    // The smaller of two radii exceeds y if both radii do.
     let law = WeakestProduct {
         radius: wide,
         factor: narrow,
@@ -271,7 +271,7 @@ fn densities_are_integrals_over_one_of_their_variables() {
 }
 
 #[test]
-fn nothing_lies_outside_a_support() {
+fn distributions_have_no_mass_outside_their_support() {
     let (a, b) = (
         Uniform {
             low: 0.8,
@@ -314,7 +314,7 @@ fn nothing_lies_outside_a_support() {
 }
 
 #[test]
-fn an_interval_of_ratio_root_two_is_that_of_the_thesis() {
+fn the_size_interval_of_the_thesis_has_ratio_root_two() {
     use gouge_dem::distributions::{relative_deviation_of_ratio, spheres_per_disc};
     let sizes = SizeRange::around(3.0);
     let uniform = Uniform {
@@ -332,7 +332,7 @@ fn an_interval_of_ratio_root_two_is_that_of_the_thesis() {
 }
 
 #[test]
-fn the_modulus_five_of_the_thesis_matches_only_without_a_location() {
+fn the_weibull_modulus_of_the_thesis_assumes_a_zero_location() {
     // Figure 8: coefficient of variation and skewness of the emergent strength.
     let spread = |shape: f64| {
         let law = Weibull {

@@ -1,5 +1,5 @@
-//! Dual numbers: laws on them give their own derivatives, so that forces are minus the slopes of
-//! stored energies to rounding.
+//! Dual numbers: with them, laws return their derivatives, so forces equal minus the slopes of stored energies up to
+//! rounding.
 
 use approx::abs_diff_eq;
 use gouge_common::geometry::Vec2;
@@ -12,7 +12,7 @@ use gouge_dem::laws::{
 use gouge_validation::scalars::Dual;
 use proptest::prelude::*;
 
-/// Whether a force is minus a slope, to a few roundings.
+/// Whether a force equals minus a slope, up to a few rounding errors.
 fn is_minus(force: f64, slope: f64) -> bool {
     abs_diff_eq!(force, -slope, epsilon = 8.0 * f64::EPSILON * slope.abs())
 }

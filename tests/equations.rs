@@ -1,5 +1,5 @@
-//! What is cited exists: the tables of equations and the errata of each source name only what there is,
-//! and all of it; checks, comments and documents cite only what stands there.
+//! Citations are valid: the table of equations and the errata of each source name existing items and tests, and all
+//! equations; checks, comments and documents cite only existing equations and errata.
 
 use crate::sources::{
     exists, has_example, kernel_files, leading_name, quoted, read, root, rust_files,
@@ -9,12 +9,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What `docs/` holds of a source: the folder of its name.
+/// The documents of a source in the folder of `docs/` with its name.
 struct Document {
     source: String,
     /// The table of equations.
     equations: String,
-    /// Its errata, if there are any.
+    /// The errata, if there are any.
     errata: String,
 }
 
@@ -72,15 +72,15 @@ impl Document {
         }
     }
 
-    /// What a citation of this source cites.
+    /// The place that a citation of this source cites.
     fn place<'a>(&self, citation: &'a str) -> &'a str {
         match citation.split_once(' ') {
             Some((source, place)) if source == self.source => place,
-            _ => panic!("{citation} is not of {}", self.source),
+            _ => panic!("{citation} does not cite {}", self.source),
         }
     }
 
-    /// Numbers of all equations of the source, as the head of its table states them.
+    /// Numbers of all equations of the source, as listed in the head of its table.
     fn numbered(&self) -> BTreeSet<String> {
         let mut lines = self.equations.lines();
         let line = lines.find_map(|line| line.strip_prefix("Numbered equations: "));
@@ -100,7 +100,7 @@ impl Document {
                 continue;
             };
             let twice = sections.insert(leading_name(rest).to_owned(), section);
-            assert!(twice.is_none(), "{rest} stands twice");
+            assert!(twice.is_none(), "the section {rest} exists twice");
         }
         sections
     }
@@ -113,7 +113,7 @@ fn numbers(place: &str) -> Vec<String> {
             .strip_prefix('(')
             .and_then(|rest| rest.strip_suffix(')'));
         inside
-            .unwrap_or_else(|| panic!("{text} is no equation"))
+            .unwrap_or_else(|| panic!("{text} is not the number of an equation"))
             .to_owned()
     };
     let Some((first, last)) = place.split_once('-') else {
@@ -126,13 +126,13 @@ fn numbers(place: &str) -> Vec<String> {
         (text[..prefix].to_owned(), counted)
     };
     let ((prefix, from), (other, to)) = (counter(&first), counter(&last));
-    assert!(prefix == other && from < to, "{place} is no range");
+    assert!(prefix == other && from < to, "{place} is not a range");
     (from..=to)
         .map(|number| format!("{prefix}{number}"))
         .collect()
 }
 
-/// Erratum ids of a text, each an E that follows no letter or digit, and digits; and where they stand.
+/// Erratum ids of a text and their positions. An id is an E that does not follow a letter or digit, and digits.
 fn cited(text: &str) -> impl Iterator<Item = (&str, usize)> {
     text.match_indices('E').filter_map(|(at, _)| {
         let digits = text[at + 1..].find(|c: char| !c.is_ascii_digit());
@@ -142,7 +142,7 @@ fn cited(text: &str) -> impl Iterator<Item = (&str, usize)> {
     })
 }
 
-/// The source of the erratum at a place of a text: the one named last before it.
+/// The source of an erratum: the source named last before its position in the text.
 fn source_before<'a>(text: &str, at: usize, sources: &[&'a str]) -> Option<&'a str> {
     let before = text[..at].to_lowercase();
     let place = |source: &&'a str| Some((before.rfind(source)?, *source));
@@ -153,7 +153,7 @@ fn source_before<'a>(text: &str, at: usize, sources: &[&'a str]) -> Option<&'a s
         .map(|(_, source)| source)
 }
 
-/// Names of all functions that are tests, in the gate and in the kernel, and ids of all checks of the register.
+/// Names of all test functions of the gate and of the kernel, and ids of all checks of the register.
 fn tests() -> BTreeSet<String> {
     let topics = register();
     let checks = topics.iter().flat_map(|topic| &topic.checks);
@@ -175,7 +175,7 @@ fn tests() -> BTreeSet<String> {
     names
 }
 
-/// Texts that may cite errata, with their files: comments of the code, and the pages of `docs/`.
+/// Texts that may cite errata, with their files: comments of the code and the pages of `docs/`.
 fn prose() -> Vec<(PathBuf, String)> {
     let mut files = kernel_files();
     files.extend(rust_files(&root().join("validation/src")));
@@ -231,14 +231,17 @@ fn every_numbered_equation_has_exactly_one_row() {
 }
 
 #[test]
-fn the_items_and_tests_of_the_table_exist() {
+fn items_and_tests_named_by_the_table_exist() {
     let tests = tests();
     for row in documents().iter().flat_map(Document::rows) {
         let numbers = &row.numbers;
         if row.items.is_empty() {
             assert_eq!(row.item_cell, "-", "{numbers:?}");
             let is_explained = row.formula.starts_with("not implemented: ");
-            assert!(is_explained, "{numbers:?}: why not?");
+            assert!(
+                is_explained,
+                "{numbers:?}: the reason for 'not implemented' is missing"
+            );
             continue;
         }
         for item in &row.items {
@@ -246,11 +249,14 @@ fn the_items_and_tests_of_the_table_exist() {
         }
         let has_doctest = || row.items.iter().any(|item| has_example(item));
         if row.test_cell == "doctest" {
-            assert!(has_doctest(), "{numbers:?}: no example");
+            assert!(
+                has_doctest(),
+                "{numbers:?}: the item has no documentation example"
+            );
             continue;
         }
         let named = quoted(&row.test_cell);
-        assert!(!named.is_empty(), "{numbers:?}: no test");
+        assert!(!named.is_empty(), "{numbers:?}: no test is named");
         for name in named {
             let is_test = tests.contains(name) || name == "doctest" && has_doctest();
             assert!(is_test, "{numbers:?}: there is no test {name}");
@@ -275,7 +281,8 @@ fn every_cited_erratum_has_its_section() {
     for (file, text) in prose() {
         for (id, at) in cited(&text) {
             let source = source_before(&text, at, &sources);
-            let source = source.unwrap_or_else(|| panic!("{}: {id} of what?", file.display()));
+            let source = source
+                .unwrap_or_else(|| panic!("{}: no source is named before {id}", file.display()));
             let is_there = errata.contains(&(source, id.to_owned()));
             assert!(is_there, "{} cites {source} {id}", file.display());
         }
@@ -305,12 +312,12 @@ fn every_erratum_names_its_item_and_its_test() {
         let reason = test.strip_prefix("no test: ");
         let is_stated = test == "doctest" || reason.is_some_and(|reason| !reason.is_empty());
         let is_covered = is_stated || !quoted(test).is_empty();
-        assert!(is_covered, "{id}: no test and no reason");
+        assert!(is_covered, "{id}: neither a test nor a reason for none");
     }
 }
 
 #[test]
-fn checks_cite_only_what_the_tables_hold() {
+fn checks_cite_only_existing_equations() {
     let documents = documents();
     let is_known = |citation: &Citation| {
         let of = |document: &&Document| document.source == citation.source.name();
@@ -336,7 +343,7 @@ fn checks_cite_only_what_the_tables_hold() {
 }
 
 #[test]
-fn stored_cases_cite_as_checks_do() {
+fn stored_cases_cite_in_the_form_of_checks() {
     for path in gouge_runner::references::paths() {
         let case = gouge_validation::references::case(&path).expect("a case");
         let read = Evidence::parse(&case.equations).map(|evidence| evidence.to_string());

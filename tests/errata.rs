@@ -1,4 +1,4 @@
-//! Errata that change forces or motion, pinned by closed forms, invariants and derivatives.
+//! Errata that change forces or motion, tested with closed forms, invariants and derivatives.
 
 mod fields;
 mod time;
@@ -40,8 +40,8 @@ fn viscoelastic_restitution(b: f64) -> f64 {
 
 #[test]
 fn restitution_of_viscoelastic_spheres_follows_the_coefficient_of_the_force() {
-    // 1 - e = C1 b + O(b^2), with C1 = sqrt(pi) gamma(3/5) / (2^(1/5) 5^(2/5) gamma(21/10)), for b the
-    // coefficient inside (37). With the constant A of the source in its place it would be 2/3 of that.
+    // 1 - e = C1 b + O(b^2), with C1 = sqrt(pi) gamma(3/5) / (2^(1/5) 5^(2/5) gamma(21/10)) and b the coefficient in
+    // (37). With the constant A of the source instead of b, 1 - e would be 2/3 of that.
     let c1 = 1.153_448_858_1;
     let b = 1e-3;
     let loss = (1.0 - viscoelastic_restitution(b)) / (c1 * b);
@@ -55,9 +55,9 @@ fn restitution_of_viscoelastic_spheres_follows_the_coefficient_of_the_force() {
 }
 
 #[test]
-fn proportional_viscosities_give_their_time_as_the_constant() {
-    // If both viscosities are tau times their moduli, stress is (1 + tau d/dt) of the elastic one, and
-    // the force (1 + tau d/dt) of Hertz's: A = tau, so that the coefficient in (37) is 3/2 tau.
+fn proportional_viscosities_give_their_relaxation_time_as_dissipative_constant() {
+    // If both viscosities are tau times their moduli, the stress is (1 + tau d/dt) times the elastic stress, and the
+    // force (1 + tau d/dt) times Hertz's force. So A = tau, and the coefficient in (37) is 3/2 tau.
     let tau = 1e-4;
     for nu in [0.0, 0.1, 0.22, 0.3, 0.45] {
         let solid = Elastic {
@@ -70,8 +70,8 @@ fn proportional_viscosities_give_their_time_as_the_constant() {
             relative_eq!(constant, 1.5 * tau, epsilon = 0.0, max_relative = 1e-12),
             "{nu}: {constant}"
         );
-        // As printed it misses by (1 - nu) (1 + 4 nu)^2 / (12 nu^2 (2 - nu)); with twice the shear
-        // viscosity, the convention of its source, it passes.
+        // The printed equation is wrong by the factor (1 - nu) (1 + 4 nu)^2 / (12 nu^2 (2 - nu)). It is right with
+        // twice the shear viscosity, the convention of its source.
         if nu > 0.0 {
             let printed = dissipative_constant_printed(solid, eta_g, eta_k) / tau;
             let miss = (1.0 - nu) * (1.0 + 4.0 * nu).powi(2) / (12.0 * nu * nu * (2.0 - nu));
@@ -83,14 +83,14 @@ fn proportional_viscosities_give_their_time_as_the_constant() {
             assert_relative_eq!(source, 1.0, epsilon = 0.0, max_relative = 1e-12);
         }
     }
-    // It vanishes at 3 eta_K = eta_G as printed; the constant used is positive for positive viscosities.
+    // The printed constant vanishes at 3 eta_K = eta_G; ours is positive for positive viscosities.
     let solid = GRANITE.elastic();
     assert_eq!(dissipative_constant_printed(solid, 3.0, 1.0), 0.0);
     assert!(dissipative_constant(solid, 3.0, 1.0) > 0.0);
 }
 
 #[test]
-fn viscoelastic_spheres_repel_only_and_only_in_overlap() {
+fn viscoelastic_spheres_only_repel_and_only_while_they_overlap() {
     let at = |half: f64, speed: f64| {
         let text = head("euler", 1e-9)
             + "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
@@ -111,7 +111,7 @@ fn viscoelastic_spheres_repel_only_and_only_in_overlap() {
 }
 
 #[test]
-fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_what_they_store() {
+fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_stored_energy() {
     let at = |half: f64| {
         let text = head("euler", 1e-9)
             + "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
@@ -132,8 +132,8 @@ fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_what_they_store(
 }
 
 #[test]
-fn masses_are_those_of_stacked_discs() {
-    // Slices of thickness dz: density times area, and half of mass times radius squared each.
+fn sphere_masses_match_stacked_discs() {
+    // Per slice of thickness dz: mass is density times area times dz, inertia half the mass times the radius squared.
     let (density, r, n) = (2700.0, 1e-3_f64, 100_000);
     let dz = 2.0 * r / f64::from(n);
     let (mut mass, mut inertia) = (0.0, 0.0);
@@ -160,8 +160,8 @@ fn masses_are_those_of_stacked_discs() {
 
 #[test]
 fn inertia_follows_the_reading_and_the_scene() {
-    // Second moments over the mass times the squared radius, by shells and rings of thickness 1/n: of a
-    // sphere about an axis, of a disc about its own, of a sphere about its centre as a point.
+    // Second moments divided by mass times squared radius, summed over shells and rings of thickness 1/n: of a sphere
+    // about an axis, of a disc about its axis, of a sphere about its centre point.
     let n = 10_000;
     let mean_square = |power: i32| {
         let places = (0..n).map(|k| (f64::from(k) + 0.5) / f64::from(n));
@@ -196,9 +196,9 @@ fn inertia_follows_the_reading_and_the_scene() {
     }
 }
 
-// --- Links ----------------------------------------------------------------------------------
+// --- Contacts and bonds ---------------------------------------------------------------------
 
-/// A linked pair of unequal radii; the second particle and both angles are free to vary.
+/// A pair of unequal radii in contact or bonded, with given position of the second particle and given angles.
 fn linked(kind: &str, x: f64, y: f64, angles: [f64; 2]) -> World {
     let links = match kind {
         "bond" => {
@@ -227,7 +227,7 @@ fn linked(kind: &str, x: f64, y: f64, angles: [f64; 2]) -> World {
 }
 
 #[test]
-fn forces_and_torques_of_links_are_the_gradient_of_what_they_store() {
+fn forces_and_torques_of_links_are_the_gradient_of_stored_energy() {
     let (x, y, a) = (2.1e-3, 0.6e-3, [0.35, 0.1]);
     for kind in ["bond", "contact"] {
         let stored = |x: f64, y: f64, a: [f64; 2]| linked(kind, x, y, a).energy().contact;
@@ -248,7 +248,7 @@ fn forces_and_torques_of_links_are_the_gradient_of_what_they_store() {
                 "{kind}: {found} against {slope}"
             );
         }
-        // Both ends of the pair: opposite forces, and no net torque about any point.
+        // Forces at both ends are opposite, and there is no net torque about any point.
         assert_eq!(force[0], -force[1]);
         let moment = torque[0] + torque[1] + Vec2::new(x, y).cross(force[1]);
         assert!(
@@ -281,7 +281,7 @@ fn a_new_bond_is_unstrained_whatever_the_radii() {
 }
 
 #[test]
-fn the_weakest_section_is_that_of_the_smaller_grain() {
+fn a_bond_breaks_at_the_section_of_the_smaller_particle() {
     let law = ZhangEckert {
         normal_strength: 280e6,
         tangential_strength: 168e6,
@@ -296,7 +296,7 @@ fn the_weakest_section_is_that_of_the_smaller_grain() {
 }
 
 #[test]
-fn coincident_centres_stay_finite() {
+fn forces_stay_finite_at_coincident_centres() {
     let text = head("euler", 1e-9)
         + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n\
            [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 1e7\n"
@@ -325,12 +325,12 @@ fn the_overlap_factor_is_unbounded_near_coincidence() {
     let factor = |d: f64| overlap_factor([1.0, 2.0], d);
     assert_eq!(factor(0.0), 0.5);
     assert!(factor(1e-3) < -1e6 && overlap_factor([2.0, 1.0], 1e-3) > 1e6);
-    // Contained: the focal point lies outside the smaller sphere, the half-length is imaginary.
+    // One sphere contains the other: the focal point is outside the smaller sphere, and the half-length is imaginary.
     assert_eq!(contact_half_length(1.0, factor(0.5) * 0.5), 0.0);
 }
 
 #[test]
-fn a_contact_across_the_seam_is_like_any_other() {
+fn a_contact_across_the_periodic_boundary_behaves_like_any_other() {
     let collide = |shift: f64| {
         let text = head("velocity-verlet", 1e-8)
             + "[box]\nwidth = 0.0078125\nheight = 0.02\nboundary = \"periodic-x\"\n\
@@ -361,11 +361,12 @@ fn a_contact_across_the_seam_is_like_any_other() {
     assert!(inside[0].x < 0.0, "they have met");
     for shift in [5.0e-3, 5.3e-3, 6.0e-3] {
         for (here, there) in inside.iter().zip(collide(shift)) {
-            // Positions differ by roundings of 1e-18 m, which the contact turns into relative 1e-11.
+            // Positions differ by rounding errors of 1e-18 m, which the contact amplifies to relative differences of
+            // 1e-11.
             assert!((*here - there).norm() < 1e-9 * here.norm(), "{shift}");
         }
     }
-    // At exactly half a period the image is ambiguous: both ends see the other on their left.
+    // At exactly half a period the nearest image is ambiguous: each point finds the other on its left.
     let metric = PeriodicX { length: 1.0 };
     let (a, b) = (Vec2::new(0.25, 0.0), Vec2::new(0.75, 0.0));
     assert_eq!(

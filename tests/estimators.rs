@@ -1,4 +1,4 @@
-//! Estimators against states whose answer is known.
+//! Estimators on states with known results.
 
 use crate::worlds::{advance, head, particle, world};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
@@ -17,7 +17,7 @@ fn packing_fraction_of_touching_discs_is_that_of_their_lattice() {
 }
 
 #[test]
-fn the_visible_part_of_a_circle_is_what_sampling_sees() {
+fn the_part_of_a_circle_inside_a_region_matches_sampling() {
     let mut random = Pcg64::new(5, 1);
     for periodic in [true, false] {
         let region = Region {
@@ -39,7 +39,7 @@ fn the_visible_part_of_a_circle_is_what_sampling_sees() {
             });
             let counted = inside.count() as f64 / f64::from(samples);
             let found = visible_fraction(&region, point, distance);
-            // Each of at most eight ends of arcs is off by one sample at the most.
+            // Each of the at most eight ends of arcs is wrong by at most one sample.
             assert!(
                 abs_diff_eq!(found, counted, epsilon = 8.0 / f64::from(samples)),
                 "{found} {counted}"
@@ -60,7 +60,7 @@ fn an_ideal_gas_has_no_excess_entropy() {
         .map(|_| Vec2::new(40.0 * random.random::<f64>(), 20.0 * random.random::<f64>()))
         .collect();
     let gas = radial_distribution(&points, &region, 0.4, 500);
-    // Away from zero, where the kernel reaches across, g is one within the noise of about 1 %.
+    // Except near zero, within the reach of the smoothing kernel, g is one up to noise of about 1 %.
     for (d, g) in gas.distance.iter().zip(&gas.g) {
         assert!(
             *d < 0.8 || *d > 9.6 || abs_diff_eq!(*g, 1.0, epsilon = 0.05),
@@ -92,12 +92,12 @@ fn a_lattice_has_its_shells_and_far_less_entropy_than_a_gas() {
             .map(|(_, g)| *g)
             .fold(0.0, f64::max)
     };
-    // Four neighbours a shell: 4 / (2 pi d) times the peak of the kernel, 0.75 / 0.1: 4.8 and 3.4.
+    // Four neighbours per shell: 4 / (2 pi d) times the peak of the smoothing kernel, 0.75 / 0.1, gives 4.8 and 3.4.
     assert!(at(0.8) < 0.01 && at(1.0) > 4.5 && at(2.0_f64.sqrt()) > 3.0 && at(1.2) < 0.01);
     assert!(lattice.excess_entropy() < -20.0);
 }
 
-/// A row of bonded spheres pulled apart by a given strain.
+/// A row of bonded spheres stretched by a given strain.
 fn chain(strain: f64) -> String {
     let mut text = head("velocity-verlet", 1e-9)
         + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n"
@@ -118,7 +118,7 @@ fn chain(strain: f64) -> String {
 #[test]
 fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
     let world = world(&chain(1e-3));
-    // Nine links of 2.002 mm in a volume of nine such lengths and one square millimetre.
+    // Nine bonds of 2.002 mm in a volume of nine such lengths times one square millimetre.
     let stress = world.contact_network().mean_stress(9.0 * 2.002e-3 * 1e-6);
     let expected = 1e7 * 2e-6 / 1e-6;
     assert!(
@@ -137,8 +137,7 @@ fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
 #[test]
 fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
     use gouge_dem::estimators::{friction_feedback, friction_load};
-    // Pulled at constant speed against creeping drag and pressed against the drag's absence: the
-    // reaction along x is the drag 6 pi eta r v alone.
+    // Pulled at constant speed against creeping drag: the reaction along x is only the drag 6 pi eta r v.
     let text = head("symplectic-euler", 1e-6)
         + "[ambient]\nlaw = \"creeping\"\nviscosity = 10.0\n\
            [driving]\ncontroller = \"exact\"\nspeed = 2.0\npressure = 3.0\narea = 1.0\n"
@@ -161,7 +160,7 @@ fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
 
 #[test]
 fn the_mean_stress_is_the_virial_of_the_forces() {
-    // A frame of bonded and touching grains that turn and move at random.
+    // A frame of bonded and touching grains with random velocities and spins.
     let mut random = Pcg64::new(7, 7);
     let mut noise = |scale: f64| scale * (random.random::<f64>() - 0.5);
     let mut text = head("symplectic-euler", 1e-9)
@@ -230,14 +229,14 @@ fn entropy_of_simple_radial_distributions_is_closed_form() {
     let area = std::f64::consts::PI * limit * limit;
     let ideal = with(&|_| 1.0);
     assert!(close(ideal.excess_entropy(), 0.0) && close(ideal.excess_entropy_printed(), 0.0));
-    // Hard cores that leave all else alone: half a nearest neighbour's worth, n times half the area.
+    // A hard core that changes nothing else: n times half the area of the core.
     let core = with(&|d| if d < 1.0 { 0.0 } else { 1.0 });
     assert!(close(core.excess_entropy(), -1.5 * std::f64::consts::PI));
     assert!(close(core.excess_entropy_printed(), -1.5));
     let flat = with(&|_| std::f64::consts::E);
     assert!(close(flat.excess_entropy(), -1.5 * area));
     assert!(close(flat.excess_entropy_printed(), -1.5 * limit));
-    // A mean of one: minus half n A times the information gained over a uniform disc, ln 2 here.
+    // A g of mean one: minus n A / 2 times the information gain relative to a uniform disc, here ln 2.
     let ring = with(&|d| {
         if 2.0 * d * d < limit * limit {
             2.0
@@ -250,7 +249,7 @@ fn entropy_of_simple_radial_distributions_is_closed_form() {
 }
 
 #[test]
-fn what_leaves_the_region_leaves_its_distribution() {
+fn the_radial_distribution_ignores_points_outside_the_region() {
     let mut random = Pcg64::new(3, 9);
     for periodic in [true, false] {
         let region = Region {
@@ -272,9 +271,9 @@ fn what_leaves_the_region_leaves_its_distribution() {
 }
 
 #[test]
-fn edges_do_not_thin_an_ideal_gas() {
+fn the_radial_distribution_of_an_ideal_gas_is_corrected_for_edges() {
     let mut random = Pcg64::new(21, 4);
-    // A strip not much higher than the circles are wide: nearly every circle is cut.
+    // A strip hardly higher than the diameter of the circles: nearly every circle is cut.
     for periodic in [true, false] {
         let region = Region {
             width: 20.0,
@@ -292,7 +291,7 @@ fn edges_do_not_thin_an_ideal_gas() {
 }
 
 #[test]
-fn a_chain_a_ring_and_loners_are_told_apart() {
+fn a_chain_a_ring_and_single_particles_are_separate_components() {
     let edges = [(5, 2), (2, 8), (1, 3), (3, 7), (7, 1)];
     let found = connected(9, edges.into_iter());
     assert_eq!(found.number, 5);

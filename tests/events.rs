@@ -1,4 +1,4 @@
-//! What a run reports to its observer, and in which order.
+//! Events that a run reports to its observer, and their order.
 
 use crate::worlds::{head, particle, scene};
 use gouge_runner::error::Error;
@@ -6,7 +6,7 @@ use gouge_runner::run::{Event, RunOptions, Warning, phases, run};
 use gouge_runner::scene::{Scene, builtin};
 use std::path::Path;
 
-/// An event without what it borrows.
+/// An event that owns its data.
 #[derive(Clone, Debug, PartialEq)]
 enum Seen {
     Began(usize, Vec<String>),
@@ -37,7 +37,7 @@ fn seen(event: Event<'_>) -> Seen {
     }
 }
 
-/// The events of a run, and how it ended.
+/// The events of a run and its outcome.
 fn watch(scene: &Scene, folder: &Path, options: RunOptions) -> (Vec<Seen>, Result<(), Error>) {
     let mut events = Vec::new();
     let mut observer = |event: Event<'_>| events.push(seen(event));
@@ -45,7 +45,7 @@ fn watch(scene: &Scene, folder: &Path, options: RunOptions) -> (Vec<Seen>, Resul
     (events, outcome)
 }
 
-/// Checkpoints only where they are due anyway.
+/// Checkpoints only at the beginning of phases.
 const RARELY: RunOptions = RunOptions {
     resume: false,
     checkpoint_interval: f64::INFINITY,
@@ -56,7 +56,8 @@ const OFTEN: RunOptions = RunOptions {
     checkpoint_interval: 0.0,
 };
 
-/// A small fault in short phases: settling of 600 and 600 steps, relaxing and pressing of 800, shear of 4000.
+/// A small fault with short phases: two settling phases of 600 steps, relaxing and pressing phases of 800 steps,
+/// shear of 4000 steps.
 fn fault() -> Scene {
     let mut text = builtin::text("granite-fault-small")
         .expect("built in")
@@ -106,7 +107,7 @@ fn phases_samples_and_checkpoints_are_reported_in_order() {
     assert_eq!(ends_of_progress(events), expected);
 }
 
-/// The events, but of consecutive reports of progress only the last; each must be farther than the one before.
+/// The events, with only the last of consecutive progress reports. Progress must increase from report to report.
 fn ends_of_progress(events: Vec<Seen>) -> Vec<Seen> {
     let mut ends: Vec<Seen> = Vec::new();
     for event in events {
@@ -124,7 +125,7 @@ fn ends_of_progress(events: Vec<Seen>) -> Vec<Seen> {
     ends
 }
 
-/// Two grains that touch, with a time step in units of sqrt(m / k).
+/// Two touching grains, with the time step in units of sqrt(m / k).
 fn pair(step: f64) -> Scene {
     // Mass 2700 4/3 pi 1e-9 kg, stiffness 1e7 N/m.
     let unit = (2700.0 * 4.0 / 3.0 * core::f64::consts::PI * 1e-9 / 1e7_f64).sqrt();
@@ -184,7 +185,7 @@ fn a_resumed_run_begins_in_its_phase() {
             _ => None,
         })
         .collect();
-    // One when the phase begins, one after each look at the clock, one at the end.
+    // One checkpoint at the beginning of the phase, one per reading of the clock, one at the end.
     assert!(written.len() > 3 && written.is_sorted(), "{written:?}");
     let resumed = RunOptions {
         resume: true,

@@ -1,4 +1,4 @@
-//! Geometry against identities and quadrature.
+//! Geometry compared with identities and quadrature.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_common::geometry::{Metric, Open, PeriodicX, Vec2};
@@ -59,7 +59,7 @@ proptest! {
     }
 
     #[test]
-    fn turns_add_up_and_reverse(a in -PI..PI, b in -0.2..0.2_f64) {
+    fn turns_are_additive_and_antisymmetric(a in -PI..PI, b in -0.2..0.2_f64) {
         let unit = |angle: f64| Vec2::new(angle.cos(), angle.sin());
         let (turned, _) = turn(unit(a), unit(a + b));
         prop_assert!(abs_diff_eq!(turned, b, epsilon = 8.0 * f64::EPSILON));
@@ -87,7 +87,7 @@ proptest! {
 }
 
 #[test]
-fn coincident_and_nearly_coincident_centres_stay_finite() {
+fn geometry_stays_finite_at_coincident_and_nearly_coincident_centres() {
     for d in [0.0, 1e-320, 1e-200, 1e-160, 1e-150, 1e-100] {
         let frame = PairFrame::new(Vec2::new(d, -d));
         assert!(frame.inverse_distance.is_finite() && frame.distance.is_finite());
@@ -122,18 +122,18 @@ fn the_mean_distance_is_the_average_over_the_contact() {
             "{r} {y}"
         );
     }
-    // The mean of the extremities overestimates u - y by a half near touch.
+    // Near touch the mean of the extreme values overestimates u - y by one half.
     let (r, y) = (1.0, 0.999);
     let ratio = (mean_distance_of_extremities(r, y) - y) / (mean_distance(r, y) - y);
     assert_abs_diff_eq!(ratio, 1.5, epsilon = 1e-3);
 }
 
 #[test]
-fn areas_and_volumes_are_those_of_quadrature() {
+fn areas_and_volumes_match_quadrature() {
     for (radii, distance) in [([1.0, 1.0], 1.7), ([1.0, 0.6], 1.2), ([2.0, 0.7], 1.6_f64)] {
         let [r, s] = radii;
         let y = focal_distance(radii, distance);
-        // Slices at x: the smaller of both half-heights.
+        // Slices at x have the smaller of both half-heights.
         let half = |x: f64| {
             let a = r * r - x * x;
             let b = s * s - (x - distance) * (x - distance);

@@ -1,4 +1,4 @@
-//! Equations that no erratum touches, pinned by identities, derivatives and limits.
+//! Equations without errata, tested with identities, derivatives and limits.
 
 mod fields;
 
@@ -37,7 +37,7 @@ proptest! {
         let h = 1e-6;
         let slope = (angle_of(at + along * h) - angle_of(at - along * h)) / (2.0 * h);
         let motion = PairMotion::new(&PairFrame::new(at), along);
-        // Third derivatives are below 2 / 0.1^3: h^2 times that over six.
+        // Third derivatives are below 2 / 0.1^3, so the error is below h^2 / 6 times that.
         let found = motion.frame_rate;
         prop_assert!(abs_diff_eq!(found, slope, epsilon = 1e-8), "{found} {slope}");
     }
@@ -50,14 +50,15 @@ fn angles_on_the_axes_have_their_values() {
         [at(1.0, 0.0), at(0.0, 1.0), at(0.0, -1.0)],
         [0.0, FRAC_PI_2, -FRAC_PI_2]
     );
-    // Where the thesis allows both signs, the positive one; where it allows none, zero.
+    // The positive sign where the thesis allows both, zero where it defines no angle.
     assert_eq!([at(-1.0, 0.0), at(0.0, 0.0)], [PI, 0.0]);
     assert_eq!([reversed(0.0), reversed(PI)], [PI, 0.0]);
 }
 
 #[test]
 fn the_displaced_volume_loses_the_contact_area_per_distance() {
-    // Moving one body away by dD uncovers the lens's section: dV/dD = -A, for spheres and cylinders.
+    // Separating the bodies by dD reduces the overlap volume by its cross-section: dV/dD = -A for spheres and
+    // cylinders.
     let (h, depth) = (1e-6, 0.7);
     for radii in [[1.0_f64, 1.0], [1.0, 1.7], [2.5, 0.4]] {
         let (near, far) = ((radii[0] - radii[1]).abs(), radii[0] + radii[1]);
@@ -69,14 +70,14 @@ fn the_displaced_volume_loses_the_contact_area_per_distance() {
             };
             let sphere = slope(&|d| displaced_volume(radii, d));
             let cylinder = slope(&|d| cylinder_displaced_volume(depth, radii, d));
-            // Rounding: volumes of a few times 2e-16 over 2e-6.
+            // Rounding: a few times 2e-16 in the volumes, divided by 2e-6.
             assert!(
                 abs_diff_eq!(sphere, -contact_area(z), epsilon = 5e-8),
                 "{radii:?} {distance}"
             );
             assert_abs_diff_eq!(cylinder, -cylinder_contact_area(depth, z), epsilon = 5e-7);
         }
-        // The caps join what is defined beyond them: nothing outside, the smaller body inside.
+        // The caps are continuous at their limits: zero for touching bodies, the smaller body for a contained one.
         let gap = 1e-9;
         assert!(displaced_volume(radii, far - gap) < 1e-9 && displaced_volume(radii, far) == 0.0);
         for (outside, inside) in [
@@ -97,7 +98,7 @@ fn the_displaced_volume_loses_the_contact_area_per_distance() {
     }
 }
 
-/// A pair that overlaps and moves almost freely, remembering an earlier turn of both ends.
+/// A pair that overlaps and moves almost freely, with initial angles from an earlier rotation of both ends.
 fn gliding(distance: &str, step: f64) -> String {
     head("euler", step)
         + &format!("[contact]\ndistance = \"{distance}\"\n")
@@ -120,7 +121,7 @@ fn rates_are_the_derivatives_of_displacements() {
         let last = world.interactions()[0];
         let slope = |from: f64, to: f64| (to - from) / (4.0 * step);
         let normal = slope(before.normal_displacement, last.normal_displacement);
-        // Rounding: 1e-16 of 3 mm over 4 ns.
+        // Rounding: 1e-16 times 3 mm, divided by 4 ns.
         assert_abs_diff_eq!(
             normal,
             after.normal_velocity,
@@ -133,7 +134,8 @@ fn rates_are_the_derivatives_of_displacements() {
                 before.tangential_displacement[end],
                 last.tangential_displacement[end],
             );
-            // thesis E11: a lever arm that changes with the distance adds d' times the turn, which (34) drops.
+            // thesis E11: if the lever arm depends on the distance, its rate d' times the angle adds a term that (34)
+            // omits.
             let arm = |d: f64| match distance {
                 "radius" => r[end],
                 "focal" => FocalArm.distances(r, d)[end],
@@ -160,7 +162,7 @@ fn rates_are_the_derivatives_of_displacements() {
     }
 }
 
-/// Three particles with every kind of force, or with those kinds only that are asked for.
+/// Three particles with the given kinds of forces.
 fn parts(kinds: &[&str]) -> gouge_dem::World {
     let mut text = head("euler", 1e-9) + "[box]\nwidth = 0.02\n";
     let tables = [
@@ -213,7 +215,7 @@ fn the_force_on_a_particle_is_the_sum_of_its_parts() {
     for i in 0..3 {
         let (mut force, mut torque) = (Vec2::zero(), 0.0);
         for kind in kinds {
-            // A bond takes its pair out of the contacts; this one does not overlap anyhow.
+            // A bonded pair has no contact, so the contact force of this pair is not counted.
             let part = parts(&[kind]);
             let skip = if kind == "contact" {
                 pair_of_bond(&part)
@@ -229,7 +231,7 @@ fn the_force_on_a_particle_is_the_sum_of_its_parts() {
             "{force:?} {total:?}"
         );
         assert_abs_diff_eq!(torque, total.1, epsilon = 1e-10 * total.1.abs());
-        // And it accelerates: x'' = F / m, phi'' = tau / J, by one explicit step.
+        // The accelerations are x'' = F / m and phi'' = tau / J, tested with one explicit step.
         let mut moved = all.clone();
         moved.step().expect("finite");
         let p = moved.particles();
@@ -244,7 +246,7 @@ fn the_force_on_a_particle_is_the_sum_of_its_parts() {
     }
 }
 
-/// What the contact between particles 0 and 1 adds, which a bond between them replaces.
+/// Forces and torques of the contact between particles 0 and 1, which their bond replaces.
 fn pair_of_bond(world: &gouge_dem::World) -> ([Vec2; 3], [f64; 3]) {
     let (mut force, mut torque) = ([Vec2::zero(); 3], [0.0; 3]);
     for link in world.interactions() {
@@ -259,7 +261,7 @@ fn pair_of_bond(world: &gouge_dem::World) -> ([Vec2; 3], [f64; 3]) {
 }
 
 #[test]
-fn moduli_and_wave_speeds_are_those_of_one_solid() {
+fn moduli_and_wave_speeds_are_consistent() {
     for nu in [-0.5, 0.0, 0.1, 0.22, 0.4, 0.49] {
         let solid = gouge_dem::material::Elastic {
             youngs_modulus: 50e9,
@@ -312,12 +314,12 @@ fn moduli_and_wave_speeds_are_those_of_one_solid() {
 }
 
 #[test]
-fn the_axial_ratio_is_that_of_the_forces_that_break() {
+fn the_axial_ratio_matches_the_breaking_forces() {
     let law = ZhangEckert {
         normal_strength: 280e6,
         tangential_strength: 168e6,
     };
-    // The smallest force that breaks, by bisection, purely normal and purely tangential.
+    // The smallest purely normal and purely tangential forces that break the bond, by bisection.
     let limit = |along: &dyn Fn(f64) -> (f64, f64), s: f64| {
         let (mut low, mut high) = (0.0, 1e5);
         for _ in 0..80 {
@@ -347,14 +349,14 @@ fn the_axial_ratio_is_that_of_the_forces_that_break() {
         ),
         "square of the factor"
     );
-    // On the ellipse in between.
+    // Between the axes the limit is an ellipse.
     let diagonal = limit(&|f| (-0.6 * f, 0.8 * f), 1.0);
     let sum = (0.6 * diagonal / normal).powi(2) + (0.8 * diagonal / tangential).powi(2);
     assert_relative_eq!(sum, 1.0, epsilon = 0.0, max_relative = 1e-12);
 }
 
 #[test]
-fn a_fault_parts_the_plane() {
+fn a_fault_separates_the_points_above_and_below_it() {
     let straight = Fault {
         level: 0.05,
         height: 0.0,
@@ -370,7 +372,7 @@ fn a_fault_parts_the_plane() {
         let above = |fault: &Fault, y: f64| is_above(fault, Vec2::new(x, y));
         assert!(above(&straight, 0.05) && !above(&straight, 0.05 - 1e-12));
         assert!(above(&jagged, 0.052 + 1e-12) && !above(&jagged, 0.048 - 1e-12));
-        // Four jags in the width, and the same shape across the seam.
+        // Four jags across the width, with the same shape across the periodic boundary.
         for y in [0.0485, 0.0495, 0.0505, 0.0515] {
             let shifted = |by: f64| is_above(&jagged, Vec2::new(x + by, y));
             assert_eq!(shifted(0.0), shifted(0.1 / 4.0 + 1e-15));

@@ -1,4 +1,4 @@
-//! Order and stability of the integrators, found by running the kernel on a damped oscillator.
+//! Order and stability of the integrators, measured on a damped oscillator in the kernel.
 
 use crate::worlds::{advance, head, particle, world};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
@@ -18,7 +18,7 @@ const NAMES: [(&str, Integrator); 6] = [
     ),
 ];
 
-/// A particle of 1 kg in a harmonic well of angular frequency one, with drag of the given ratio.
+/// A particle of 1 kg in a harmonic well of angular frequency 1/s, with drag of the given damping ratio.
 fn oscillator(integrator: &str, step: f64, damping_ratio: f64) -> World {
     let radius = (3.0 / (4.0 * PI * 2700.0)).cbrt();
     let viscosity = 2.0 * damping_ratio / (6.0 * PI * radius);
@@ -28,7 +28,7 @@ fn oscillator(integrator: &str, step: f64, damping_ratio: f64) -> World {
     world(&text)
 }
 
-/// Height of the oscillator released at one, by its closed form.
+/// Closed form of the height of the oscillator, released at rest at 1 m.
 fn exact(time: f64, zeta: f64) -> f64 {
     let omega = (1.0 - zeta * zeta).sqrt();
     let phase = omega * time;
@@ -43,7 +43,7 @@ fn error(integrator: &str, steps: u64, zeta: f64) -> f64 {
 }
 
 #[test]
-fn orders_are_those_of_theory() {
+fn convergence_orders_match_theory() {
     for (zeta, half_step) in [(0.0, 2.0), (0.3, 1.0)] {
         let orders = [1.0, 1.0, 1.0, 2.0, 2.0, half_step];
         for ((name, _), order) in NAMES.iter().zip(orders) {
@@ -68,12 +68,12 @@ fn grows(name: &str, step: f64, zeta: f64) -> bool {
     let early = size(&world);
     advance(&mut world, 4000);
     let late = size(&world);
-    // Overflow ends a growing run as an infinity or, one step later, as a typed error.
+    // A growing run ends by overflow: in an infinity or, one step later, in a typed error.
     !late.is_finite() || late > early.max(1e-290)
 }
 
 #[test]
-fn stability_ends_where_the_amplification_matrix_says() {
+fn stability_limits_match_the_amplification_matrix() {
     for (name, integrator) in NAMES {
         for zeta in [0.1, 0.3, 0.5, 0.6649, 1.0, 2.0] {
             let oscillator = Oscillator {

@@ -1,12 +1,12 @@
-//! Who may use whom.
+//! Which modules and crates may use each other.
 
 use crate::sources::{KERNELS, kernel_files, read, root, rust_files};
 use std::path::Path;
 
-/// Uses of what is listed further down: a model names its integrator, as plain data.
+/// Allowed uses of a module listed further down: a model names its integrator, as plain data.
 const EXCEPTIONS: [(&str, &str); 1] = [("model", "integrators")];
 
-/// Crates from the lowest to the highest, and their folders: each may depend only on those before it.
+/// Crates with their folders, from the lowest to the highest: each may depend only on earlier ones.
 const CRATES: [(&str, &str); 5] = [
     ("gouge-common", "kernel/common"),
     ("gouge-dem", "kernel/dem"),
@@ -15,14 +15,14 @@ const CRATES: [(&str, &str); 5] = [
     ("gouge", "cli"),
 ];
 
-/// Lines of code: no comments, nothing after the beginning of unit tests.
+/// Lines of code, without comments and unit tests.
 fn code(text: &str) -> impl Iterator<Item = &str> {
     text.lines()
         .take_while(|line| !line.starts_with("#[cfg(test)]"))
         .filter(|line| !line.trim_start().starts_with("//"))
 }
 
-/// The top module of a file of a crate; none for the root of the crate.
+/// The top-level module of a file of a crate; none for the root of the crate.
 fn module(source: &Path, file: &Path) -> Option<String> {
     let inside = file.strip_prefix(source).expect("a file of the crate");
     let first = inside.components().next().expect("a name").as_os_str();
@@ -45,7 +45,7 @@ fn used(line: &str) -> Vec<&str> {
     line.match_indices("crate::").map(after).collect()
 }
 
-/// Modules of a crate from the lowest to the highest, as the root of the crate lists them.
+/// Modules of a crate, in the order in which the root of the crate lists them: from the lowest to the highest.
 fn order(source: &Path) -> Vec<String> {
     let text = read(&source.join("lib.rs"));
     let name = |line: &str| {
@@ -57,7 +57,7 @@ fn order(source: &Path) -> Vec<String> {
 
 #[test]
 fn the_kernel_is_listed_from_particles_to_estimators() {
-    // Read from the top, the root of the crate is chapter 3 of the thesis; other modules lie between.
+    // The root of the crate lists modules in the order of chapter 3 of the thesis, with other modules between them.
     let chapter = [
         "geometry",
         "particles",
@@ -105,7 +105,7 @@ fn modules_use_only_what_is_listed_above_them() {
 }
 
 #[test]
-fn no_two_files_of_the_kernel_use_each_other() {
+fn no_two_files_of_the_kernel_depend_on_each_other() {
     let files = kernel_files();
     let uses = |file: &Path| {
         let text = read(file);
@@ -183,7 +183,7 @@ fn every_dependency_is_used() {
 }
 
 #[test]
-fn the_kernel_touches_nothing_outside_itself() {
+fn the_kernel_has_no_io_clock_threads_or_globals() {
     let outside = [
         "std::fs",
         "std::env",
@@ -289,7 +289,7 @@ fn oracles_never_call_the_kernel() {
 }
 
 #[test]
-fn the_map_of_the_architecture_is_true() {
+fn architecture_md_names_exactly_the_existing_modules() {
     let text = read(&root().join("ARCHITECTURE.md"));
     let named: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
     for name in &named {

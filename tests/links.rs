@@ -1,4 +1,4 @@
-//! The pairs that are found are those that there are.
+//! Neighbour search finds exactly the interacting pairs; bonds and contacts follow from them.
 
 use crate::worlds::{advance, head, particle, world};
 use gouge_common::geometry::{Domain, Metric, Open, PeriodicX, Vec2};
@@ -24,7 +24,7 @@ fn particles(points: &[(f64, f64, f64)]) -> Particles {
         .collect()
 }
 
-/// A box with the given sides.
+/// A box with the given width and height.
 fn domain([width, height]: [Option<f64>; 2], periodic: bool) -> Domain {
     Domain {
         width,
@@ -33,7 +33,7 @@ fn domain([width, height]: [Option<f64>; 2], periodic: bool) -> Domain {
     }
 }
 
-/// Every overlapping pair, by looking at all of them.
+/// All overlapping pairs, by brute force.
 fn overlapping(metric: impl Metric, p: &Particles) -> Vec<Pair> {
     let mut pairs = Vec::new();
     for i in 0..p.len() {
@@ -81,7 +81,7 @@ proptest! {
         columns in 2.0..9.0,
         points in prop::collection::vec((0.0..1.0, -1.0..4.0, 0.1..0.5), 1..60),
     ) {
-        // From the narrowest box that is allowed, two cells, upwards.
+        // Starting with the narrowest valid box: two cells.
         let length = columns * 1.0;
         let points: Vec<_> = points.iter().map(|&(x, y, r)| (x * length, y, r)).collect();
         let p = particles(&points);
@@ -91,7 +91,7 @@ proptest! {
     }
 
     #[test]
-    fn a_list_that_is_not_stale_misses_no_contact(
+    fn a_neighbour_list_that_is_not_stale_misses_no_contact(
         points in prop::collection::vec((0.0..4.0, 0.0..4.0, 0.1..0.3), 2..40),
         moves in prop::collection::vec((-1.0..1.0, -1.0..1.0), 40),
         size in 0.0..0.2,
@@ -135,7 +135,7 @@ proptest! {
     }
 
     #[test]
-    fn the_order_of_particles_is_total(
+    fn the_order_of_particles_is_a_total_order(
         a in (0.0..4.0, 0.0..3.0), b in (0.0..4.0, 0.0..3.0), i in 0_usize..3, j in 0_usize..3,
     ) {
         let cells = Cells::new(Vec2::zero(), Vec2::new(4.0, 3.0), true, 0.9, 1000);
@@ -147,7 +147,7 @@ proptest! {
 }
 
 #[test]
-fn chebyshev_distance_goes_the_short_way_round() {
+fn chebyshev_distance_uses_the_nearest_periodic_image() {
     let cells = Cells::new(Vec2::zero(), Vec2::new(10.0, 10.0), true, 1.0, 1000);
     let at = |x: f64, y: f64| cells.cell_at(Vec2::new(x, y));
     assert_eq!(cells.distance(at(0.5, 0.5), at(9.5, 0.5)), 1);
@@ -164,7 +164,7 @@ fn a_world_without_particles_has_no_pairs() {
     assert!(found(Open, &nothing, &mut neighbors).is_empty());
 }
 
-/// Two bonded grains that are torn apart, the second with a role.
+/// Two bonded grains that move apart; the second has the given role.
 fn torn(role: &str, yielding: bool) -> gouge_dem::World {
     let strength = "[bond.yielding]\nlaw = \"zhang-eckert\"\n\
                     normal_strength = 28e6\ntangential_strength = 16.8e6\n";
@@ -178,7 +178,7 @@ fn torn(role: &str, yielding: bool) -> gouge_dem::World {
 }
 
 #[test]
-fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
+fn edge_bonds_break_only_in_phases_that_let_them() {
     let model = |edges: bool| {
         let model = *torn("free", true).model();
         let yielding = |yielding| Yielding {
@@ -195,10 +195,10 @@ fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
     let phases = [
         ("free", true, model(true), None, 0),
         ("fixed", true, model(true), None, 1),
-        // The edge comes to be only now.
+        // The second grain becomes part of the edge only in the next phase.
         ("free", true, model(true), edge.clone(), 1),
         ("free", true, model(false), edge, 0),
-        // No bond could break before, and now every one can.
+        // No bond could break in the first phase; every bond can in the next.
         ("fixed", false, model(false), None, 0),
     ];
     for (role, yielding, model, roles, holding) in phases {
@@ -206,7 +206,7 @@ fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
             .continue_with(model, roles)
             .expect("the kernel goes on");
         advance(&mut world, 5000);
-        let found = world.bonds().map(|strong| strong.len());
+        let found = world.bonds().map(|bonds| bonds.len());
         assert_eq!(found, Some(holding), "{role} {yielding} {model:?}");
     }
 }

@@ -1,6 +1,6 @@
-//! Results depend neither on the instructions that the machine offers nor on the number of threads, nor on how
-//! far the program was optimised: fingerprints of the bits are recorded, and `cargo test --profile unoptimised
-//! machine` compares them without any optimisation.
+//! Results depend neither on the instructions of the machine nor on the number of threads, nor on compiler
+//! optimisation. Fingerprints of the bits are recorded; `cargo test --profile unoptimised machine` compares them
+//! without optimisation.
 
 use crate::program::{gouge, stderr};
 use crate::recorded::record;
@@ -13,7 +13,7 @@ use gouge_runner::scene::builtin;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
-/// Replacements that choose another law or another way in the text of the fault.
+/// Replacements in the text of the fault that choose another law or another code path.
 const VARIANTS: [&[(&str, &str)]; 8] = [
     &[],
     &[("\"velocity-verlet\"", "\"beeman\"")],
@@ -31,7 +31,7 @@ const VARIANTS: [&[(&str, &str)]; 8] = [
     &[("distance = \"radius\"", "distance = \"focal\"")],
 ];
 
-/// The same world without a ledger: only then are its links divided among threads.
+/// The same world without an energy ledger: only then are contacts and bonds divided among threads.
 fn without_ledger(world: &World) -> World {
     let model = Model {
         ledger: false,
@@ -41,7 +41,7 @@ fn without_ledger(world: &World) -> World {
     continued.expect("nothing else changes")
 }
 
-/// The state after some steps from a recorded one, computed with the given instructions, divided for some threads.
+/// The state after some steps from a recorded state, computed with the given instructions and number of threads.
 fn continued(world: &World, instructions: Instructions, threads: usize, steps: u64) -> Vec<u64> {
     let copy = World::from_words(*world.model(), &world.to_words()).expect("just recorded");
     let mut copy = copy.with_instructions(instructions).with_threads(threads);
@@ -49,7 +49,7 @@ fn continued(world: &World, instructions: Instructions, threads: usize, steps: u
     copy.to_words()
 }
 
-/// A fingerprint of the bits after some steps, which all instructions and numbers of threads share.
+/// A fingerprint of the bits after some steps; checks that it is the same for all instructions and numbers of threads.
 fn fingerprint(world: &World, steps: u64, what: &str) -> String {
     let portable = continued(world, Instructions::portable(), 1, steps);
     let sets = Instructions::available().into_iter().map(|set| (set, 1));
@@ -57,7 +57,7 @@ fn fingerprint(world: &World, steps: u64, what: &str) -> String {
     for (instructions, threads) in sets.chain(divisions) {
         assert!(
             continued(world, instructions, threads, steps) == portable,
-            "{what}: {} for {threads} threads give other bits than the portable instructions for one",
+            "{what}: {} with {threads} threads give different bits than portable instructions with one thread",
             instructions.name()
         );
     }
@@ -71,7 +71,7 @@ fn fingerprint(world: &World, steps: u64, what: &str) -> String {
         .collect()
 }
 
-/// Whether bonds break, lists are made anew and particles touch in some steps.
+/// Whether bonds break, neighbour lists are rebuilt and particles touch within some steps.
 fn shows_enough(world: &World, steps: u64) -> bool {
     let bonds = |world: &World| world.bonds().map_or(0, |bonds| bonds.len());
     let mut after = world.clone();
@@ -91,15 +91,15 @@ fn a_fault_has_the_same_bits_on_every_machine() {
             fingerprints += &format!("variant {number}{ledger} {bits}\n");
             assert!(
                 shows_enough(world, 12_000),
-                "the scene shows too little: {variant:?}"
+                "the scene exercises too little of the kernel: {variant:?}"
             );
         }
     }
     record("bits_of_a_fault", &fingerprints);
 }
 
-/// At least so many particles: copies of a world side by side along its period. Contacts begin anew, bonds too, and
-/// those across the border are left out.
+/// A world of at least `least` particles: copies of a world, side by side along the periodic direction. Contacts and
+/// bonds begin again; bonds across the periodic boundary are left out.
 fn repeated(world: &World, least: usize) -> World {
     let number = world.particles().len();
     let width = world.model().period().expect("the box is periodic");
@@ -140,7 +140,7 @@ fn a_world_beyond_the_caches_has_the_same_bits_on_every_machine() {
     let sheared = sheared_with(&[]);
     let mut fingerprints = String::new();
     for (ledger, world) in [("with", &sheared), ("without", &without_ledger(&sheared))] {
-        // More than `forces/ahead.rs` takes for small.
+        // More particles than `forces/ahead.rs` treats as a small world.
         let world = repeated(world, 21_000);
         assert!(
             world.number_of_contacts() > 1000
@@ -163,7 +163,7 @@ fn single_collisions_have_the_same_bits_on_every_machine() {
     record("bits_of_single_collisions", &fingerprints);
 }
 
-/// Contents of all tables that a run writes, with a variable of the environment.
+/// Contents of all tables that a run writes with an environment variable set.
 fn outputs((variable, value): (&str, &str)) -> BTreeMap<String, Vec<u8>> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut command = gouge();
@@ -185,7 +185,7 @@ fn outputs((variable, value): (&str, &str)) -> BTreeMap<String, Vec<u8>> {
 }
 
 #[test]
-fn the_environment_chooses() {
+fn environment_variables_choose_instructions_and_threads() {
     let usual = outputs(("UNRELATED", ""));
     assert!(!usual.is_empty());
     for instructions in Instructions::available() {
@@ -195,7 +195,7 @@ fn the_environment_chooses() {
 }
 
 #[test]
-fn the_environment_is_checked() {
+fn invalid_environment_variables_are_refused() {
     let cases = [
         ("GOUGE_INSTRUCTIONS", "fast", "portable"),
         ("GOUGE_THREADS", "0", "from 1 to 1024"),

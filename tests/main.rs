@@ -1,12 +1,24 @@
-//! The verification gate: one test binary, a module a subject.
+//! The verification gate: one test binary with one module per subject.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod bad_input;
+mod calibration;
+mod code_size;
 mod collisions;
+mod commands;
+mod distributions;
+mod dual;
+mod equations;
+mod errata;
+mod estimators;
+mod events;
+mod geometry;
+mod identities;
+mod integrators;
+mod layering;
+mod links;
 mod machine;
 mod measurements;
-mod integrators;
-mod links;
 mod nothing_lost;
 mod original_program;
 mod overrides;
@@ -15,17 +27,5 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
-mod worlds;
-mod code_size;
-mod commands;
-mod estimators;
-mod distributions;
-mod dual;
-mod calibration;
-mod geometry;
-mod equations;
-mod events;
-mod errata;
-mod identities;
-mod layering;
 mod sources;
+mod worlds;

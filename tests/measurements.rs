@@ -5,8 +5,8 @@ use gouge_validation::measurements::{Paired, friction_runs};
 
 #[test]
 fn paired_statistics_are_those_of_the_textbook() {
-    // Student's extra hours of sleep (Biometrika 6, 1908), as R prints them: t = 4.0621 at 9 degrees of
-    // freedom, p = 0.002833, interval 0.7001142 to 2.4598858. Nine of nine signs are alike: p = 2 / 2^9.
+    // Student's sleep data (Biometrika 6, 1908), with the results of R: t = 4.0621 with 9 degrees of freedom,
+    // p = 0.002833, interval 0.7001142 to 2.4598858. All nine signs are equal: p = 2 / 2^9.
     let sleep = [1.2, 2.4, 1.3, 1.3, 0.0, 1.0, 1.8, 0.8, 4.6, 1.4];
     let paired = Paired::new(sleep.to_vec());
     assert_eq!(paired.number(), 10);

@@ -1,4 +1,4 @@
-//! Runs that are killed, fail or meet a full disk: what was computed stays and can be continued.
+//! Runs that are killed, fail or meet a full disk: results are kept and the run can be continued.
 
 mod disk;
 mod failing;
@@ -30,10 +30,10 @@ fn files(folder: &Path) -> Files {
     files
 }
 
-/// What two runs of the same scene have in common: everything but times and the checkpoint, which
-/// holds times.
-fn essence(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut essence = Files::new();
+/// The outputs that two runs of the same scene have in common: everything except times and the checkpoint, which
+/// contains times.
+fn comparable_files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut comparable_files = Files::new();
     for (path, mut bytes) in files(folder) {
         let name = path
             .strip_prefix(folder)
@@ -56,13 +56,13 @@ fn essence(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
             }
             _ => {}
         }
-        essence.insert(name, bytes);
+        comparable_files.insert(name, bytes);
     }
-    essence
+    comparable_files
 }
 
 fn assert_same(folder: &Path, reference: &Path) {
-    let (found, expected) = (essence(folder), essence(reference));
+    let (found, expected) = (comparable_files(folder), comparable_files(reference));
     let names = |files: &Files| files.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&found), names(&expected));
     for (name, bytes) in &found {
@@ -79,7 +79,7 @@ fn text(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
 }
 
-/// A run that looks at the clock for a checkpoint as often as it can.
+/// A run that writes checkpoints as often as possible.
 fn start(scene: &Path, out: &Path, resume: bool) -> Command {
     let mut command = gouge();
     command.arg("run").arg(scene).arg("--out").arg(out);
@@ -90,7 +90,7 @@ fn start(scene: &Path, out: &Path, resume: bool) -> Command {
     command
 }
 
-/// A run to its end, which must succeed.
+/// A complete run, which must succeed.
 fn complete(scene: &Path, out: &Path, resume: bool) {
     let output = start(scene, out, resume)
         .output()
@@ -98,8 +98,8 @@ fn complete(scene: &Path, out: &Path, resume: bool) {
     assert!(output.status.success(), "{}", stderr(&output));
 }
 
-/// The protocol of the small granite fault, so short and so weak that it breaks in a fraction of a
-/// second.
+/// The small granite fault, so short and with so weak bonds that bonds break within a fraction of a second of run
+/// time.
 fn fault(integrator: &str, friction: &str, trajectory: &str) -> String {
     let mut text = stdout(&run(&["scenes", "granite-fault-small"]));
     for (old, new) in [
@@ -130,15 +130,15 @@ fn fault(integrator: &str, friction: &str, trajectory: &str) -> String {
     text
 }
 
-/// Start or continue a run and kill it at some moment; whether it was still running then and whether
-/// the scene proper had begun.
+/// Start or continue a run and kill it at a random moment. Return whether it was still running and whether the scene
+/// proper had begun.
 fn kill(scene: &Path, out: &Path, resume: bool, random: &mut Pcg64, size: u64) -> (bool, bool) {
     let mut command = start(scene, out, resume);
     let mut child = command
         .stderr(Stdio::null())
         .spawn()
         .expect("the program starts");
-    // Half of the moments lie anywhere, set-up and start included; the others in the scene proper.
+    // Half of the moments are anywhere, including start and set-up; the others are in the scene proper.
     let moment = random.random::<f64>();
     let enough = if random.random::<bool>() {
         (moment * size as f64) as u64
@@ -163,8 +163,8 @@ fn kill(scene: &Path, out: &Path, resume: bool, random: &mut Pcg64, size: u64) -
     (status.code().is_none(), length() > 1000)
 }
 
-/// Kill a run many times, complete it, and compare it with one that was left alone.
-fn survives(text: &str, kills: usize, seed: u128) {
+/// Kill a run many times, complete it, and compare it with an uninterrupted run.
+fn check_kill_and_resume(text: &str, kills: usize, seed: u128) {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = write_scene(folder.path(), text);
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
@@ -173,7 +173,7 @@ fn survives(text: &str, kills: usize, seed: u128) {
     let report = summary(&reference);
     assert!(
         report["bonds_broken"].as_u64() > Some(0),
-        "nothing breaks: {report}"
+        "no bond breaks: {report}"
     );
     let size = fs::metadata(reference.join("series.csv"))
         .expect("a series")
@@ -199,14 +199,14 @@ fn survives(text: &str, kills: usize, seed: u128) {
     );
     complete(&scene, &out, true);
     assert_same(&out, &reference);
-    // A run that is complete stays as it is when it is continued.
+    // Continuing a complete run changes nothing.
     complete(&scene, &out, true);
     assert_same(&out, &reference);
 }
 
 #[test]
 fn a_killed_run_with_velocity_verlet_loses_no_bit() {
-    survives(
+    check_kill_and_resume(
         &fault("velocity-verlet", "cundall-strack-truncated", "extxyz"),
         7,
         1,
@@ -215,16 +215,16 @@ fn a_killed_run_with_velocity_verlet_loses_no_bit() {
 
 #[test]
 fn a_killed_run_with_beeman_loses_no_bit() {
-    survives(&fault("beeman", "cundall-strack", "vtk"), 10, 2);
+    check_kill_and_resume(&fault("beeman", "cundall-strack", "vtk"), 10, 2);
 }
 
 #[test]
 fn a_killed_run_with_euler_loses_no_bit() {
-    survives(&fault("euler", "cundall-strack", "none"), 10, 3);
+    check_kill_and_resume(&fault("euler", "cundall-strack", "none"), 10, 3);
 }
 
-/// A scene in which two particles meet; its checkpoint is small, its series long.
-fn meeting(step: f64) -> String {
+/// A scene in which two particles collide. Its checkpoint is small, its series long.
+fn colliding_pair(step: f64) -> String {
     let text = stdout(&run(&["scenes", "head-on"]));
     let line = text
         .lines()
@@ -233,7 +233,7 @@ fn meeting(step: f64) -> String {
     text.replace(line, &format!("step = {step:e}"))
 }
 
-/// A checkpoint with a wrong bit, cut off, too long, or empty.
+/// Damaged checkpoints: with a wrong bit, truncated, too long, or empty.
 fn damaged(whole: &[u8]) -> Vec<Vec<u8>> {
     let mut random = Pcg64::new(5, 6);
     let mut damaged: Vec<Vec<u8>> = (0..20)
@@ -262,11 +262,11 @@ fn damaged(whole: &[u8]) -> Vec<Vec<u8>> {
     damaged
 }
 
-/// Every damage to a checkpoint is found before anything is touched.
+/// Damage to a checkpoint is detected before any file is changed.
 #[test]
 fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
     complete(&scene, &reference, false);
     fs::create_dir(&out).expect("a new folder");
@@ -297,14 +297,14 @@ fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
         refused(&scene, "damaged");
     }
     fs::write(&path, &whole).expect("ours");
-    let other = write_scene(&reference, &meeting(2e-8));
+    let other = write_scene(&reference, &colliding_pair(2e-8));
     refused(&other, "belongs to another scene");
     fs::remove_file(&other).expect("ours");
     complete(&scene, &out, true);
     assert_same(&out, &reference);
 }
 
-/// The program wrote version 3 of the format until checkpoints named their model and columns.
+/// Version 3 of the format did not name the model and the columns.
 #[test]
 fn a_checkpoint_of_version_3_is_continued() {
     let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/recorded/checkpoint-3");
@@ -325,13 +325,13 @@ fn a_checkpoint_of_version_3_is_continued() {
     assert_eq!(version(&last), 4_u64.to_le_bytes());
 }
 
-/// Where a checkpoint has the version of its format.
+/// Bytes of a checkpoint that hold the version of the format.
 const VERSION: std::ops::Range<usize> = 48..56;
-/// Where it has the number of letters of its model, and where the model.
+/// Bytes that hold the length of the name of the model, and the name.
 const MODEL: [std::ops::Range<usize>; 2] = [112..120, 120..123];
 
-/// The bytes of a checkpoint with its checksum made right.
-fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
+/// The bytes of a checkpoint with a correct checksum.
+fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
     let digest = Sha256::digest(&bytes[..bytes.len() - 32]);
     let place = bytes.len() - 32;
     bytes[place..].copy_from_slice(&digest);
@@ -341,12 +341,12 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
 #[test]
 fn a_state_with_other_columns_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
     let path = out.join("checkpoint");
     let whole = fs::read(&path).expect("a checkpoint");
-    assert_eq!(signed(whole.clone()), whole);
+    assert_eq!(with_checksum(whole.clone()), whole);
     assert_eq!(whole[MODEL[0].clone()], 3_u64.to_le_bytes());
     assert_eq!(&whole[MODEL[1].clone()], b"dem");
     let place_of = |name: &[u8]| {
@@ -356,9 +356,9 @@ fn a_state_with_other_columns_is_refused() {
     let changed = |place: usize| {
         let mut bytes = whole.clone();
         bytes[place] ^= 1;
-        signed(bytes)
+        with_checksum(bytes)
     };
-    // Behind a name stand the kind of the column's shape, its width and the number of its words.
+    // The name is followed by the kind of the column's shape, its width and its number of words.
     let drive = place_of(b"drive");
     let shape = drive + b"drive".len();
     let mut changes: Vec<Vec<u8>> = [
@@ -374,11 +374,11 @@ fn a_state_with_other_columns_is_refused() {
     changes.extend((144..whole.len() - 32).step_by(41).map(|length| {
         let mut bytes = whole[..length].to_vec();
         bytes.extend([0; 32]);
-        signed(bytes)
+        with_checksum(bytes)
     }));
     let mut longer = whole.clone();
     longer.extend([0; 8]);
-    changes.push(signed(longer));
+    changes.push(with_checksum(longer));
     for (number, bytes) in changes.into_iter().enumerate() {
         fs::write(&path, bytes).expect("ours");
         let output = start(&scene, &out, true)
@@ -396,7 +396,7 @@ fn a_state_with_other_columns_is_refused() {
 #[test]
 fn a_series_that_lost_rows_is_not_continued() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
     let series = out.join("series.csv");
@@ -420,7 +420,7 @@ fn a_series_that_lost_rows_is_not_continued() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_named() {
+fn a_folder_that_cannot_be_written_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("file");
     fs::write(&file, "precious").expect("ours");

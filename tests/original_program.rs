@@ -1,7 +1,7 @@
-//! Follows the thesis author's program step by step, by way of an independent model of its equations.
+//! Compares the kernel step by step with an independent model of the equations in the thesis author's program.
 //!
-//! Both sides do the same operations but for the order of sums and the way to an angle, so they may
-//! differ by rounding alone; see [`rounding`] for how much that is.
+//! Both sides do the same operations except for the order of sums and the computation of angles, so they differ only by
+//! rounding; [`rounding`] estimates by how much.
 
 mod block;
 mod bonds;
@@ -71,7 +71,7 @@ fn grain(x: [f64; 2], r: f64) -> Grain {
     }
 }
 
-/// The same scene for both sides.
+/// The same scene in the kernel and in the model of the author's program.
 struct Twins {
     world: World,
     oracle: Original,
@@ -79,7 +79,7 @@ struct Twins {
 
 impl Twins {
     fn new(oracle: Original, ledger: bool) -> Self {
-        // Every second pair the other way round: the order of its ends must not matter.
+        // Every second pair is reversed: the order of its ends must not matter.
         let bonds = oracle.bonds.iter().map(|(&(i, j), bond)| {
             let ([a, b], turned) = (bond.psi, (i + j) % 2 == 1);
             BondStart {
@@ -92,7 +92,7 @@ impl Twins {
         Self::starting(bonds.collect(), oracle, ledger)
     }
 
-    /// Bonds of the kernel begin at t = 0 in the state that it finds.
+    /// Both sides, with bonds that begin at t = 0 in the current state.
     fn bonded_now(oracle: Original) -> Self {
         let bonds = oracle.bonds.iter().map(|(&(i, j), bond)| BondStart {
             between: [j, i],
@@ -223,15 +223,15 @@ fn bond(rules: &Rules) -> BondLaws {
     }
 }
 
-/// Position, velocity, angle and angular velocity of any particle, and total driving force: largest
-/// differences, magnitudes or tolerances, in SI units.
+/// Largest differences, magnitudes or tolerances of position, velocity, angle and angular velocity of any particle
+/// and of the total driving force, in SI units.
 #[derive(Clone, Copy, Debug, Default)]
 struct Deviation([f64; 5]);
 
 impl Deviation {
     fn widen(&mut self, other: [f64; 5]) {
         for (widest, new) in self.0.iter_mut().zip(other) {
-            // Undefined numbers must not pass for small ones.
+            // NaN must not count as a small number.
             *widest = if new.is_nan() {
                 f64::INFINITY
             } else {
@@ -241,16 +241,16 @@ impl Deviation {
     }
 }
 
-/// What happened while both sides ran.
+/// The result of running both sides.
 struct Replay {
     twins: Twins,
     worst: Deviation,
     largest: Deviation,
-    /// Steps in which bonds broke.
+    /// The steps in which bonds broke.
     breaks: Vec<u64>,
-    /// Pairs that broke and touched in the same step.
+    /// Number of pairs whose bond broke and that touched in the same step.
     broken_into_contact: usize,
-    /// Steps in which there was some contact.
+    /// Number of steps with at least one contact.
     touching: u64,
 }
 
@@ -284,16 +284,16 @@ fn replay(twins: Twins, steps: u64) -> Replay {
     run
 }
 
-/// The same bonds hold and, where the kernel remembers contacts, the same pairs touch.
+/// Check that both sides have the same bonds and, if the kernel stores contacts, the same contacts.
 fn compare_links(Twins { world, oracle }: &Twins) {
-    let pairs = world.bonds().map_or(&[][..], |strong| strong.pairs());
+    let pairs = world.bonds().map_or(&[][..], |bonds| bonds.pairs());
     let bonded = in_order(pairs.iter().copied());
     let expected: Vec<Ends> = oracle.bonds.keys().copied().collect();
     assert_eq!(bonded, expected, "bonds after {} steps", world.steps());
     if matches!(oracle.rules.rubbing, Rubbing::CundallStrack { .. }) {
         let moves = |i: usize| oracle.grains[i].duty != Duty::Fixed;
-        let weak = world.contacts().expect("there are contacts");
-        let touching = in_order(weak.remembered().map(|(pair, _)| pair));
+        let contacts = world.contacts().expect("there are contacts");
+        let touching = in_order(contacts.remembered().map(|(pair, _)| pair));
         let expected = oracle
             .contacts
             .keys()
@@ -304,7 +304,7 @@ fn compare_links(Twins { world, oracle }: &Twins) {
     }
 }
 
-/// Pairs in the order of their first particles.
+/// Pairs sorted by their first particles.
 fn in_order(pairs: impl Iterator<Item = Pair>) -> Vec<Ends> {
     let mut all: Vec<Ends> = pairs.map(Pair::indices).collect();
     all.sort_unstable();
@@ -335,24 +335,24 @@ fn compare_states(run: &mut Replay) {
     }
 }
 
-/// Growth of errors in a motion that is stable.
+/// Growth of errors in a stable motion.
 const STABLE: f64 = 1.0;
-/// Growth of errors in the block: with an explicit step a sticking Cundall-Strack contact is damped by
-/// -k dt, so that an error multiplies by e in about 4 us, and the block moves for 10 us: e^2.5. The
-/// model parts from itself by more if positions are nudged by a last place in every step.
+/// Growth of errors in the block. With an explicit step a sticking Cundall-Strack contact has the negative damping
+/// -k dt, so an error grows by a factor e in about 4 us, and the block moves for 10 us: e^2.5. The model deviates from
+/// itself by more than that if positions are changed by one ulp in every step.
 const BLOCK_GROWTH: f64 = 12.0;
-/// Links on a particle, about the most there are.
+/// Contacts and bonds of a particle; about the largest number that occurs.
 const LINKS: f64 = 8.0;
 
-/// What rounding may do to a replay.
+/// Estimate of the differences that rounding causes in a replay.
 ///
-/// A position X is known to eps X and an angle A to eps A, so that a link with stiffness k and damping
-/// g exerts a force known to eps (k (X + r A) + g V), V the speed of surfaces. Over a step this moves a
-/// velocity by that times dt / m. Such errors of all links and successive steps are taken to add like a
-/// random walk, to the root of the number of steps, and to be magnified by the motion until the end (`growth`).
-/// The error of a position is that of the velocity times the time, and the rounding of its own sum,
-/// which repeats itself in free flight and so adds to the number of steps. The driving force is a sum
-/// of equal terms, the same on both sides unless a sign differs.
+/// A position X has the error eps X and an angle A the error eps A. So the force of a contact or bond with stiffness k
+/// and damping g has the error eps (k (X + r A) + g V), where V is the relative surface velocity. In one step this
+/// changes a velocity by the force error times dt / m. Errors of all contacts, bonds and steps are assumed to add
+/// like a random walk, with the square root of the number of steps, and to be amplified by the motion until the end
+/// (`growth`). The error of a position is the velocity error times the time, plus the rounding error of the
+/// position's own sum. The latter repeats in free flight and so grows linearly with the number of steps. The driving
+/// force is a sum of equal terms, which is the same on both sides unless a sign differs.
 fn rounding(run: &Replay, growth: f64) -> Deviation {
     let Original { rules, grains, .. } = &run.twins.oracle;
     let steps = run.twins.world.steps() as f64;
@@ -374,14 +374,14 @@ fn rounding(run: &Replay, growth: f64) -> Deviation {
     let force = LINKS * (k * (x + large * phi.max(TAU)) + gamma * (v + large * omega));
     let walk = growth * f64::EPSILON * steps.sqrt();
     let velocity = walk * (force * rules.dt / mass + v);
-    // m r^2 / J is 5/3.
+    // m r^2 / J = 5/3 in the author's program.
     let spin = 5.0 / 3.0 * velocity / small + walk * omega;
     let (sum, time) = (f64::EPSILON * steps, steps * rules.dt);
     let [position, angle] = [sum * x + velocity * time, sum * phi + spin * time];
     Deviation([position, velocity, angle, spin, f64::EPSILON * drive])
 }
 
-/// Print how far both sides differ, and check that it is rounding.
+/// Print the differences of both sides and check that they are within rounding.
 fn check(name: &str, run: &Replay, growth: f64) {
     let tolerance = rounding(run, growth);
     let pairs = run.worst.0.into_iter().zip(tolerance.0);

@@ -1,4 +1,4 @@
-//! Overrides of keys do what the same edits of the scene file do.
+//! Overrides of keys have the same effect as the same edits of the scene file.
 
 use crate::program::{run, stderr, stdout, write_scene};
 use gouge_runner::scene::{Overrides, Scene, builtin};
@@ -38,7 +38,8 @@ fn edited(name: &str, replacements: &[(&str, &str)]) -> String {
     })
 }
 
-/// A scene with overrides gives the results of the edited text, and others than the scene alone.
+/// Check that a scene with overrides gives the results of the edited text, and that these differ from the results
+/// without the overrides.
 fn is_as_edited(name: &str, overrides: &[&str], text: &str) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = write_scene(folder.path(), text);
@@ -48,7 +49,7 @@ fn is_as_edited(name: &str, overrides: &[&str], text: &str) {
     assert!(alone != by_hand, "{overrides:?}");
 }
 
-/// Shortens the runs.
+/// Override that shortens the runs.
 const SHORT: &str = "time.end=2e-6";
 
 #[test]
@@ -186,7 +187,7 @@ fn overrides_enter_the_hash() {
     assert_eq!(hash(&[]), plain);
     let (step, end, title) = ("time.step=2e-9", "time.end=1e-6", "title=\"x\"");
     assert_eq!(hash(&[step, end]), hash(&[step, end]));
-    // Neither order, nor white space around the equals sign, nor an earlier value has a meaning.
+    // The order, white space around the equals sign and earlier values do not matter.
     assert_eq!(hash(&[end, step]), hash(&[step, end]));
     assert_eq!(hash(&["time.step = 2e-9", end]), hash(&[step, end]));
     assert_eq!(hash(&["time.step=3e-9", end, step]), hash(&[step, end]));
@@ -197,7 +198,7 @@ fn overrides_enter_the_hash() {
         &[title],
         &[step, end],
         &["time.step=3e-9"],
-        // Even a value that the file has.
+        // Even if the value equals that of the file.
         &["time.step=1e-9"],
     ];
     let hashes: Vec<String> = all.iter().map(|overrides| hash(overrides)).collect();
@@ -225,7 +226,7 @@ fn the_last_of_several_overrides_wins() {
     };
     assert_eq!(scene(&["time.step=2e-9", "time.step=3e-9"]).step, 3e-9);
     assert_eq!(scene(&["time.step=3e-9", "time.step=2e-9"]).step, 2e-9);
-    // A value that would be refused is as if it had not been given.
+    // An invalid value that is overridden has no effect.
     assert_eq!(scene(&["time.step=\"x\"", "time.step=2e-9"]).step, 2e-9);
     let (table, key) = (
         "time={step=4e-9, end=1e-6, integrator=\"euler\"}",
@@ -248,7 +249,7 @@ fn only_the_same_overrides_resume_a_run() {
     let output = run_with("oblique", &[SHORT, half], &out, &[]);
     assert!(output.status.success(), "{}", stderr(&output));
     let finished = results_in(&out);
-    // Without a summary the run counts as stopped after its last checkpoint.
+    // Without a summary the run counts as interrupted after its last checkpoint.
     let stop = || std::fs::remove_file(out.join("summary.json")).expect("a summary");
     stop();
     for other in [

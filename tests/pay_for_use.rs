@@ -1,8 +1,8 @@
-//! What is absent costs nothing and changes nothing; a step allocates nothing.
+//! Parts that a scene does not have change nothing; a step allocates nothing.
 
 use crate::worlds::{INTEGRATORS, advance, bits, head, particle, sheared_with, world};
 
-/// A handful of grains that collide, spin and fall apart again.
+/// A few spinning grains that collide and separate again.
 fn grains(more: &str) -> String {
     let mut text = head("velocity-verlet", 1e-8) + more;
     text += "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n";
@@ -102,7 +102,7 @@ fn a_recorded_state_continues_with_the_same_bits() {
 }
 
 #[test]
-fn a_world_back_in_an_earlier_state_repeats_its_bits() {
+fn a_world_reset_to_an_earlier_state_repeats_its_bits() {
     for integrator in INTEGRATORS {
         let mut world = sheared(integrator, "cundall-strack");
         let bonds = |world: &gouge_dem::World| world.bonds().map(|bonds| bonds.len());
@@ -134,7 +134,7 @@ fn damaged_records_are_refused_without_panic() {
 }
 
 #[test]
-fn records_that_name_other_particles_are_refused_or_run() {
+fn records_with_wrong_indices_are_refused_or_run() {
     let text =
         grains("[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 1e7\n")
             + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n[[bonds]]\nbetween = [3, 4]\n";
@@ -142,7 +142,7 @@ fn records_that_name_other_particles_are_refused_or_run() {
     advance(&mut world, 10);
     let words = world.to_words();
     let mut refused = 0;
-    // A particle beyond the last is at most five numbers away from one that there is.
+    // Adding at most five turns any index into one beyond the last particle.
     for place in 0..words.len() {
         for more in 1..=5 {
             let mut damaged = words.clone();
@@ -153,9 +153,9 @@ fn records_that_name_other_particles_are_refused_or_run() {
             }
         }
     }
-    // Five lengths of lists and the bond, whose second particle would be beyond the last, at least.
+    // At least five lengths of lists and the bond, whose second particle would be beyond the last.
     assert!(refused >= 6, "{refused}");
-    // A number or a vector too many in any list of five.
+    // One number or one vector too many in any list of length five.
     let lengths = (0..words.len()).filter(|&place| words[place] == 5);
     for place in lengths.clone() {
         for more in [1, 2] {
@@ -170,7 +170,7 @@ fn records_that_name_other_particles_are_refused_or_run() {
 }
 
 #[test]
-fn the_driving_force_goes_on_in_the_next_phase() {
+fn the_driving_force_continues_in_the_next_phase() {
     let text = grains(
         "[driving]\ncontroller = \"rate-limited\"\nspeed = 1.0\npressure = 1e6\nforce_rate = 1e6\n[box]\nwidth = 0.1\n",
     ) + "role = \"driven\"\n";

@@ -1,4 +1,4 @@
-//! Runs the program as a user does.
+//! Helpers that run the program like a user.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

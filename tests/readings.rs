@@ -1,9 +1,9 @@
-//! Decisions of the errata, pinned by what they change.
+//! Decisions of the errata, tested by their effects.
 
 use crate::worlds::{advance, head, particle, world};
 use approx::abs_diff_eq;
 
-/// A bonded pair that rolls like gears; each end turns by many half-turns, at different moments.
+/// A bonded pair that rolls like gears; each end makes many half-turns, at different times.
 fn gears(reading: &str) -> String {
     format!("reading = \"{reading}\"\n")
         + &head("euler", 1e-7)
@@ -15,12 +15,12 @@ fn gears(reading: &str) -> String {
 }
 
 #[test]
-fn corrected_angles_go_on_where_those_of_the_thesis_jump() {
+fn corrected_angles_continue_where_thesis_angles_wrap() {
     for (reading, unwrapped) in [("corrected", true), ("thesis", false)] {
         let mut world = world(&gears(reading));
         advance(&mut world, 10_000);
         let zeta = world.interactions()[0].tangential_displacement;
-        // 20 rad on 1 mm and -10 rad on 2 mm.
+        // 20 rad at 1 mm and -10 rad at 2 mm.
         let expected = if unwrapped {
             [20e-3, -20e-3]
         } else {
@@ -37,8 +37,8 @@ fn corrected_angles_go_on_where_those_of_the_thesis_jump() {
 }
 
 #[test]
-fn a_bond_turned_round_many_times_comes_back_unstrained() {
-    // Rigid rotation about the common centre: no strain at any angle.
+fn a_bond_is_unstrained_after_many_rigid_turns() {
+    // Rigid rotation about the common centre: no strain at any angle of rotation.
     let omega = 1e4;
     let text = head("velocity-verlet", 1e-8)
         + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n\
@@ -51,11 +51,11 @@ fn a_bond_turned_round_many_times_comes_back_unstrained() {
     let p = world.particles();
     assert!(
         abs_diff_eq!(p.angle[0], omega * 2e-3, epsilon = 1e-2),
-        "three turns and more"
+        "more than three turns"
     );
     let zeta = world.interactions()[0].tangential_displacement;
-    // The centrifugal stretch, 1e-4 of the length, slows the frame by as much of omega; the ends answer
-    // with oscillations of about r 1e-4 omega / (2e6 1/s), 0.5 nm.
+    // The centrifugal stretch of 1e-4 reduces omega by the same fraction; the ends oscillate with an amplitude of about
+    // r 1e-4 omega / (2e6 1/s) = 0.5 nm.
     assert!(zeta.iter().all(|z| z.abs() < 2e-9), "{zeta:?}");
 }
 
@@ -85,9 +85,9 @@ fn the_drag_constant_follows_the_reading() {
 }
 
 #[test]
-fn a_truncated_spring_pays_back_no_more_than_it_was_given() {
+fn a_truncated_spring_releases_no_more_energy_than_it_stored() {
     use gouge_dem::laws::{CundallStrack, CundallStrackTruncated, TangentialLaw, TangentialMotion};
-    // The closed cycle of thesis E15: slide under a low load, return under a high one.
+    // The closed cycle of thesis E15: slide under a low normal force, return under a high one.
     fn work<L: TangentialLaw>(law: L) -> f64 {
         let (mut memory, mut work, n) = (0.0, 0.0, 100_000);
         for k in 0..2 * n {
@@ -114,7 +114,7 @@ fn a_truncated_spring_pays_back_no_more_than_it_was_given() {
         friction,
         stiffness,
     });
-    // Created: k z^2 / 2 - mu F z (and the rise to the limit), with z = 0.1 mm.
+    // Energy created: k z^2 / 2 - mu F z (and the rise to the limit), with z = 0.1 mm.
     let created = 0.5 * 1e8 * 1e-8 - 70.0 * 1e-4 + 0.5 * 70.0 * 70.0 / 1e8;
     assert!(
         abs_diff_eq!(printed / created, 1.0, epsilon = 1e-3),

@@ -1,12 +1,12 @@
-//! What this program said when it was last looked at: scene summaries, outputs and errors.
+//! Recorded outputs of this program: summaries of scenes, outputs and error messages.
 //!
-//! These are recordings of ourselves, in `recorded/`. They tell that something changed, never that it is
-//! right; what others computed stands in `references/`. `cargo insta review` accepts a change.
+//! The recordings in `recorded/` are our own. They show that something changed, not that it is right; results of other
+//! programs are in `references/`. `cargo insta review` accepts a change.
 
 use crate::program::{run, stderr, stdout, write_scene};
 use std::process::Output;
 
-/// Compare with what was recorded under a name.
+/// Compare a text with the recording of the given name.
 pub fn record(name: &str, text: &str) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path("recorded");
@@ -26,7 +26,7 @@ fn seen(output: &Output) -> String {
 }
 
 /// The lines of a summary that do not depend on the machine.
-fn steady(summary: &str) -> String {
+fn machine_independent(summary: &str) -> String {
     let timed = ["wall_seconds", "_per_second"];
     let is_steady = |line: &&str| !timed.iter().any(|word| line.contains(word));
     let lines: Vec<&str> = summary.lines().filter(is_steady).collect();
@@ -44,18 +44,21 @@ fn summaries_of_built_in_scenes() {
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let text = stdout(&run(&["scenes", name]));
-        assert!(text.contains(end), "{name} has another end");
+        assert!(
+            text.contains(end),
+            "{name} does not contain the expected end time"
+        );
         let scene = write_scene(folder.path(), &text.replace(end, shorter));
         let out = folder.path().join("out");
         let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("UTF-8"));
         let output = run(&["run", scene, "--out", out, "--quiet"]);
         assert!(output.status.success(), "{name}: {}", stderr(&output));
         let summary = std::fs::read_to_string(format!("{out}/summary.json")).expect("a summary");
-        record(&format!("summary_{name}"), &steady(&summary));
+        record(&format!("summary_{name}"), &machine_independent(&summary));
     }
 }
 
-/// Recorded before the writers of series and frames were made independent of the model.
+/// Recorded before the writers of series and frames became independent of the model.
 #[test]
 fn series_particles_and_frames_of_a_chain() {
     let chain = include_str!("recorded/checkpoint-3/scene.toml");

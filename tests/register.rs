@@ -1,8 +1,8 @@
-//! The register of checks, as `gouge verify` runs it: a test a topic.
+//! The register of checks, as `gouge verify` runs it: one test per topic.
 
 use gouge_validation::checks::{Check, Effort, register};
 
-/// Run the checks of a topic that take the given effort; fail with all that fail.
+/// Run the checks of a topic with the given effort; the panic message lists all failures.
 fn run(topic: &str, effort: Effort) {
     let topics = register();
     let topic = topics.iter().find(|one| one.id == topic).expect("a topic");
@@ -15,7 +15,7 @@ fn run(topic: &str, effort: Effort) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// What is wrong with a check, if anything.
+/// The reason why a check fails, if it does.
 fn failure(check: &Check) -> Option<String> {
     match (check.measure)() {
         Ok(finding) if finding.measurement.passes() => None,
@@ -68,7 +68,7 @@ fn every_topic_has_its_tests_and_every_check_its_own_name() {
                 "{}",
                 check.id
             );
-            assert!(seen.insert(check.id), "{} stands twice", check.id);
+            assert!(seen.insert(check.id), "the check {} exists twice", check.id);
             let words = [
                 check.claim,
                 check.scene,
@@ -93,7 +93,7 @@ fn every_stored_case_is_compared() {
         let id = format!("references.{path}");
         assert!(
             ids.contains(&id.as_str()) || differences.contains(&path.as_str()),
-            "{path} stands in references/, but no check compares it"
+            "{path} is in references/, but no check compares it"
         );
     }
 }

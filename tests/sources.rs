@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Top of the source tree.
+/// Root of the source tree.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// A file of the source tree.
+/// Text of a file of the source tree.
 pub fn read(path: &Path) -> String {
     match fs::read_to_string(path) {
         Ok(text) => text,
@@ -31,7 +31,7 @@ pub fn rust_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// What stands between backticks.
+/// The texts between backticks.
 pub fn quoted(text: &str) -> Vec<&str> {
     text.split('`').skip(1).step_by(2).collect()
 }
@@ -53,7 +53,7 @@ pub fn leading_name(text: &str) -> &str {
     &text[..end]
 }
 
-/// Files of a crate in which a path may be declared, and what is left of the path.
+/// Files of a crate in which a path may be declared, and the rest of the path.
 fn places<'a>(source: &Path, path: &'a str) -> (Vec<PathBuf>, Vec<&'a str>) {
     let top = read(&source.join("lib.rs"));
     let mut rest: Vec<&str> = path.split("::").collect();
@@ -62,7 +62,7 @@ fn places<'a>(source: &Path, path: &'a str) -> (Vec<PathBuf>, Vec<&'a str>) {
         rest.remove(0);
         return (module_files(source, first), rest);
     }
-    // What the crate itself re-exports is declared in one of its private modules.
+    // Items re-exported by the crate root are declared in one of its private modules.
     let private = top
         .lines()
         .filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'));
@@ -136,7 +136,7 @@ fn exists_in(source: &Path, path: &str) -> bool {
     }
 }
 
-/// Whether the documentation of an item holds an example.
+/// Whether the documentation of an item contains an example.
 pub fn has_example(path: &str) -> bool {
     let mut sources = KERNELS.iter().map(|source| root().join(source));
     sources.any(|source| has_example_in(&source, path))

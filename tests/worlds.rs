@@ -1,4 +1,4 @@
-//! Worlds from the text of scenes.
+//! Helpers that make worlds from texts of scenes.
 
 pub use gouge_validation::checks::dem::scenes::{bits, particle};
 
@@ -17,7 +17,7 @@ pub const INTEGRATORS: [&str; 5] = [
     "beeman",
 ];
 
-/// The scene of a text.
+/// Parse a scene.
 pub fn scene(text: &str) -> Scene {
     match Scene::parse("scene.toml", text.as_bytes(), Path::new(".")) {
         Ok(scene) => scene,
@@ -33,7 +33,7 @@ pub fn world(text: &str) -> World {
         .expect("the kernel takes the scene")
 }
 
-/// Take so many steps.
+/// Take a number of steps.
 pub fn advance(world: &mut World, steps: u64) {
     for _ in 0..steps {
         world.step().expect("the state stays finite");
@@ -48,8 +48,8 @@ pub fn head(integrator: &str, step: f64) -> String {
     )
 }
 
-/// A small fault of weak bonds in its shear phase, with short phases before; in its text, first the given
-/// replacements are made.
+/// A small fault with weak bonds in its shear phase, after short set-up phases. The given replacements are made in the
+/// text of the scene.
 pub fn sheared_with(replacements: &[(&str, &str)]) -> World {
     let text = builtin::text("granite-fault-small").expect("built in");
     let shorter = [

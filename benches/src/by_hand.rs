@@ -1,7 +1,8 @@
-//! Loops written by hand for exactly one scene each: what a part that is absent is measured against.
+//! Loops written by hand, each for exactly one scene. They show whether a part that is absent costs time in the kernel.
 //!
-//! Plain code on plain arrays, one pair after the other, velocity Verlet with predicted velocities as in the
-//! kernel, and the same watch over the neighbour list. Positions are not wrapped, nothing is booked.
+//! The code is plain and works on plain arrays, one pair after the other. As in the kernel, the integrator is velocity
+//! Verlet with predicted velocities, and the same criterion decides when the neighbour list is stale. Positions are not
+//! wrapped, and no energy balance is kept.
 
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
@@ -18,7 +19,7 @@ struct Beam {
     unbent: [f64; 2],
 }
 
-/// Grains that repel, and may rub as Haff and Werner have it or be joined by beams.
+/// Grains with repulsive contacts and, optionally, Haff-Werner friction or bonds that are beams.
 pub struct Grains {
     position: Vec<Vector>,
     velocity: Vec<Vector>,
@@ -45,7 +46,8 @@ fn vector(v: Vec2) -> Vector {
     [v.x, v.y]
 }
 
-/// Stiffness and damping of repulsion, friction and damping of rubbing; nothing for other laws.
+/// Stiffness and damping in the normal direction, friction coefficient and damping in the tangential one; none for
+/// other laws.
 fn laws(contact: ContactLaws) -> Option<([f64; 2], Option<[f64; 2]>)> {
     let ContactNormal::KelvinVoigt(normal) = contact.normal else {
         return None;
@@ -58,7 +60,7 @@ fn laws(contact: ContactLaws) -> Option<([f64; 2], Option<[f64; 2]>)> {
     Some(([normal.stiffness, normal.damping], friction))
 }
 
-/// The beams of a world, and stiffness and damping of stretching and bending; nothing for other laws.
+/// The beams of a world, with stiffness and damping of stretching and of bending; none for other laws.
 fn beams(world: &World) -> Option<(Vec<Beam>, [f64; 2], [f64; 2])> {
     let (Some(bond), Some(links)) = (world.model().bond, world.bonds()) else {
         return Some((Vec::new(), [0.0; 2], [0.0; 2]));
@@ -83,7 +85,7 @@ fn beams(world: &World) -> Option<(Vec<Beam>, [f64; 2], [f64; 2])> {
 }
 
 impl Grains {
-    /// The grains and laws of a world in an open box; nothing for other boxes and laws.
+    /// The grains and laws of a world in an open box; none for other boxes and laws.
     pub fn of(world: &World) -> Option<Self> {
         let (p, model) = (world.particles(), world.model());
         if model.period().is_some() {
@@ -125,7 +127,7 @@ impl Grains {
         })
     }
 
-    /// Take so many steps; tells whether the list of pairs would still be good.
+    /// Take a number of steps; return whether the list of pairs is still valid.
     pub fn advance(&mut self, steps: u64) -> bool {
         let mut is_good = true;
         for _ in 0..steps {
@@ -242,7 +244,7 @@ impl Grains {
         }
     }
 
-    /// Greatest distance of a grain from that of a world, in m: both must have done the same.
+    /// Largest distance in m between a grain here and the same grain of a world, after equal steps of both.
     pub fn distance(&self, world: &World) -> f64 {
         let apart = self.position.iter().zip(&world.particles().position);
         apart

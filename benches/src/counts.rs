@@ -1,4 +1,4 @@
-//! How near the limit: what a step executes and moves, counted by callgrind, beside what the machine can do.
+//! Instructions and memory traffic per step, counted by callgrind and compared with the limits of the machine.
 
 use crate::folder::temporary_folder;
 use crate::limits::{Limits, busy};
@@ -14,9 +14,9 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What this program does under callgrind.
+/// A subcommand that this program runs under callgrind.
 #[derive(Subcommand)]
-pub enum Errand {
+pub enum Subtask {
     /// Advance a recorded state
     #[command(hide = true)]
     Steps {
@@ -27,7 +27,7 @@ pub enum Errand {
         #[arg(long)]
         steps: u64,
     },
-    /// Do what needs neither memory nor results
+    /// Execute instructions that need no memory
     #[command(hide = true)]
     Busy {
         #[arg(long)]
@@ -35,11 +35,11 @@ pub enum Errand {
     },
 }
 
-impl Errand {
-    /// Run it.
+impl Subtask {
+    /// Run the subcommand.
     ///
     /// # Errors
-    /// A file that holds no state of the scene.
+    /// A file that does not hold a state of the scene.
     pub fn run(self) -> Result<(), Error> {
         match self {
             Self::Steps {
@@ -66,13 +66,13 @@ pub enum Counted {
     HaffWerner,
     /// Pressed grains without friction.
     Frictionless,
-    /// So many with friction that they do not fit into any cache.
+    /// Pressed grains with truncated Cundall-Strack friction, too many for any cache.
     Large,
 }
 
-/// How often the pressed grains are repeated in the large scene.
+/// Number of copies of the pressed grains in the large scene.
 const TIMES: usize = 37;
-/// Steps of a measurement.
+/// Number of steps per measurement.
 const STEPS: u64 = 500;
 
 impl Counted {
@@ -85,7 +85,7 @@ impl Counted {
             Self::Large => "pressed, Cundall-Strack, beyond the caches",
         }
     }
-    /// The scene that is counted, from the one that was prepared.
+    /// The world that is counted, made from the prepared world.
     fn scene(self, prepared: &World) -> Result<World, Error> {
         match self {
             Self::Bonded => Ok(prepared.clone()),
@@ -95,7 +95,7 @@ impl Counted {
             Self::Large => rubbing(prepared, Friction::CundallStrack, TIMES),
         }
     }
-    /// Two numbers of steps; what they differ by is due to steps alone.
+    /// Two numbers of steps. The difference of their counts is due to steps alone, without start-up.
     fn steps(self) -> [u64; 2] {
         if self == Self::Large {
             [2, 8]
@@ -103,7 +103,7 @@ impl Counted {
             [50, 250]
         }
     }
-    /// Advance a prepared state that was recorded.
+    /// Advance a prepared state read from a file.
     fn run(self, file: &Path, steps: u64) -> Result<(), Error> {
         let bytes = std::fs::read(file).map_err(|error| Error::file("read", file, error))?;
         let words = words_of_bytes(&bytes);
@@ -115,50 +115,50 @@ impl Counted {
     }
 }
 
-/// What was counted of a scene.
+/// Counts of a scene.
 #[derive(Serialize)]
 pub struct Counts {
-    /// Its name.
+    /// Name of the scene.
     pub name: &'static str,
     /// Number of particles.
     pub particles: usize,
-    /// Near pairs and bonds a particle.
+    /// Neighbour pairs and bonds per particle.
     pub links: f64,
-    /// Instructions of a particle-step.
+    /// Instructions per particle-step.
     pub instructions: f64,
-    /// Bytes a particle-step that come from beyond the first cache of 32 KiB.
+    /// Bytes per particle-step that miss the first-level cache of 32 KiB.
     pub bytes_beyond_first_cache: f64,
-    /// Bytes a particle-step moved between the last cache of 16 MiB and the memory, both ways.
+    /// Bytes per particle-step moved between the last-level cache of 16 MiB and memory, in both directions.
     pub bytes_of_memory: f64,
-    /// Times of a particle-step in ns, with the same instructions and not counted.
+    /// Times per particle-step in ns, with the same instructions but without callgrind.
     pub ours: Sample,
 }
 
-/// What was counted, and the limits of the machine.
+/// Counts of all scenes and the limits of the machine.
 #[derive(Serialize)]
 pub struct Counting {
-    /// The instructions that worlds used: the widest that callgrind knows.
+    /// The instructions that worlds used: the widest that callgrind supports.
     pub instructions: &'static str,
-    /// What the machine can do.
+    /// Limits of the machine.
     pub limits: Limits,
-    /// The scenes.
+    /// Counts per scene.
     pub scenes: Vec<Counts>,
 }
 
-/// Callgrind's totals of a run of this program.
+/// Totals that callgrind reports for a run of this program.
 struct Totals {
     instructions: f64,
     first_misses: f64,
     last_lines: f64,
 }
 
-/// Instructions that callgrind knows.
+/// Instructions that callgrind supports.
 const KNOWN: [&str; 3] = ["avx2", "neon", "portable"];
 
-/// Count all scenes, and time them in so many rounds.
+/// Count all scenes and time them in the given number of rounds.
 ///
 /// # Errors
-/// Scenes that cannot be set up; a valgrind that does not run.
+/// A scene that cannot be set up, or a valgrind that does not run.
 pub fn measure(valgrind: &Path, rounds: usize) -> Result<Counting, Error> {
     let folder = temporary_folder()?;
     let record = |name: &str, world: &World| -> Result<PathBuf, Error> {
@@ -213,8 +213,8 @@ impl Program<'_> {
         rounds: usize,
     ) -> Result<Counts, Error> {
         let particles = world.particles().len();
-        let pairs = world.contacts().map_or(0, |weak| weak.pairs.len());
-        let bonds = world.bonds().map_or(0, |strong| strong.len());
+        let pairs = world.contacts().map_or(0, |contacts| contacts.pairs.len());
+        let bonds = world.bonds().map_or(0, |bonds| bonds.len());
         let mut timer = Timer::new(world, 10)?;
         let steps = if counted == Counted::Large { 4 } else { 1 } * STEPS / 4;
         let mut ours = Sample::default();
@@ -253,7 +253,7 @@ impl Program<'_> {
         Ok(counts)
     }
 
-    /// Instructions of a turn of [`busy`].
+    /// Instructions per iteration of [`busy`].
     fn instructions_of_busy(&self) -> Result<f64, Error> {
         let totals = |turns: u64| self.totals(&["busy", "--turns", &turns.to_string()]);
         let (few, many) = (100_000, 1_100_000);
@@ -282,17 +282,17 @@ impl Program<'_> {
             .ok_or_else(|| {
                 let last: Vec<&str> = text.lines().rev().take(5).collect();
                 Error::Argument(format!(
-                    "{} counted nothing: {last:?}",
+                    "{} printed no counts; its last line was {last:?}",
                     self.valgrind.display()
                 ))
             })
     }
 }
 
-/// Bytes of a line of a cache.
+/// Bytes per cache line.
 const LINE: f64 = 64.0;
 
-/// The totals that callgrind prints: a line of names and one of numbers.
+/// The totals that callgrind prints as one line of names and one line of numbers.
 fn read_totals(text: &str) -> Option<Totals> {
     let entries = |title: &str| {
         let line = text.lines().find_map(|line| line.split_once(title))?;
@@ -315,7 +315,7 @@ fn read_totals(text: &str) -> Option<Totals> {
 impl Counts {
     fn words(&self) -> String {
         format!(
-            "{:42} {:.1} instructions, {:.0} bytes from beyond the first cache, {:.0} of memory a particle-step; {:.2} links; {} ns",
+            "{:42} {:.1} instructions, {:.0} bytes from beyond the first cache, {:.0} from or to memory per particle-step; {:.2} links; {} ns",
             self.name,
             self.instructions,
             self.bytes_beyond_first_cache,

@@ -1,17 +1,18 @@
-//! How the time of a particle-step grows from cache to memory.
+//! Growth of the time per particle-step with the number of particles, from cache to memory.
 
 use crate::peers::{Case, Timer};
 use crate::sample::Sample;
 use crate::worlds::{Friction, pressed, rubbing};
 use gouge_runner::error::Error;
 
-/// Particle-steps of a measurement.
+/// Particle-steps per measurement.
 const WORK: u64 = 4_000_000;
 
-/// Time pressed grains of growing number, in so many rounds over all sizes, beside the fewest of each round.
+/// Time growing numbers of pressed grains in the given number of rounds over all sizes. Each time is compared with that
+/// of the smallest size in the same round.
 ///
 /// # Errors
-/// Scenes that cannot be set up.
+/// A scene that cannot be set up.
 pub fn measure(rounds: usize, largest: usize) -> Result<Vec<Case>, Error> {
     let (small, whole) = (pressed(0.0375)?, pressed(0.1)?);
     let mut timers = Vec::new();

@@ -1,4 +1,4 @@
-//! What the moment of inertia of the thesis's author does to friction: the small fault, seed by seed.
+//! Effect of the moment of inertia used by the thesis's author on friction: the small fault with several seeds.
 
 use gouge_dem::World;
 use gouge_dem::estimators::{friction_feedback, friction_load};
@@ -11,14 +11,14 @@ use std::path::Path;
 
 /// The scene.
 const SCENE: &str = "granite-fault-small";
-/// Time in s from which on it counts as sliding: a way of 5 mm, past the peak of friction.
+/// Time in s from which samples count as sliding: after 5 mm of slip, past the peak of friction.
 const SLIDING: f64 = 2.5e-3;
 
-/// Run every seed with the moment of inertia of spheres and with the author's, and print one row a run as
-/// CSV: means of both coefficients of friction over all samples while it slides, and broken bonds.
+/// Run every seed with the moment of inertia of spheres and with the author's. Print one row per run as CSV: means of
+/// both friction coefficients over all samples during sliding, and the number of broken bonds.
 ///
 /// # Errors
-/// States that become senseless, output that cannot be written.
+/// A state that becomes invalid, or output that cannot be written.
 pub fn measure(seeds: u64) -> Result<(), Error> {
     let mut out = std::io::stdout().lock();
     let mut say = |row: String| {
@@ -43,7 +43,7 @@ fn scene(seed: u64, factor: f64) -> Result<Scene, Error> {
     Scene::load_with(SCENE, &Overrides::parse(&keys)?)
 }
 
-/// A run and its row.
+/// Run a scene; return its row.
 fn row(seed: u64, factor: f64) -> Result<String, Error> {
     let scene = scene(seed, factor)?;
     let mut world = run_setup(&scene)?;

@@ -1,4 +1,4 @@
-//! The same states timed with LAMMPS: a data file, a run of an input in `peers/`, the time of its loop.
+//! Times the same states with LAMMPS: writes a data file, runs an input of `peers/`, reads the loop time.
 
 use gouge_dem::World;
 use gouge_dem::particles::Role;
@@ -19,7 +19,7 @@ fn density(mass: f64, radius: f64) -> f64 {
     mass / (4.0 / 3.0 * std::f64::consts::PI * radius.powi(3))
 }
 
-/// Types of atoms by role: free, fixed, driven.
+/// Atom types by role: free, fixed, driven.
 pub fn roles(world: &World) -> Vec<usize> {
     let kind = |role: &Role| match role {
         Role::Free => 1,
@@ -35,7 +35,7 @@ fn ends(places: impl Iterator<Item = f64>) -> (f64, f64) {
     (low - 0.1, high + 0.1)
 }
 
-/// The state as a data file, for atoms of the given types with or without bonds.
+/// The state as a data file, for atoms of the given types, with or without bonds.
 pub fn data(world: &World, types: &[usize]) -> String {
     let p = world.particles();
     let bonds = world.bonds().map_or(&[][..], |bonds| bonds.pairs());
@@ -97,10 +97,10 @@ impl Lammps {
         command
     }
 
-    /// What the program calls itself: its name and the date of its version.
+    /// Name of the program and date of its version, as it prints them.
     ///
     /// # Errors
-    /// A program that does not run.
+    /// A program that cannot be run.
     pub fn name(&self) -> Result<String, Error> {
         let output = self.command().arg("-help").output();
         let output = output.map_err(|error| Error::file("run", &self.program, error))?;
@@ -111,10 +111,10 @@ impl Lammps {
         Ok(date.map_or("LAMMPS".to_owned(), |(_, date)| format!("LAMMPS {date}")))
     }
 
-    /// Time of the loop of the last run of an input in s; the input is given variables by name.
+    /// Loop time in s of the last `run` of an input, which gets variables by name.
     ///
     /// # Errors
-    /// A program that does not run, or says nothing of its loop.
+    /// A program that cannot be run or prints no loop time.
     pub fn seconds(&self, input: &Path, variables: &[(&str, &str)]) -> Result<f64, Error> {
         let mut command = self.command();
         command.args(["-log", "none", "-in"]).arg(input);
@@ -135,7 +135,7 @@ impl Lammps {
         seconds.filter(|_| output.status.success()).ok_or_else(|| {
             let last: Vec<&str> = text.lines().rev().take(5).collect();
             Error::Argument(format!(
-                "{} failed on {}: {last:?}",
+                "{} failed on {}; its last line was {last:?}",
                 self.program.display(),
                 input.display()
             ))

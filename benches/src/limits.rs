@@ -1,4 +1,4 @@
-//! What the machine can do: instructions, square roots with divisions, and traffic with the memory.
+//! Limits of the machine: rates of instructions, of square roots with divisions, and of memory traffic.
 
 use crate::sample::Sample;
 use pulp::Arch;
@@ -9,18 +9,18 @@ use std::time::Instant;
 /// The limits of one core.
 #[derive(Serialize)]
 pub struct Limits {
-    /// Instructions in a ns of a loop without dependencies or memory.
+    /// Instructions per ns in a loop of independent operations without memory access.
     pub instructions_per_ns: f64,
-    /// Time in ns of a square root and a division, many side by side.
+    /// Time in ns per independent square root and division.
     pub root_and_division_ns: f64,
-    /// Bytes in a ns moved from and to the memory, at best.
+    /// Largest measured memory traffic, from and to memory, in bytes per ns.
     pub bytes_per_ns: f64,
-    /// The same at the median: what other tenants of the machine usually leave.
+    /// Median of the measured memory traffic in bytes per ns; other users of the host share the bandwidth.
     pub usual_bytes_per_ns: f64,
 }
 
 impl Limits {
-    /// The limits of this machine, now, where a turn of [`busy`] has so many instructions.
+    /// Measure the limits of this machine, given the number of instructions per iteration of [`busy`].
     pub fn measured(instructions_of_busy: f64) -> Self {
         const TURNS: u64 = 20_000_000;
         let busy_ns = times(TURNS as f64, || {
@@ -38,7 +38,7 @@ impl Limits {
     /// The limits in words.
     pub fn words(&self) -> String {
         format!(
-            "limits: {:.2} instructions a ns, {:.2} ns a square root with a division, {:.1} bytes a ns of memory, usually {:.1}",
+            "limits: {:.2} instructions per ns, {:.2} ns per square root with a division, {:.1} bytes of memory per ns, median {:.1}",
             self.instructions_per_ns,
             self.root_and_division_ns,
             self.bytes_per_ns,
@@ -47,7 +47,7 @@ impl Limits {
     }
 }
 
-/// Times in ns of one of so many things that a function does.
+/// Times in ns per operation, for a function that does the given number of operations.
 fn times(things: f64, mut act: impl FnMut()) -> Sample {
     let mut time = || {
         let began = Instant::now();
@@ -57,7 +57,7 @@ fn times(things: f64, mut act: impl FnMut()) -> Sample {
     Sample((0..27).map(|_| time()).collect())
 }
 
-/// Turns of a loop of independent operations on whole numbers, which stay in registers.
+/// Iterate a loop of independent integer operations that stay in registers.
 pub fn busy(turns: u64) -> u64 {
     let mut numbers: [u64; 16] = black_box([1; 16]);
     for turn in 0..turns {
@@ -84,8 +84,8 @@ fn root_and_division() -> f64 {
     .least()
 }
 
-/// Times of a byte in ns where two columns are read and a third is written; that is read as well before it is
-/// overwritten.
+/// Times in ns per byte when two columns are read and a third is written. The processor also reads the third column
+/// before it is overwritten.
 fn traffic() -> Sample {
     const NUMBER: usize = 8_000_000;
     let (a, b) = (

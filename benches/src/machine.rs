@@ -1,25 +1,25 @@
-//! The machine, and two yardsticks of its speed, so that runs on different machines can be compared.
+//! The machine and two reference times, so that runs on different machines can be compared.
 
 use gouge_validation::report::machine_words;
 use serde::Serialize;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// What a run was measured on.
+/// The machine on which a run was measured.
 #[derive(Serialize)]
 pub struct Machine {
-    /// Processor, system and threads.
+    /// Processor, operating system and number of threads.
     pub words: String,
     /// The instructions that worlds used.
     pub instructions: &'static str,
-    /// Time of a dependent addition in ns: the clock.
+    /// Time per dependent addition in ns, which measures the clock rate.
     pub addition_ns: f64,
-    /// Time of a dependent square root and division in ns.
+    /// Time per dependent square root and division in ns.
     pub root_and_division_ns: f64,
 }
 
 impl Machine {
-    /// This machine, now.
+    /// Measure this machine.
     pub fn measured(instructions: &'static str) -> Self {
         Self {
             words: machine_words(),
@@ -30,7 +30,7 @@ impl Machine {
     }
 }
 
-/// Time of a link of a chain of dependent operations in ns, the least of several tries.
+/// Time per operation in a chain of dependent operations in ns; the minimum of several tries.
 fn chain(operation: impl Fn(f64) -> f64) -> f64 {
     const LINKS: u32 = 2_000_000;
     let time = || {

@@ -1,4 +1,4 @@
-//! Times whole scenes at full size, beside other programs where they are there.
+//! Times whole scenes at full size and compares them with other programs, if these are installed.
 
 mod by_hand;
 mod counts;
@@ -17,7 +17,7 @@ mod threads;
 mod worlds;
 
 use clap::{Parser, Subcommand};
-use counts::{Counting, Errand};
+use counts::{Counting, Subtask};
 use gouge_runner::error::Error;
 use gouge_runner::machine::{CallingThread, start_pool};
 use lammps::Lammps;
@@ -29,10 +29,10 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Times whole scenes; the other core should be idle.
+/// Times whole scenes; keep the other cores idle
 #[derive(Parser)]
 struct Arguments {
-    /// Number of measurements of each scene, in turns
+    /// Number of measurements per scene; scenes take turns
     #[arg(long, default_value_t = 9, global = true)]
     rounds: usize,
     /// File for the raw results, as JSON
@@ -46,64 +46,65 @@ struct Arguments {
 enum Command {
     #[command(flatten)]
     Measure(Measurement),
-    /// Friction of the small fault with the moment of inertia of spheres and with that of the thesis's author, as CSV
+    /// Print the friction of the small fault, with the moment of inertia of spheres and with that of the thesis's
+    /// author, as CSV
     Inertia {
         /// Number of seeds
         #[arg(long, default_value_t = 16)]
         seeds: u64,
     },
     #[command(flatten)]
-    Errand(Errand),
+    Subtask(Subtask),
 }
 
 #[derive(Subcommand)]
 enum Measurement {
-    /// The scenes with bonds, friction and none, beside LAMMPS
+    /// Time scenes with bonds, with friction and without friction, and compare them with LAMMPS
     Peers {
-        /// LAMMPS with the package BPM
+        /// Executable of LAMMPS with the package BPM
         #[arg(long)]
         lammps: Option<PathBuf>,
-        /// LAMMPS built for this processor; without it, contacts are timed with the other one
+        /// Executable of LAMMPS built for this processor, to time contacts; default: the value of --lammps
         #[arg(long)]
         native: Option<PathBuf>,
-        /// Only scenes whose name contains this
+        /// Time only scenes whose name contains this text
         #[arg(long, default_value = "")]
         only: String,
     },
-    /// The whole shear of the fault with bonds, beside LAMMPS
+    /// Time the whole shear phase of the fault with bonds, and compare it with LAMMPS
     Whole {
-        /// LAMMPS with the package BPM
+        /// Executable of LAMMPS with the package BPM
         #[arg(long)]
         lammps: Option<PathBuf>,
     },
-    /// Error against run time of two small scenes, beside LAMMPS
+    /// Measure error against run time of two small scenes, and compare them with LAMMPS
     Precision {
-        /// LAMMPS with the packages BPM and GRANULAR
+        /// Executable of LAMMPS with the packages BPM and GRANULAR
         #[arg(long)]
         lammps: PathBuf,
     },
-    /// Every optional part of a scene: with it, without it, and by hand
+    /// Time scenes with and without each optional part, and compare them with loops written by hand
     Parts,
-    /// Instructions and bytes of a step, counted by callgrind, beside what the machine can do
+    /// Count instructions and memory traffic per step with callgrind, and compare them with the limits of the machine
     Counts {
-        /// Valgrind
+        /// Executable of valgrind
         #[arg(long, default_value = "valgrind")]
         valgrind: PathBuf,
     },
-    /// Pressed grains in one thread and in as many as are chosen by default
+    /// Time pressed grains with one thread and with the default number of threads
     Threads,
-    /// Pressed grains from a thousand to a million
+    /// Time a thousand to a million pressed grains
     Growth {
-        /// Most particles
+        /// Largest number of particles
         #[arg(long, default_value_t = 1_100_000)]
         largest: usize,
     },
 }
 
-/// What is written.
+/// The raw results as written to the file.
 #[derive(Serialize)]
 struct Run {
-    /// Seconds since 1970 when the run ended.
+    /// End of the run in seconds since 1970-01-01.
     seconds: u64,
     before: Machine,
     after: Machine,
@@ -117,7 +118,7 @@ fn execute(arguments: Arguments) -> Result<(), Error> {
     let measurement = match arguments.command {
         Command::Measure(measurement) => measurement,
         Command::Inertia { seeds } => return inertia::measure(seeds),
-        Command::Errand(errand) => return errand.run(),
+        Command::Subtask(subtask) => return subtask.run(),
     };
     let rounds = arguments.rounds;
     let instructions = start_pool(CallingThread::JoinsPool)?.instructions.name();

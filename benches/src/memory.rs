@@ -1,4 +1,4 @@
-//! The allocator of `gouge`, which here counts what it gives.
+//! The allocator of `gouge`, which here counts allocated bytes.
 
 use cap::Cap;
 use mimalloc::MiMalloc;
@@ -6,14 +6,14 @@ use mimalloc::MiMalloc;
 #[global_allocator]
 static ALLOCATOR: Cap<MiMalloc> = Cap::new(MiMalloc, usize::MAX);
 
-/// Bytes that are kept when something is done, and what was made.
+/// Number of bytes that remain allocated after a call, and the result of the call.
 pub fn kept<T>(make: impl FnOnce() -> T) -> (usize, T) {
     let before = ALLOCATOR.allocated();
     let made = make();
     (ALLOCATOR.allocated().saturating_sub(before), made)
 }
 
-/// Bytes that are asked for while something is done, and what was made.
+/// Number of bytes that are allocated during a call, and the result of the call.
 pub fn asked<T>(make: impl FnOnce() -> T) -> (usize, T) {
     let before = ALLOCATOR.total_allocated();
     let made = make();

@@ -1,5 +1,5 @@
-//! What each optional part of a scene costs: time and bytes with it, without it, and of a loop written by
-//! hand for the scene without it.
+//! Cost of each optional part of a scene: time and memory with the part, without it, and of a loop written by hand
+//! for the scene without the part.
 
 use crate::by_hand::Grains;
 use crate::folder::temporary_folder;
@@ -17,25 +17,25 @@ use serde::Serialize;
 use std::time::Instant;
 use tempfile::TempDir;
 
-/// Steps of a measurement, at the end of which a trajectory gains a frame.
+/// Number of steps per measurement; if frames are written, one frame follows each measurement.
 const STEPS: u64 = 500;
-/// Time step in s: so short that grains without a wall stay where they are.
+/// Time step in s, so short that grains do not move even without confinement.
 const STEP: f64 = 1e-12;
-/// The loop by hand may differ from the kernel by rounding, but for a closed form of the normal: in m.
+/// Largest accepted distance in m between the loop by hand and the kernel. They may differ by rounding.
 const SAME: f64 = 1e-13;
 
-/// A part and what it costs.
+/// A part and its cost.
 #[derive(Serialize)]
 pub struct Part {
-    /// Its name.
+    /// Name of the part.
     pub name: &'static str,
-    /// Times of a particle-step with it, in ns.
+    /// Times per particle-step with the part, in ns.
     pub with: Sample,
-    /// Times without it.
+    /// Times per particle-step without the part, in ns.
     pub without: Sample,
-    /// Times of the loop by hand without it, where there is one.
+    /// Times per particle-step of the loop by hand without the part, in ns, if there is such a loop.
     pub by_hand: Option<Sample>,
-    /// Bytes a particle with and without it.
+    /// Bytes per particle with and without the part.
     pub bytes: [f64; 2],
 }
 
@@ -59,7 +59,7 @@ impl Part {
     }
 }
 
-/// Bytes a particle that a world keeps, with the room that it reserves.
+/// Bytes per particle that a world occupies, including reserved capacity.
 pub fn bytes(world: &World) -> f64 {
     let words = world.to_words();
     let (bytes, _copy) = kept(|| World::<f64>::from_words(*world.model(), &words));
@@ -87,7 +87,7 @@ fn still(world: &World, change: impl Fn(&mut Model)) -> Model {
     model
 }
 
-/// A block of the fault whose contacts are frictionless, with the bonds that are asked for.
+/// A block of the fault whose contacts are frictionless, with the given bonds.
 fn block(fault: &World, bond: impl Fn(BondLaws) -> Option<BondLaws>) -> Result<World, Error> {
     let model = still(fault, |model| {
         model.bond = model.bond.and_then(&bond);
@@ -141,7 +141,7 @@ fn of_bonds() -> Result<Vec<Compared>, Error> {
     ])
 }
 
-/// Where frames go, and how.
+/// Scene and folder of the frames.
 struct Frames {
     scene: Scene,
     folder: TempDir,
@@ -157,7 +157,7 @@ impl Frames {
     fn write(&self, world: &World) -> Result<(), Error> {
         write_frame(&self.scene, self.folder.path(), 0, world)
     }
-    /// Bytes a particle that writing asks for.
+    /// Bytes per particle that are allocated to write a frame.
     fn bytes(&self, world: &World) -> Result<f64, Error> {
         let (bytes, written) = asked(|| self.write(world));
         written?;
@@ -165,10 +165,10 @@ impl Frames {
     }
 }
 
-/// Time all parts in so many rounds.
+/// Time all parts in the given number of rounds.
 ///
 /// # Errors
-/// Scenes that cannot be set up, and a loop by hand that moves otherwise than the kernel.
+/// A scene that cannot be set up, or a loop by hand that moves grains differently from the kernel.
 pub fn measure(rounds: usize) -> Result<Vec<Part>, Error> {
     let grains = pressed(0.1)?;
     let bare = changed(&grains, |_| {})?;
@@ -216,7 +216,7 @@ fn compare(
             let apart = hand.distance(without.world());
             if !is_good || apart > SAME {
                 return Err(Error::Argument(format!(
-                    "{name}: the loop by hand is {apart:e} m away"
+                    "{name}: the loop by hand and the kernel differ by {apart:e} m"
                 )));
             }
         }

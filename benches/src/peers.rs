@@ -1,4 +1,4 @@
-//! Whole scenes beside LAMMPS, in turns, so that both see the same moods of the machine.
+//! Whole scenes compared with LAMMPS. Both programs take turns, so that both see the same load of the machine.
 
 use crate::folder::temporary_folder;
 use crate::lammps::{Lammps, data, roles};
@@ -11,35 +11,35 @@ use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
 
-/// Steps before a measurement.
+/// Number of warm-up steps before the measurements.
 const WARM_UP: u64 = 200;
-/// Steps of a measurement.
+/// Number of steps per measurement.
 const STEPS: u64 = 1000;
 
 /// A scene that was timed.
 #[derive(Serialize)]
 pub struct Case {
-    /// Its name.
+    /// Name of the scene.
     pub name: String,
     /// Number of particles.
     pub particles: usize,
-    /// Contacts a particle.
+    /// Contacts per particle.
     pub contacts: f64,
-    /// Pairs in the neighbour list a particle.
+    /// Pairs in the neighbour list per particle.
     pub near_pairs: f64,
-    /// Bonds a particle.
+    /// Bonds per particle.
     pub bonds: f64,
-    /// Bytes a particle that the world keeps.
+    /// Bytes per particle that the world occupies.
     pub bytes: f64,
-    /// Rebuilds of the neighbour list in the measured steps, and their number.
+    /// Number of rebuilds of the neighbour list in the measured steps, and number of these steps.
     pub rebuilds: [u64; 2],
-    /// Times of a particle-step in ns.
+    /// Times per particle-step in ns.
     pub ours: Sample,
-    /// The same of the other program, with its name.
+    /// Name of the other program, and its times per particle-step in ns.
     pub peer: Option<(String, Sample)>,
 }
 
-/// Times of a particle-step of a world in ns, advanced on and on.
+/// Times a world that is advanced further in every measurement.
 pub struct Timer {
     world: World,
     rebuilds: u64,
@@ -47,7 +47,7 @@ pub struct Timer {
 }
 
 impl Timer {
-    /// A world after some steps to warm up.
+    /// A timer for a world, after warm-up steps.
     pub fn new(mut world: World, warm_up: u64) -> Result<Self, Error> {
         advance(&mut world, warm_up)?;
         let rebuilds = world.rebuilds();
@@ -57,14 +57,14 @@ impl Timer {
             steps: 0,
         })
     }
-    /// The same world, advanced by so many threads from now on.
+    /// The same world, advanced by the given number of threads from now on.
     pub fn with_threads(self, threads: usize) -> Self {
         Self {
             world: self.world.with_threads(threads),
             ..self
         }
     }
-    /// Time of a particle-step in ns, over so many more steps.
+    /// Time per particle-step in ns over a number of further steps.
     pub fn time(&mut self, steps: u64) -> Result<f64, Error> {
         let began = Instant::now();
         advance(&mut self.world, steps)?;
@@ -72,11 +72,11 @@ impl Timer {
         let particles = self.world.particles().len() as f64;
         Ok(began.elapsed().as_secs_f64() * 1e9 / (steps as f64 * particles))
     }
-    /// The world at present.
+    /// The world in its current state.
     pub fn world(&self) -> &World {
         &self.world
     }
-    /// What was timed.
+    /// The results of this world.
     pub fn case(&self, name: &str, ours: Sample, peer: Option<(String, Sample)>) -> Case {
         let world = &self.world;
         let number = world.particles().len();
@@ -85,8 +85,8 @@ impl Timer {
             name: name.to_owned(),
             particles: number,
             contacts: of_each(world.number_of_contacts()),
-            near_pairs: of_each(world.contacts().map_or(0, |weak| weak.pairs.len())),
-            bonds: of_each(world.bonds().map_or(0, |strong| strong.len())),
+            near_pairs: of_each(world.contacts().map_or(0, |contacts| contacts.pairs.len())),
+            bonds: of_each(world.bonds().map_or(0, |bonds| bonds.len())),
             bytes: bytes(world),
             rebuilds: [world.rebuilds() - self.rebuilds, self.steps],
             ours,
@@ -95,16 +95,16 @@ impl Timer {
     }
 }
 
-/// Advance a world by so many steps.
+/// Advance a world by a number of steps.
 ///
 /// # Errors
-/// A state that becomes senseless.
+/// A state that becomes invalid.
 pub fn advance(world: &mut World, steps: u64) -> Result<(), Error> {
     gouge_runner::run::advance(world, steps, "measurement")
 }
 
 impl Case {
-    /// A line of a table.
+    /// A row of the printed table.
     pub fn words(&self) -> String {
         let ratio = self.peer.as_ref().map_or(String::new(), |(name, peer)| {
             format!(
@@ -114,7 +114,7 @@ impl Case {
             )
         });
         format!(
-            "{:28} ns a particle-step {}, least {:.2}, {:.0} bytes{ratio}",
+            "{:28} ns per particle-step {}, minimum {:.2}, {:.0} bytes{ratio}",
             self.name,
             self.ours.words(),
             self.ours.least(),
@@ -123,18 +123,18 @@ impl Case {
     }
 }
 
-/// The programs to compare with, where they are there.
+/// The programs to compare with, if they are installed.
 pub struct Programs {
-    /// With beams of bonded particles.
+    /// LAMMPS with bonded particles (BPM), for beams.
     pub beams: Option<Lammps>,
-    /// For contacts: the fastest build.
+    /// The fastest build of LAMMPS, for contacts.
     pub contacts: Option<Lammps>,
 }
 
-/// Time all scenes beside the programs, in so many rounds.
+/// Time all scenes and compare them with the programs, in the given number of rounds.
 ///
 /// # Errors
-/// Scenes that cannot be set up, programs that fail.
+/// A scene that cannot be set up, or a program that fails.
 pub fn measure(programs: &Programs, rounds: usize, only: &str) -> Result<Vec<Case>, Error> {
     let loose = |friction| rubbing(&pressed(0.1)?, friction, 1);
     type Make<'a> = &'a dyn Fn() -> Result<World, Error>;
@@ -190,11 +190,11 @@ pub fn measure(programs: &Programs, rounds: usize, only: &str) -> Result<Vec<Cas
     Ok(cases)
 }
 
-/// Time the fault with Cundall-Strack friction from the beginning of its shear to the end, in so many turns
-/// with the beams of LAMMPS.
+/// Time the whole shear phase of the fault with Cundall-Strack friction, in the given number of turns with the beams
+/// of LAMMPS.
 ///
 /// # Errors
-/// As [`measure`].
+/// Like [`measure`].
 pub fn whole(beams: Option<&Lammps>, rounds: usize) -> Result<Case, Error> {
     let turns = Turns {
         rounds,
@@ -210,14 +210,14 @@ pub fn whole(beams: Option<&Lammps>, rounds: usize) -> Result<Case, Error> {
 #[derive(Clone, Copy)]
 struct Turns {
     rounds: usize,
-    /// Steps of ours before the first.
+    /// Our steps before the first turn.
     warm_up: u64,
-    /// Steps of ours in all of them.
+    /// Our steps in all turns together.
     steps: u64,
 }
 
 impl Turns {
-    /// Steps of ours in each turn, equal but for rounding.
+    /// Our steps in each turn, equal up to rounding.
     fn each(self) -> impl Iterator<Item = u64> {
         let end = move |turn: u64| self.steps * turn / self.rounds as u64;
         (0..self.rounds as u64).map(move |turn| end(turn + 1) - end(turn))

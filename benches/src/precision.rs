@@ -1,4 +1,4 @@
-//! Error against run time of LAMMPS, in turns with our velocity Verlet.
+//! Error against run time of LAMMPS, measured in turns with our velocity Verlet.
 
 use crate::folder::temporary_folder;
 use crate::lammps::{Lammps, data};
@@ -22,39 +22,39 @@ use std::time::Instant;
 /// A scene with all its runs.
 #[derive(Serialize)]
 pub struct Scene {
-    /// Its name in the chapter on error against run time.
+    /// Name of the scene in the chapter on error against run time.
     scene: &'static str,
-    /// The program with the date of its version.
+    /// Name of the program and date of its version.
     peer: String,
-    /// Whether errors are those against the program's own limit of vanishing steps instead of our truth.
+    /// Whether errors are relative to the program's own limit of vanishing steps instead of to our reference solution.
     own_limit: bool,
-    /// Estimated error of that limit or truth, in the unit of errors.
+    /// Estimated error of that limit or reference solution, in the unit of errors.
     uncertainty: f64,
     rungs: Vec<Rung>,
 }
 
-/// Runs with one step.
+/// Runs with one time step.
 #[derive(Serialize)]
 struct Rung {
-    /// Step in s.
+    /// Time step in s.
     step: f64,
     /// Number of steps.
     steps: u64,
-    /// Largest error of a position of the program at the end over the largest displacement.
+    /// Largest error of a position at the end, divided by the largest displacement.
     error: f64,
-    /// Times of its loop in s.
+    /// Times of the loop of the program in s.
     theirs: Sample,
     /// Times in s of our velocity Verlet in double precision.
     ours: Sample,
 }
 
-/// A case and how LAMMPS runs it.
+/// A case with the settings of LAMMPS.
 struct Setting {
     case: &'static Case,
     input: &'static str,
-    /// Number of steps tried; the last takes LAMMPS about a second.
+    /// Number of time steps tried; LAMMPS takes about a second for the smallest.
     rungs: u32,
-    /// Rungs of LAMMPS that give its own limit, where its law is another.
+    /// Time steps from which the limit of LAMMPS is extrapolated, if its law differs from ours.
     own_limit: Option<Range<usize>>,
 }
 
@@ -63,7 +63,7 @@ const SETTINGS: [Setting; 2] = [
         case: &PAIR,
         input: "pair.lammps",
         rungs: 16,
-        // Coarse enough that the resolution of its angles does not show, fine enough for a power series.
+        // Large enough that the resolution of angles in LAMMPS has no effect, small enough for a power series.
         own_limit: Some(5..13),
     },
     Setting {
@@ -74,10 +74,10 @@ const SETTINGS: [Setting; 2] = [
     },
 ];
 
-/// Run the scenes with LAMMPS and with the kernel, in so many rounds.
+/// Run the scenes with LAMMPS and with the kernel in the given number of rounds.
 ///
 /// # Errors
-/// Scenes that cannot be set up, a program that fails.
+/// A scene that cannot be set up, or a program that fails.
 pub fn measure(lammps: &Lammps, rounds: usize) -> Result<Vec<Scene>, Error> {
     let one = |setting: &Setting| {
         let scene = compare(setting, lammps, rounds)?;
@@ -90,7 +90,7 @@ pub fn measure(lammps: &Lammps, rounds: usize) -> Result<Vec<Scene>, Error> {
     SETTINGS.iter().map(one).collect()
 }
 
-/// A failure of a case.
+/// The failure of a case as an error of a command.
 fn failed(failure: Failure) -> Error {
     Error::Argument(failure.to_string())
 }
@@ -135,7 +135,7 @@ fn compare(setting: &Setting, lammps: &Lammps, rounds: usize) -> Result<Scene, E
     })
 }
 
-/// Error of places where LAMMPS ends.
+/// Error of the final positions of LAMMPS.
 fn error(origin: &Origin, ending: Vec<Vec2>, truth: &Truth) -> f64 {
     let particles = Particles {
         position: ending,
@@ -144,7 +144,7 @@ fn error(origin: &Origin, ending: Vec<Vec2>, truth: &Truth) -> f64 {
     origin.error(&particles, truth)
 }
 
-/// Time in s of so many steps from a state, after as many to warm up.
+/// Time in s of a number of steps from a state, after equally many warm-up steps.
 fn seconds(start: &World, steps: u64) -> Result<f64, Error> {
     advance(&mut start.clone(), steps)?;
     let mut world = start.clone();
@@ -165,7 +165,7 @@ impl Rung {
         }
     }
 
-    /// A line of a table.
+    /// A row of the printed table.
     fn words(&self, scene: &str) -> String {
         format!(
             "{scene:14} {:.3e} s, {:7} steps: error {:.3e}, time {:.3e} s, ours {:.3e} s, ratio {}",
@@ -179,7 +179,7 @@ impl Rung {
     }
 }
 
-/// What LAMMPS reads and writes.
+/// Files that LAMMPS reads and writes.
 struct Files {
     input: PathBuf,
     drag: String,
@@ -187,7 +187,7 @@ struct Files {
 }
 
 impl Files {
-    /// Write the initial state, every particle of a type of its own.
+    /// Write the initial state; each particle has its own atom type.
     fn new(setting: &Setting, origin: &Origin) -> Result<Self, Error> {
         let folder = temporary_folder()?;
         let files = Self {
@@ -229,7 +229,7 @@ impl Files {
         )
     }
 
-    /// Where the last run of LAMMPS left the particles.
+    /// Final positions of the last run of LAMMPS.
     fn ending(&self) -> Result<Vec<Vec2>, Error> {
         let path = self.path("end");
         let text =
@@ -249,7 +249,7 @@ impl Files {
     }
 }
 
-/// The drag of creeping flow on each type of particle, as `fix viscous` has it.
+/// The drag of creeping flow on each atom type, as arguments of `fix viscous`.
 fn drag(origin: &Origin) -> String {
     let Some(Ambient::Creeping(law)) = origin.model.ambient else {
         return String::new();

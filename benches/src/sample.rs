@@ -8,11 +8,11 @@ use serde::Serialize;
 pub struct Sample(pub Vec<f64>);
 
 impl Sample {
-    /// The quantile of a probability.
+    /// The quantile for a probability.
     fn quantile(&self, probability: f64) -> f64 {
         quantile(&self.0, probability)
     }
-    /// The least.
+    /// The minimum.
     pub fn least(&self) -> f64 {
         self.quantile(0.0)
     }
@@ -20,7 +20,7 @@ impl Sample {
     pub fn median(&self) -> f64 {
         self.quantile(0.5)
     }
-    /// Ratios to measurements made beside these.
+    /// Ratios to measurements made in the same rounds.
     pub fn over(&self, other: &Self) -> Self {
         Self(self.0.iter().zip(&other.0).map(|(a, b)| a / b).collect())
     }

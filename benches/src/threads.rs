@@ -1,4 +1,4 @@
-//! One thread beside several, in turns.
+//! Compares one thread with several, measured in turns.
 
 use crate::peers::{Case, Timer};
 use crate::sample::Sample;
@@ -8,16 +8,16 @@ use gouge_runner::error::Error;
 use gouge_runner::machine::default_threads;
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
-/// Particle-steps of a measurement: few, so that all of a turn see the same moods of the machine.
+/// Particle-steps per measurement: few, so that all measurements of a round see the same load of the machine.
 const WORK: u64 = 4_000_000;
-/// Steps before each measurement, after which caches hold what they hold in a long run.
+/// Number of warm-up steps before each measurement, which fill the caches as in a long run.
 const WARM_UP: u64 = 10;
 
-/// Time pressed grains, few and many, with one thread and with as many as are chosen by default for their
-/// number; beside the latter also smaller worlds of a thread each.
+/// Time few and many pressed grains with one thread and with the default number of threads for their number. Several
+/// threads are also compared with as many smaller worlds of one thread each.
 ///
 /// # Errors
-/// Scenes that cannot be set up.
+/// A scene that cannot be set up.
 pub fn measure(rounds: usize) -> Result<Vec<Case>, Error> {
     let packing = pressed(0.1)?;
     let mut cases = Vec::new();
@@ -30,10 +30,10 @@ pub fn measure(rounds: usize) -> Result<Vec<Case>, Error> {
     Ok(cases)
 }
 
-/// Time the packing repeated so many times.
+/// Time the packing repeated `times` times.
 ///
-/// One world is advanced by one thread and by several in turns: a copy lies elsewhere in memory, which alone
-/// makes some per cent.
+/// The same world is advanced by one thread and by several in turns. A copy would be at another place in memory, which
+/// alone changes the time by some per cent.
 fn compare(packing: &World, times: usize, rounds: usize) -> Result<Vec<Case>, Error> {
     let world = rubbing(packing, Friction::CundallStrack, times)?;
     let number = world.particles().len();
@@ -66,16 +66,16 @@ fn compare(packing: &World, times: usize, rounds: usize) -> Result<Vec<Case>, Er
     Ok(cases)
 }
 
-/// Worlds of a thread each, which together have about as many particles as the packing repeated so many times;
-/// none for a single thread.
+/// Worlds of one thread each, which together have about as many particles as the packing repeated `times` times. None
+/// for a single thread.
 fn shares(packing: &World, times: usize, threads: usize) -> Result<Vec<Timer>, Error> {
     let number = if threads > 1 { threads } else { 0 };
     let share = || rubbing(packing, Friction::CundallStrack, times / threads);
     (0..number).map(|_| Timer::new(share()?, WARM_UP)).collect()
 }
 
-/// Time of a particle-step in ns, over so many more steps, of worlds that have nothing to do with each other:
-/// what the threads of the machine can do at best.
+/// Time per particle-step in ns of independent worlds, over a number of further steps. It is a lower bound for several
+/// threads on one world.
 fn time_side_by_side(timers: &mut [Timer], steps: u64) -> Result<f64, Error> {
     let number = timers.len() as f64;
     let times: Vec<f64> = timers

@@ -14,11 +14,11 @@ const PRESSED: &str = include_str!("../scenes/pressed.toml");
 /// Friction of contacts.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Friction {
-    /// None.
+    /// No friction.
     None,
-    /// Haff-Werner.
+    /// Haff-Werner friction.
     HaffWerner,
-    /// Truncated Cundall-Strack.
+    /// Truncated Cundall-Strack friction.
     CundallStrack,
 }
 
@@ -54,12 +54,12 @@ fn prepare(text: &str) -> Result<World, Error> {
     Ok(world)
 }
 
-/// The granite fault when its shear begins.
+/// The granite fault at the beginning of its shear phase.
 pub fn fault(friction: Friction, ledger: bool) -> Result<World, Error> {
     prepare(&fault_text(friction, ledger))
 }
 
-/// Steps of the shear of the granite fault.
+/// Number of steps of the shear phase of the granite fault.
 pub fn fault_steps() -> Result<u64, Error> {
     Ok(parse(&fault_text(Friction::CundallStrack, false))?.steps())
 }
@@ -75,12 +75,12 @@ fn fault_text(friction: Friction, ledger: bool) -> String {
     text.replace("[output]", &format!("[output]\nenergy = {ledger}"))
 }
 
-/// The fault with Cundall-Strack friction and without a ledger, as it was recorded.
+/// The recorded fault, with Cundall-Strack friction and without an energy balance.
 pub fn fault_again(words: &[u64]) -> Result<World, Error> {
     again(&fault_text(Friction::CundallStrack, false), words)
 }
 
-/// Pressed grains in the box of the scene, as they were recorded.
+/// The recorded pressed grains in the box of the scene.
 pub fn pressed_again(words: &[u64]) -> Result<World, Error> {
     again(PRESSED, words)
 }
@@ -90,7 +90,7 @@ fn again(text: &str, words: &[u64]) -> Result<World, Error> {
     let scene = parse(text)?;
     let record = World::<f64>::record_of_words(scene.integrator, words);
     let world = record.and_then(|record| world_of_record(&scene, PhaseKind::Main, &record));
-    world.ok_or_else(|| Error::Argument("the file holds no state of the scene".to_owned()))
+    world.ok_or_else(|| Error::Argument("the file does not hold a state of the scene".to_owned()))
 }
 
 /// Pressed grains without friction in a box of the given width in m.
@@ -103,7 +103,7 @@ pub fn pressed_with_frames() -> Result<Scene, Error> {
     parse(&PRESSED.replace("[output]", "[output]\ntrajectory = \"extxyz\""))
 }
 
-/// The same grains with friction, repeated so many times along the period; contacts begin anew.
+/// The pressed grains with friction, repeated `times` times along the periodic direction. All contacts begin again.
 pub fn rubbing(pressed: &World, friction: Friction, times: usize) -> Result<World, Error> {
     let mut model: Model = *pressed.model();
     let width = model.period().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The `gouge` command: arguments and printing.
+//! The `gouge` command: parses arguments and prints results.
 
 mod terminal;
 mod verify;
@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use terminal::Terminal;
 
-/// Puts the columns of large worlds at lines of the cache and into huge pages.
+/// Aligns the columns of large worlds to cache lines and puts them into huge pages.
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 
@@ -33,12 +33,12 @@ enum Command {
         #[command(flatten)]
         scene: SceneArguments,
         /// Folder for the outputs
-        #[arg(long)]
+        #[arg(long, value_name = "DIR")]
         out: PathBuf,
-        /// Continue a run that was stopped
+        /// Continue an interrupted run
         #[arg(long)]
         resume: bool,
-        /// Show no progress
+        /// Show no progress and no warnings
         #[arg(long, short)]
         quiet: bool,
         /// Wall time between checkpoints, in seconds
@@ -57,11 +57,11 @@ enum Command {
     },
     /// Run the checks and write report.html and report.json
     Verify {
-        /// Only checks whose identifier contains this
-        #[arg(long)]
+        /// Run only checks whose identifier contains this text
+        #[arg(long, value_name = "PATTERN")]
         only: Option<String>,
         /// Folder for the reports
-        #[arg(long, default_value = "out/verify")]
+        #[arg(long, value_name = "DIR", default_value = "out/verify")]
         out: PathBuf,
     },
     /// List the built-in scenes, or print one
@@ -71,7 +71,7 @@ enum Command {
     },
 }
 
-/// A scene and what is different from its file.
+/// A scene and the overrides of its keys.
 #[derive(Args)]
 struct SceneArguments {
     /// A scene file, or the name of a built-in scene
@@ -87,7 +87,7 @@ impl SceneArguments {
     }
 }
 
-/// A number of seconds.
+/// Parse a number of seconds.
 fn seconds(text: &str) -> Result<f64, String> {
     let number = text.parse().ok();
     let number = number.filter(|number: &f64| number.is_finite() && *number >= 0.0);
@@ -119,7 +119,7 @@ fn execute(command: Command) -> Result<(), Error> {
         Command::Stability { scene } => commands::stability(&scene.load()?)?,
         Command::Scenes { name } => commands::scenes(name.as_deref())?,
     };
-    // A closed pipe is how `head` says that it has seen enough.
+    // Writing fails if the reader closes the pipe, as `head` does; this is not an error.
     let _ = std::io::stdout().write_all(text.as_bytes());
     Ok(())
 }

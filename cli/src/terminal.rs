@@ -1,17 +1,17 @@
-//! What a user sees of a run: warnings and, where a person watches, a bar on standard error.
+//! Shows the warnings of a run and, if standard error is a terminal, a progress bar.
 
 use gouge_runner::run::{Event, Observer, Phase};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 
-/// Standard error of the program.
+/// An observer that writes to standard error.
 pub struct Terminal {
     is_quiet: bool,
     bar: Option<PhaseBar>,
 }
 
 impl Terminal {
-    /// Nothing is shown if quiet.
+    /// An observer that shows nothing if `is_quiet`.
     pub fn new(is_quiet: bool) -> Self {
         Self {
             is_quiet,
@@ -47,11 +47,11 @@ impl Observer for Terminal {
     }
 }
 
-/// A bar over all phases of a run.
+/// A progress bar over all phases of a run.
 struct PhaseBar {
     bar: ProgressBar,
     names: Vec<String>,
-    /// Steps of all phases before each.
+    /// For each phase, the number of steps of all earlier phases.
     starts: Vec<u64>,
 }
 
@@ -62,7 +62,7 @@ impl PhaseBar {
             starts.push(starts[starts.len() - 1].saturating_add(phase.steps));
         }
         let bar = ProgressBar::new(starts[starts.len() - 1]);
-        let style = "{msg:12} {wide_bar} {percent:>3} %  {elapsed} gone, {eta} left";
+        let style = "{msg:12} {wide_bar} {percent:>3} %  {elapsed} elapsed, {eta} remaining";
         if let Ok(style) = ProgressStyle::with_template(style) {
             bar.set_style(style);
         }

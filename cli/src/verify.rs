@@ -1,4 +1,4 @@
-//! `gouge verify`: the checks are a program of their own, so that scenes run without compiling them.
+//! `gouge verify`: starts `gouge-verify`, a separate program, so that scenes run without compiling the checks.
 
 use gouge_runner::error::Error;
 use std::path::{Path, PathBuf};
@@ -9,10 +9,10 @@ const PROGRAM: &str = "gouge-verify";
 /// The sources from which this program was built.
 const SOURCES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
 
-/// Run the checks, and end with their status.
+/// Run the checks and exit with their status.
 ///
 /// # Errors
-/// A program that is not there and cannot be built.
+/// `gouge-verify` is missing and cannot be built, or cannot be started.
 pub fn launch(only: Option<&str>, out: &Path) -> Result<(), Error> {
     let program = program()?;
     let mut command = Command::new(&program);
@@ -26,7 +26,7 @@ pub fn launch(only: Option<&str>, out: &Path) -> Result<(), Error> {
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// The program beside this one; built first, if it is missing and the sources are at hand.
+/// Path of `gouge-verify` beside this program. If it is missing and the sources are available, it is built first.
 fn program() -> Result<PathBuf, Error> {
     let own =
         std::env::current_exe().map_err(|error| Error::file("find", Path::new("gouge"), error))?;
@@ -43,7 +43,7 @@ fn program() -> Result<PathBuf, Error> {
     )))
 }
 
-/// Build the checks into the folder that holds this program, if cargo put it there.
+/// Build `gouge-verify` into the folder that holds this program, if that is a target folder of cargo.
 fn build(own: &Path) -> Result<(), Error> {
     let profile = own.parent();
     let target = profile.and_then(Path::parent);
@@ -58,7 +58,7 @@ fn build(own: &Path) -> Result<(), Error> {
     if !target.join("CACHEDIR.TAG").exists() || !Path::new(SOURCES).exists() {
         return Ok(());
     }
-    eprintln!("gouge: building the checks, once; this takes some minutes");
+    eprintln!("gouge: building the checks; this happens once and takes a few minutes");
     let cargo = Path::new("cargo");
     let status = Command::new(cargo)
         .args([

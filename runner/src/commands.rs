@@ -1,4 +1,4 @@
-//! The commands of the program, apart from reading arguments.
+//! The commands of the program, without the parsing of arguments.
 
 use crate::error::Error;
 use crate::references;
@@ -11,10 +11,10 @@ use gouge_dem::{World, stable_step_estimate};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Characteristic Mach number of cracks in thesis section 4.2.
+/// Characteristic Mach number of cracks, thesis section 4.2.
 const MACH_NUMBER: f64 = 15.0;
 
-/// The world of a scene at t = 0. Scenes with a set-up show it at the beginning of its first phase.
+/// The world of a scene at t = 0; for a scene with a set-up, the world at the beginning of its first phase.
 fn world_of(scene: &Scene) -> Result<World, Error> {
     Ok(crate::run::begin_phase(
         scene,
@@ -80,7 +80,7 @@ pub fn stability(scene: &Scene) -> Result<String, Error> {
     let estimate = stable_step_estimate(&world);
     bounds.push(json!({
         "name": "network",
-        "meaning": "no mode of the linked particles can be stiffer (Gershgorin), so smaller steps are stable",
+        "meaning": "upper bound on the stiffness of every mode of the interacting particles (Gershgorin): smaller steps are stable",
         "step": finite(estimate),
         "satisfied": scene.step <= estimate,
     }));
@@ -96,7 +96,7 @@ pub fn stability(scene: &Scene) -> Result<String, Error> {
     Ok(text.unwrap_or_default() + "\n")
 }
 
-/// JSON has no infinity: no bound is null.
+/// The number, or null if it is not finite: JSON has no infinity.
 fn finite(number: f64) -> Value {
     if number.is_finite() {
         json!(number)
@@ -105,7 +105,7 @@ fn finite(number: f64) -> Value {
     }
 }
 
-/// Bound of one oscillation, with stiffness and damping over mass, in 1/s^2 and 1/s.
+/// Bound from one oscillation; `k` and `c` are stiffness and damping per mass, in 1/s^2 and 1/s.
 fn pair_bound(scene: &Scene, name: &str, meaning: &str, [k, c]: [f64; 2]) -> Value {
     let oscillator = Oscillator {
         frequency_squared: k,
@@ -122,7 +122,7 @@ fn pair_bound(scene: &Scene, name: &str, meaning: &str, [k, c]: [f64; 2]) -> Val
     })
 }
 
-/// Bounds of the oscillations of a pair of the lightest particles.
+/// Bounds from the oscillations of a pair of the lightest particles.
 fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     let p = world.particles();
     let by_mass = |i: &usize, j: &usize| p.mass[*i].total_cmp(&p.mass[*j]);
@@ -131,7 +131,7 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
         None => (f64::INFINITY, 0.0),
     };
     let smallest = p.radius.iter().copied().fold(f64::INFINITY, f64::min);
-    // Reduced mass of two equal particles; rolling adds the inertia: 1 + m r^2 / J, 7/2 for spheres.
+    // Inverse reduced mass of two equal particles; for tangential motion times 1 + m r^2 / J, which is 7/2 for spheres.
     let (push, roll) = (2.0 / lightest, 2.0 * (1.0 + ease) / lightest);
     let bound = |name, meaning, k, c| pair_bound(scene, name, meaning, [k, c]);
     let mut bounds = Vec::new();
@@ -147,7 +147,7 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
             let [k, c] = law.constants();
             bounds.push(bound(
                 "contact tangential",
-                "sticking or viscous slip of the same pair",
+                "sticking or viscous slip of the two lightest particles",
                 roll * k,
                 roll * c,
             ));
@@ -162,17 +162,18 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
             push * law.damping,
         ));
         if let Some(beam) = bond.tangential {
-            // Alike and oppositely, for equal particles in touch: 7/2 k / m and 5/2 k / m for spheres.
+            // Equal particles in touch, rotating in the same and in opposite senses: 7/2 k / m and 5/2 k / m for
+            // spheres.
             let (shear, turn) = ((1.0 + ease) / lightest, ease / lightest);
             bounds.push(bound(
                 "bond shear",
-                "both ends turning alike",
+                "both ends rotate in the same sense",
                 shear * beam.stiffness,
                 shear * beam.damping,
             ));
             bounds.push(bound(
                 "bond bending",
-                "both ends turning oppositely",
+                "both ends rotate in opposite senses",
                 turn * beam.stiffness,
                 turn * beam.damping,
             ));
@@ -181,7 +182,7 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     bounds
 }
 
-/// Bounds (61) and (62), where the scene knows the elastic constants.
+/// Bounds (61) and (62), if the scene gives elastic constants.
 fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     let Some(ContactNormal::Bshp(law)) = scene.contact.map(|contact| contact.normal) else {
         return Vec::new();
@@ -211,21 +212,23 @@ fn wave_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     ]
 }
 
-/// The built-in scenes, or the text of one.
+/// The list of built-in scenes, or the text of one of them.
 ///
 /// # Errors
-/// Names that are not built in.
+/// A name that is not built in.
 pub fn scenes(name: Option<&str>) -> Result<String, Error> {
     let Some(name) = name else {
         let line = |(name, purpose, _): &(&str, &str, &str)| format!("{name:22} {purpose}\n");
         let lines: String = builtin::SCENES.iter().map(line).collect();
         return Ok(lines
-            + "lammps/..., yade/...   ENGINE/CASE/RUN: a run stored in references, e.g. lammps/kelvin-voigt/thesis\n");
+            + "lammps/..., yade/...   ENGINE/CASE/RUN: the scene of a stored reference run, e.g. lammps/kelvin-voigt/thesis\n");
     };
     let text = builtin::text(name).map(str::to_owned);
     let text = text.or_else(|| references::scene_text(name));
     text.ok_or_else(|| {
         let names = builtin::names().join(", ");
-        Error::Argument(format!("'{name}' is no built-in scene; there are: {names}"))
+        Error::Argument(format!(
+            "'{name}' is not a built-in scene; must be one of: {names}"
+        ))
     })
 }

@@ -1,4 +1,4 @@
-//! What can go wrong outside the kernel, worded for the user.
+//! Errors outside the kernel, worded for the user.
 
 use std::path::PathBuf;
 use thiserror::Error;
@@ -8,9 +8,9 @@ use thiserror::Error;
 pub struct SceneError {
     /// The file, or the override as `--set KEY=VALUE`.
     pub file: String,
-    /// The line, counted from one; zero where no single line is at fault.
+    /// The line, counted from one; zero if no single line is at fault.
     pub line: usize,
-    /// The key, as a dotted path; empty where the override names it.
+    /// The key, as a dotted path; empty if `file` is an override that already names it.
     pub key: String,
     /// The value found.
     pub value: String,
@@ -36,7 +36,7 @@ impl std::fmt::Display for SceneError {
     }
 }
 
-/// A text in which every character that a terminal would obey or not show is escaped.
+/// The text with control characters and invisible characters escaped.
 fn printable(text: &str) -> String {
     let mut result = String::new();
     for character in text.chars() {
@@ -51,23 +51,23 @@ fn printable(text: &str) -> String {
 /// Any failure of a command.
 #[derive(Debug, Error)]
 pub enum Error {
-    /// The input is unusable.
+    /// The scene cannot be used.
     #[error("{0}")]
     Scene(#[from] SceneError),
-    /// An argument of the command is unusable.
+    /// An argument of the command cannot be used.
     #[error("{0}")]
     Argument(String),
     /// A file cannot be read or written.
     #[error("cannot {action} {}: {source}", path.display())]
     File {
-        /// What was tried.
+        /// The operation that failed, as a verb.
         action: &'static str,
         /// The file.
         path: PathBuf,
-        /// Why it failed.
+        /// The cause.
         source: std::io::Error,
     },
-    /// A checkpoint is not one of this scene, or is damaged.
+    /// A checkpoint belongs to another scene or is damaged.
     #[error("cannot resume from {}: {reason}", path.display())]
     Checkpoint {
         /// The file.
@@ -75,15 +75,15 @@ pub enum Error {
         /// What is wrong with it.
         reason: String,
     },
-    /// The run stopped.
+    /// The run stopped at an error of the kernel.
     #[error("the run stopped in phase '{phase}': {source} (run `gouge stability` for the bounds)")]
     Step {
         /// The phase of the run.
         phase: String,
-        /// Why.
+        /// The cause.
         source: gouge_dem::StepError,
     },
-    /// The energies of a state left the range of numbers before the state itself did.
+    /// An energy overflowed although the state itself is still finite.
     #[error(
         "the run stopped in phase '{phase}': the {name} energy is not finite at {time} s; likely \
              cause: the time step is above the stability bound (run `gouge stability` for the bounds)"
@@ -96,8 +96,8 @@ pub enum Error {
         /// Time in s.
         time: f64,
     },
-    /// The model refused a state that the set-up made.
-    #[error("the set-up made an impossible state: {0}")]
+    /// The model rejected a state that the set-up produced.
+    #[error("the set-up produced an invalid state: {0}")]
     Setup(#[from] gouge_dem::ModelError),
     /// Some checks failed.
     #[error("{0} of {1} checks failed")]
@@ -105,7 +105,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// Whether the state of the run was at fault, so that it makes no sense to continue it.
+    /// Whether the state of the run is at fault, so that continuing the run is pointless.
     pub fn is_of_state(&self) -> bool {
         matches!(
             self,
@@ -113,7 +113,7 @@ impl Error {
         )
     }
 
-    /// Exit status: 2 where the input was unusable, 1 otherwise.
+    /// Exit status: 2 if the input cannot be used, 1 otherwise.
     pub fn status(&self) -> u8 {
         match self {
             Self::Scene(_) | Self::Argument(_) => 2,
@@ -121,7 +121,7 @@ impl Error {
         }
     }
 
-    /// A failure to handle a file.
+    /// An [`Error::File`].
     pub fn file(action: &'static str, path: &std::path::Path, source: std::io::Error) -> Self {
         Self::File {
             action,

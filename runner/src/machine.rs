@@ -1,4 +1,4 @@
-//! How worlds use the machine: nothing here changes a bit of a result.
+//! Instructions and threads that worlds use. Results have the same bits for every choice.
 
 use crate::error::Error;
 use gouge_common::instructions::Instructions;
@@ -8,20 +8,20 @@ use std::sync::LazyLock;
 
 /// The environment variable that names the instructions to use instead of the widest ones.
 pub const INSTRUCTIONS: &str = "GOUGE_INSTRUCTIONS";
-/// The environment variable that says how many threads compute, instead of [`default_threads`].
+/// The environment variable that sets the number of threads, instead of [`default_threads`].
 pub const THREADS: &str = "GOUGE_THREADS";
 
-/// Particles below which a second thread costs more than it gives.
+/// Number of particles per thread below which another thread costs more than it saves.
 const PARTICLES_PER_THREAD: usize = 10_000;
-/// Most threads that one may ask for.
+/// Largest number of threads that is accepted.
 const MAX_THREADS: usize = 1024;
 
-/// What the environment asks for.
+/// The choices made by the environment variables.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     /// The instructions that worlds use.
     pub instructions: Instructions,
-    /// The number of threads, where it does not follow from the size of the world.
+    /// The number of threads; if absent, it follows from the size of the world.
     pub threads: Option<usize>,
 }
 
@@ -43,7 +43,7 @@ fn chosen_instructions() -> Result<Instructions, String> {
     found.copied().ok_or_else(|| {
         let names: Vec<&str> = available.iter().map(|set| set.name()).collect();
         format!(
-            "{INSTRUCTIONS} = {}: this machine has {}",
+            "{INSTRUCTIONS} = {}: must be one of the instruction sets of this machine: {}",
             name.to_string_lossy(),
             names.join(", ")
         )
@@ -64,39 +64,41 @@ fn chosen_threads() -> Result<Option<usize>, String> {
     }
 }
 
-/// Whether the thread that starts the pool belongs to it.
+/// Whether the thread that starts the pool becomes one of its threads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CallingThread {
-    /// It steps worlds itself, and is one of the threads: outside the pool it would be woken several times per
-    /// step.
+    /// The calling thread steps worlds itself and belongs to the pool. Outside the pool it would be woken several
+    /// times per step.
     JoinsPool,
-    /// It waits for threads that it starts, so that the pool cannot count on it.
+    /// The calling thread waits for threads that it starts, so it cannot work for the pool.
     StaysOutside,
 }
 
-/// Start a pool of as many threads as the environment asks for, and return what it asks for; for main functions.
+/// Start the global thread pool with the number of threads that the environment sets, and return all choices of the
+/// environment. To be called from main functions.
 ///
 /// # Errors
-/// Instructions that this machine has not, numbers of threads that are none.
+/// Instructions that this machine does not have, or an invalid number of threads.
 pub fn start_pool(caller: CallingThread) -> Result<Machine, Error> {
     let machine = CHOSEN.clone().map_err(Error::Argument)?;
     let mut pool = ThreadPoolBuilder::new().num_threads(machine.threads.unwrap_or_default());
     if caller == CallingThread::JoinsPool {
         pool = pool.use_current_thread();
     }
-    // A pool that is at work already keeps its threads.
+    // Fails if a global pool exists already; that pool then keeps its threads.
     let _ = pool.build_global();
     Ok(machine)
 }
 
-/// Threads for a world of so many particles: one, or all of the machine where each has enough to do.
+/// Number of threads for a world with the given number of particles: one per 10 000 particles, at least one and at
+/// most as many as the machine has.
 pub fn default_threads(particles: usize) -> usize {
     let available = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     (particles / PARTICLES_PER_THREAD).clamp(1, available)
 }
 
-/// The world with the instructions and threads that the environment asks for; the default ones if what it asks for
-/// is an error.
+/// The world with the instructions and threads that the environment sets, or with the default ones if the environment
+/// is invalid.
 pub fn with_chosen_execution<S: Number>(world: World<S>) -> World<S> {
     let default = Machine {
         instructions: Instructions::widest(),

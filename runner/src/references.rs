@@ -1,7 +1,7 @@
-//! The cases of the folder `references` as scenes: runs that other programs made too.
+//! The cases of the folder `references` as scenes: runs that other programs computed as well.
 //!
 //! A case is a folder `ENGINE/NAME`: `case.toml` lists the runs, and `scene.toml` is our scene with
-//! `${variables}` of the runs. The program carries a copy of all of them.
+//! `${variables}` of the runs. The program embeds a copy of all of them.
 
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
@@ -11,23 +11,23 @@ use std::path::{Path, PathBuf};
 /// The folder `references`.
 pub static FOLDER: Dir = include_dir!("$CARGO_MANIFEST_DIR/../references");
 
-/// A run: its name and the variables of the scene and the input.
+/// A run: its name, and the variables of our scene and of the other program's input.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Run {
-    /// Its name.
+    /// Name of the run.
     pub name: String,
     /// Names and values of the variables.
     #[serde(flatten)]
     pub variables: toml::Table,
 }
 
-/// What a scene needs of `case.toml`.
+/// The part of `case.toml` that scenes need.
 #[derive(Deserialize)]
 struct Listed {
     runs: Vec<Run>,
 }
 
-/// What the scenes of a case are made of.
+/// The scene template of a case, its runs, and its tables of particles and bonds.
 #[derive(Clone, Debug, Default)]
 pub struct StoredScenes {
     runs: Vec<Run>,
@@ -47,7 +47,7 @@ pub fn paths() -> impl Iterator<Item = String> {
     paths.into_iter()
 }
 
-/// The scene of a run, by the path `ENGINE/NAME/RUN`.
+/// The scene of the run with the path `ENGINE/NAME/RUN`.
 pub fn scene_text(path: &str) -> Option<String> {
     let (path, name) = path.rsplit_once('/')?;
     let scenes = StoredScenes::read(Path::new(path)).ok()?;
@@ -56,10 +56,10 @@ pub fn scene_text(path: &str) -> Option<String> {
 }
 
 impl StoredScenes {
-    /// Those of the case in a folder such as `lammps/kelvin-voigt`.
+    /// Read the case in a folder such as `lammps/kelvin-voigt`.
     ///
     /// # Errors
-    /// Files that are not there or cannot be read.
+    /// A file that is missing or cannot be read.
     pub fn read(folder: &Path) -> Result<Self, String> {
         let text = |name: &str| {
             let file = FOLDER.get_file(folder.join(name));
@@ -87,7 +87,7 @@ impl StoredScenes {
     /// The scene of a run.
     ///
     /// # Errors
-    /// Variables that the run does not set, tables of particles that are not there.
+    /// A variable that the run does not set, or a table that lacks a column.
     pub fn text(&self, run: &Run) -> Result<String, String> {
         let mut text = filled(&self.scene, run)?;
         if let Some(table) = table(&self.particles, run) {
@@ -100,14 +100,14 @@ impl StoredScenes {
     }
 }
 
-/// The table of a run's seed.
+/// The table that belongs to the seed of a run.
 fn table<'a>(tables: &'a [(PathBuf, String)], run: &Run) -> Option<&'a str> {
     let seed = run.variables.get("seed")?.as_str()?;
     let named = |(path, _): &&(PathBuf, String)| path.file_stem().is_some_and(|s| s == seed);
     tables.iter().find(named).map(|(_, text)| text.as_str())
 }
 
-/// A text with every `${name}` replaced.
+/// The text with every `${name}` replaced by the value of the run.
 fn filled(text: &str, run: &Run) -> Result<String, String> {
     let mut filled = String::with_capacity(text.len());
     let mut parts = text.split("${");
@@ -129,7 +129,7 @@ fn filled(text: &str, run: &Run) -> Result<String, String> {
     Ok(filled)
 }
 
-/// A CSV table as items of an array of tables.
+/// A CSV table as a TOML array of tables.
 fn items(
     key: &str,
     table: &str,
@@ -150,7 +150,7 @@ fn items(
     Ok(text)
 }
 
-/// Entries of a particle; a fixed one has no velocity.
+/// TOML entries of a particle; fixed particles get no velocity.
 fn particle(cell: &dyn Fn(&str) -> Option<String>) -> Option<String> {
     let role = cell("role")?;
     let velocity = if role == "fixed" {
@@ -168,7 +168,7 @@ fn particle(cell: &dyn Fn(&str) -> Option<String>) -> Option<String> {
     ))
 }
 
-/// Entries of a bond.
+/// TOML entries of a bond.
 fn bond(cell: &dyn Fn(&str) -> Option<String>) -> Option<String> {
     Some(format!(
         "between = [{}, {}]\nstrength_factor = {}\n",

@@ -9,9 +9,9 @@ use gouge_dem::laws::{characteristic_length, drag_coefficient};
 use std::f64::consts::PI;
 
 #[test]
-fn the_drag_of_other_shapes_has_the_base_ten() {
-    // At large Reynolds numbers only the last term is left: 0.42 for a sphere; general sphericities of
-    // 10^-1 and 10^-32, of whose logarithms 1 and 2 are the fifth roots, add a factor of 10^0.4 or 10^0.8.
+fn the_drag_of_nonspherical_particles_uses_base_ten() {
+    // At large Reynolds numbers only the last term remains: 0.42 for a sphere. Sphericities of 10^-1 and 10^-32, whose
+    // negative logarithms have the fifth roots 1 and 2, multiply it by 10^0.4 and 10^0.8.
     let limit = |sphericity: f64| drag_coefficient(1e300, [1.0, sphericity, 1.0]);
     assert_relative_eq!(limit(1.0), 0.42, epsilon = 0.0, max_relative = 1e-12);
     assert_relative_eq!(
@@ -26,7 +26,7 @@ fn the_drag_of_other_shapes_has_the_base_ten() {
         epsilon = 0.0,
         max_relative = 1e-12
     );
-    // The first term goes with the root of the lengthwise sphericity, the last with the crosswise one.
+    // The first term depends on the square root of the lengthwise sphericity, the last on the crosswise sphericity.
     let at = |lengthwise, crosswise| drag_coefficient(1.0, [lengthwise, 1.0, crosswise]);
     assert_relative_eq!(
         at(0.25, 1.0) - at(1.0, 1.0),
@@ -40,7 +40,7 @@ fn the_drag_of_other_shapes_has_the_base_ten() {
         epsilon = 0.0,
         max_relative = 1e-12
     );
-    // The third term at Re = 1: what is left over of a sphericity of 1/16 has 3 times 16 to 3/4.
+    // The third term at Re = 1: for a sphericity of 1/16 it is 3 times 16^(3/4).
     let whole = drag_coefficient(1.0, [1.0, 0.0625, 1.0]);
     let rest = whole - 8.0 - 16.0 * 4.0 - limit(0.0625);
     assert!(
@@ -49,7 +49,7 @@ fn the_drag_of_other_shapes_has_the_base_ten() {
     );
 }
 
-/// Two driven particles of different size in a drag, with an exact controller.
+/// Two driven particles of different sizes in a viscous medium, with an exact controller.
 fn driven(more: &str) -> World {
     let text = head("symplectic-euler", 1e-7)
         + "[box]\nwidth = 0.02\n[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n[driving]\n"
@@ -73,7 +73,7 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
             epsilon = 0.0,
             max_relative = 1e-12
         );
-        // The load is a sum over the driven, points down, and acts on the width times twice the mean
+        // The load is the sum over all driven particles and points down. The area is the width times twice the mean
         // radius: 1 MPa on 20 mm times 3 mm.
         assert_relative_eq!(
             world.drive().force.y,
@@ -88,7 +88,7 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
         epsilon = 0.0,
         max_relative = 1e-15
     );
-    // Each carries the same share, along the axes of the laboratory.
+    // Each driven particle carries the same share, along the axes of the laboratory frame.
     let mut world = driven(
         "controller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 2.0\npressure = 0.0\n\
          initial_force = [6.0, -4.0]\n",
@@ -102,8 +102,8 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
 
 #[test]
 fn exact_driving_settles_with_every_integrator() {
-    // A grain in a viscous medium begins at rest, has to move at 2 m/s, and is then held there against
-    // a drag of 6 pi eta r v, which is all that the force has to balance.
+    // A grain in a viscous medium starts at rest, is accelerated to 2 m/s and then driven at this speed. The force
+    // only has to balance the drag 6 pi eta r v.
     for integrator in INTEGRATORS {
         let text = head(integrator, 1e-6)
             + "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
@@ -167,7 +167,8 @@ fn the_rate_limited_controller_brings_the_reaction_to_the_load() {
 
 #[test]
 fn friction_is_the_signed_ratio_of_sums() {
-    // Dragged at constant speed through a medium while a well carries the load: 6 pi eta r v / (p A).
+    // Dragged at constant speed through a medium while a harmonic well carries the load: friction is 6 pi eta r v /
+    // (p A).
     for speed in [2.0, -2.0] {
         let text = head("symplectic-euler", 1e-6)
             + "[box]\nheight = 0.2\n[ambient]\nlaw = \"creeping\"\nviscosity = 10.0\n\
@@ -185,7 +186,7 @@ fn friction_is_the_signed_ratio_of_sums() {
         let drive = world.drive();
         let reaction_ratio = -drive.reaction.x / drive.reaction.y;
         assert_eq!(friction_feedback(drive), reaction_ratio);
-        // Equal accelerations of both: each share balances its own drag only on the average speed.
+        // Both particles accelerate equally, so the shares balance the drag only for the mean speed.
         assert!(
             relative_eq!(drive.reaction.y, 1.0, epsilon = 0.0, max_relative = 1e-6),
             "the well carries the load: {drive:?}"
@@ -205,7 +206,7 @@ fn friction_is_the_signed_ratio_of_sums() {
 
 #[test]
 fn work_of_driving_is_signed() {
-    // A driven particle is braked by a small constant force: the work is what its energy changes by.
+    // A small constant force brakes a driven particle: the work equals the change of its energy.
     let text = head("velocity-verlet", 1e-8)
         + "[driving]\ncontroller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 0.0\npressure = 0.0\n\
            area = 1.0\ninitial_force = [-1.0, 0.0]\n"
@@ -245,7 +246,7 @@ fn a_column_in_a_harmonic_well_has_a_parabolic_pressure() {
     let links = world.interactions();
     assert_eq!(links.len(), n as usize - 1);
     for link in links {
-        // Sum of k (y - y0) over all grains above the contact: k / (4 r) times (h^2 - y^2).
+        // Sum of k (y - y0) over all grains above a contact: k / (4 r) times (h^2 - y^2).
         let y = link.focal_point.y - 0.01;
         let expected = k / 4e-3 * (9e-3_f64.powi(2) - y * y);
         assert!(

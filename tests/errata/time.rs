@@ -6,7 +6,7 @@ use gouge_dem::integrators::{crack_bound, wave_bound};
 use gouge_dem::material::GRANITE;
 
 #[test]
-fn bounds_of_the_step_are_those_of_waves_and_cracks() {
+fn time_step_bounds_match_waves_and_cracks() {
     let bound = |r: f64| crack_bound(GRANITE.elastic(), 2700.0, r, 15.0);
     // Neither the mean nor the smallest radius gives the 18 ns of section 4.2.
     assert!(
@@ -27,19 +27,19 @@ fn bounds_of_the_step_are_those_of_waves_and_cracks() {
 }
 
 #[test]
-fn a_displacement_below_half_the_spacing_of_numbers_moves_nothing() {
+fn a_displacement_below_half_an_ulp_is_lost() {
     let text = head("euler", 1e-8) + &particle([1.0, 0.0], [1e-9, 1e-9], 0.0, 1e-3);
     let mut world = world(&text);
     advance(&mut world, 1000);
     let x = world.particles().position[0];
-    assert_eq!(x.x, 1.0, "lost next to one metre");
+    assert_eq!(x.x, 1.0, "lost in a coordinate of one metre");
     assert!(
         relative_eq!(x.y, 1e-14, epsilon = 0.0, max_relative = 1e-9),
-        "kept next to nothing"
+        "kept in a coordinate of zero"
     );
 }
 
-/// Largest residual over the largest energy of a run, and the terms at its end.
+/// Largest residual of a run divided by its largest energy, and the terms at its end.
 fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
     let mut world = world(text);
     let (mut residual, mut scale) = (0.0_f64, world.energy().mechanical());
@@ -52,7 +52,7 @@ fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
     (residual / scale, world.energy())
 }
 
-/// Two spheres meet obliquely with spin.
+/// Two spinning spheres collide obliquely.
 fn oblique(step: f64, law: &str) -> String {
     head("velocity-verlet", step)
         + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n"
@@ -74,7 +74,7 @@ fn the_balance_of_a_collision_closes() {
             "law = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 3e6\n",
             1e-3,
         ),
-        // Its sign may flip in the middle of a step; the force then jumps by twice the limit.
+        // The sign of friction may change within a step; the force then jumps by twice the Coulomb limit.
         (
             "law = \"cundall-strack\"\nfriction = 0.5\nstiffness = 3e6\n",
             1e-2,
@@ -95,7 +95,8 @@ fn the_balance_of_a_collision_closes() {
 
 #[test]
 fn the_balance_of_a_breaking_bond_closes() {
-    // Pulled apart, or pressed until it breaks, when the contact that begins is booked as bonding.
+    // The bond is pulled or pressed until it breaks. In compression a contact begins, whose energy is booked as
+    // bonding.
     for (speed, bonds) in [(8.0, false), (-8.0, true)] {
         let text = head("velocity-verlet", 1e-9)
             + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n\
@@ -109,7 +110,7 @@ fn the_balance_of_a_breaking_bond_closes() {
         assert!(residual < 1e-3, "{residual}");
         assert!(end.breaking > 0.0 && end.friction > 0.0);
         assert_eq!(end.bonding > 0.0, bonds, "{end:?}");
-        // Two elements of 28 MPa on pi mm^2 hold at least F^2 / (2 k) when pulled straight.
+        // A bond that breaks in pure tension at F = 88 N, 28 MPa on pi mm^2, stores F^2 / (2 k).
         assert!(end.breaking < 88.0_f64.powi(2) / 2e7 * 1.5);
     }
 }

@@ -18,7 +18,7 @@ fn drag_has_its_limits() {
     };
     let creeping = CreepingDrag { viscosity };
     let drag = |speed: f64| -correlation.drag(radius, Vec2::new(speed, 0.0), 0.0).force.x;
-    // Slow: Stokes, with a relative excess of sqrt(Re) / 8.
+    // Slow: Stokes drag, with a relative excess of sqrt(Re) / 8.
     let slow = 1e-9;
     let re = reynolds_number(viscosity, density, radius, slow);
     let stokes = -creeping.drag(radius, Vec2::new(slow, 0.0), 0.0).force.x;
@@ -30,7 +30,7 @@ fn drag_has_its_limits() {
     );
     assert_abs_diff_eq!(drag(slow) / stokes - 1.0, re.sqrt() / 8.0, epsilon = 1e-6);
     assert_eq!(drag(0.0), 0.0);
-    // Fast: the dynamic pressure on the cross-section times the constant.
+    // Fast: dynamic pressure times cross-section times the constant.
     let fast = 1e9;
     assert_relative_eq!(
         drag(fast),
@@ -87,7 +87,7 @@ fn creeping_flow_stops_each_particle_at_its_own_rate() {
         let linear = (-6.0 * PI * viscosity * r * time / mass).exp();
         let angular = (-8.0 * PI * viscosity * r.powi(3) * time / (0.4 * mass * r * r)).exp();
         assert!(linear < 0.9 && angular < 0.9);
-        // Second order: (rate step)^2 / 6 times rate time, below 1e-8.
+        // The method is of second order: (rate step)^2 / 6 times rate time is below 1e-8.
         assert!(
             relative_eq!(p.velocity[i].x, linear, epsilon = 0.0, max_relative = 1e-8)
                 && relative_eq!(

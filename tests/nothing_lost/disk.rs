@@ -1,6 +1,6 @@
-//! Full disks, foreign files and unfinished runs: nothing is overwritten that was not asked for.
+//! Full disks, foreign files and unfinished runs: nothing is overwritten unless requested.
 
-use super::{assert_same, complete, fault, files, kill, meeting, start, text};
+use super::{assert_same, colliding_pair, complete, fault, files, kill, start, text};
 use crate::program::{run, stderr, write_scene};
 use crate::worlds::head;
 use rand_pcg::Pcg64;
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// Run with files limited to so many blocks of 512 bytes, as if the disk were full then.
+/// Run with file sizes limited to a number of blocks of 512 bytes, as if the disk became full.
 fn on_a_small_disk(blocks: usize, scene: &Path, out: &Path, resume: bool) -> Output {
     let program = start(scene, out, resume);
     let mut shell = Command::new("sh");
@@ -20,13 +20,13 @@ fn on_a_small_disk(blocks: usize, scene: &Path, out: &Path, resume: bool) -> Out
 }
 
 #[test]
-fn a_full_disk_is_named_and_the_run_continues_when_there_is_room() {
+fn a_full_disk_is_reported_and_the_run_continues_when_there_is_space() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
     complete(&scene, &reference, false);
     let mut sizes = vec![];
-    // First no checkpoint fits, then ever longer series do.
+    // First not even a checkpoint fits; then longer and longer series fit.
     for blocks in [0, 1, 8, 16, 24, 32] {
         let resume = out.join("checkpoint").exists();
         let output = on_a_small_disk(blocks, &scene, &out, resume);
@@ -39,7 +39,7 @@ fn a_full_disk_is_named_and_the_run_continues_when_there_is_room() {
         let series = fs::read_to_string(out.join("series.csv")).expect("a series");
         assert!(
             series.is_empty() || series.ends_with('\n'),
-            "half a row: {series}"
+            "the last row is incomplete: {series}"
         );
         assert!(!out.join("summary.json").exists());
         assert!(
@@ -79,9 +79,9 @@ fn a_checkpoint_that_does_not_fit_leaves_the_earlier_one() {
 }
 
 #[test]
-fn an_unfinished_run_is_not_begun_anew() {
+fn an_unfinished_run_is_not_overwritten() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &meeting(1e-8));
+    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
     let done = files(&out);
@@ -99,7 +99,7 @@ fn an_unfinished_run_is_not_begun_anew() {
     }
     complete(&scene, &out, true);
     assert_eq!(files(&out).len(), done.len());
-    // A finished run may be replaced, but only by a scene that is usable.
+    // A finished run may be replaced, but only if the new scene is valid.
     let before = files(&out);
     let output = run(&["run", "no-such-scene", "--out", text(&out)]);
     assert_eq!(output.status.code(), Some(2));

@@ -1,17 +1,17 @@
-//! Runs that fail on the way keep their last good state and say what happened.
+//! Runs that fail keep their last good state and report what happened.
 
 use super::{fault, summary, text};
 use crate::program::{run, stderr, write_scene};
 use crate::worlds::{INTEGRATORS, head, particle};
 use std::fs;
 
-/// Laws of a chain of bonded grains that touch others.
+/// Laws of a chain of bonded grains that touch other grains.
 const LAWS: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
     [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e8\n\
     [bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
     [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n";
 
-/// Six grains, of which the first three are bonded and the first one moves.
+/// Six grains; the first three are bonded, and the first one moves.
 fn chain(integrator: &str, step: f64, end: f64) -> String {
     let grain = |i: usize| {
         let speed = if i == 0 { 1.0 } else { 0.0 };
@@ -32,7 +32,7 @@ fn chain(integrator: &str, step: f64, end: f64) -> String {
 }
 
 #[test]
-fn a_time_step_far_too_large_ends_with_its_cause_and_the_last_good_state() {
+fn a_far_too_large_time_step_reports_its_cause_and_keeps_the_last_good_state() {
     for integrator in INTEGRATORS {
         for step in [1e-5, 1e-4] {
             let folder = tempfile::tempdir().expect("a folder");
@@ -81,7 +81,7 @@ fn a_time_step_far_too_large_ends_with_its_cause_and_the_last_good_state() {
 }
 
 #[test]
-fn energies_beyond_all_numbers_are_not_written() {
+fn overflowing_energies_are_not_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = head("euler", 1e-3) + &particle([0.0; 2], [1e200, 0.0], 0.0, 1e-3);
     let scene = write_scene(folder.path(), &scene);
@@ -100,7 +100,7 @@ fn energies_beyond_all_numbers_are_not_written() {
 }
 
 #[test]
-fn a_set_up_that_fails_says_in_which_phase() {
+fn a_failing_set_up_reports_its_phase() {
     let folder = tempfile::tempdir().expect("a folder");
     let text = fault("velocity-verlet", "cundall-strack", "none");
     let cases = [

@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
 
-/// Height of the block's lattice in m: as many hexagonal rows as columns.
+/// Height of the lattice of the block in m: as many hexagonal rows as columns.
 const HEIGHT: f64 = BOX * 0.866;
 
 /// A small block of granite, cut by a jagged fault, pressed and sheared.
@@ -85,7 +85,7 @@ fn a_sheared_block_follows_the_original_program() {
                 "{name}: {left} of {bonds} bonds left"
             );
             println!(
-                "{bonds} bonds at first, {} broke into contacts",
+                "{bonds} bonds initially, {} became contacts",
                 run.broken_into_contact
             );
             check(&name, &run, BLOCK_GROWTH);

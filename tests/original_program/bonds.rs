@@ -3,7 +3,8 @@
 use super::{EACH_RUBBING, RULES, STABLE, STRENGTH, Twins, check, grain, replay};
 use gouge_validation::oracles::original::{Original, Rules, Spring};
 
-/// A bonded pair of unequal grains with the given velocity of the second along and across, and spins.
+/// A bonded pair of unequal grains with the given spins; the velocity of the second grain has components along and
+/// across the line of centres.
 fn bonded(rules: Rules, distance: f64, velocity: [f64; 2], spins: [f64; 2]) -> Original {
     let normal = [0.3_f64.cos(), -0.3_f64.sin()];
     let mut grains = vec![grain([4e-3, 6e-3], 1.15e-3), grain([0.0; 2], 0.9e-3)];
@@ -19,7 +20,7 @@ fn bonded(rules: Rules, distance: f64, velocity: [f64; 2], spins: [f64; 2]) -> O
 
 #[test]
 fn bonds_follow_the_original_program() {
-    // Spins of the last two: each end turns round many times, so that angles wrap at different moments.
+    // In the last two motions each end makes many turns, so that angles wrap at different times.
     let motions = [
         ("stretched", [30.0, 0.0], [0.0; 2]),
         ("bent", [0.0; 2], [2e4, -2e4]),
@@ -46,14 +47,14 @@ fn bonds_follow_the_original_program() {
                 &earlier,
                 STABLE,
             );
-            assert_eq!(earlier.touching, 0, "bonded pairs make no contact");
+            assert_eq!(earlier.touching, 0, "bonded pairs have no contact");
         }
     }
 }
 
 #[test]
 fn bonds_turned_inside_out_follow_the_original_program() {
-    // A bond so limp that its ends turn round and round against it.
+    // A bond so weak that its ends make several turns against it.
     let bend = Spring {
         k: 1e2,
         gamma: 1e-3,
@@ -108,7 +109,7 @@ fn breaking_bonds_follow_the_original_program() {
                 1000,
             );
             assert_eq!(run.breaks.len(), 1, "{name}");
-            assert!(run.breaks[0] > 2, "{name}: not at once");
+            assert!(run.breaks[0] > 2, "{name}: the bond must not break at once");
             assert_eq!(run.broken_into_contact == 1, touches, "{name}");
             check(
                 &format!("{name} {rubbing:?}, broken at {:?}", run.breaks),

@@ -16,14 +16,14 @@ fn approaching(x: f64, gap: f64, [closing, across]: [f64; 2], spins: [f64; 2]) -
     first.v = along(0.5 * closing, 0.5 * across);
     second.v = along(-0.5 * closing, -0.5 * across);
     (first.omega, second.omega) = (spins[0], spins[1]);
-    // An angle of long ago, to be subtracted again.
+    // Large angles from earlier rotation, which must cancel.
     (first.phi, second.phi) = (7.5, -11.0);
     vec![first, second]
 }
 
 #[test]
 fn collisions_follow_the_original_program() {
-    // The last come from so far that they are no neighbours at first.
+    // In the last motion the grains are initially too far apart to be in the neighbour list.
     let motions = [
         ("head on", 2e-8, [2.0, 0.0], [0.0; 2]),
         ("oblique, sticking", 2e-8, [2.0, 0.2], [150.0, -60.0]),
@@ -31,7 +31,10 @@ fn collisions_follow_the_original_program() {
         ("from afar", 1.2e-3, [200.0, 1.0], [4e3, 0.0]),
     ];
     for rubbing in EACH_RUBBING {
-        for (place, x) in [("inside", 10e-3), ("at the seam", BOX - 0.4e-3)] {
+        for (place, x) in [
+            ("inside", 10e-3),
+            ("at the periodic boundary", BOX - 0.4e-3),
+        ] {
             for (motion, gap, velocity, spins) in motions {
                 let grains = approaching(x, gap, velocity, spins);
                 let rules = Rules {
@@ -40,7 +43,10 @@ fn collisions_follow_the_original_program() {
                     ..RULES
                 };
                 let run = replay(Twins::new(Original::new(rules, grains), false), 1000);
-                assert!((20..900).contains(&run.touching), "they meet and part");
+                assert!(
+                    (20..900).contains(&run.touching),
+                    "the grains collide and separate"
+                );
                 let turns = (run.twins.oracle.grains[0].omega - spins[0]).abs() > 1e-6;
                 assert!(
                     turns == (rubbing != Rubbing::Zero && motion != "head on"),
@@ -52,7 +58,7 @@ fn collisions_follow_the_original_program() {
     }
 }
 
-/// A ring of soft unequal grains, squeezed by the period and held at one height, that turn like gears.
+/// A ring of soft unequal grains, compressed by the periodic box and held at one height, that turn like gears.
 fn gears(rubbing: Rubbing) -> Original {
     let radii = [1e-3, 0.7e-3, 1.1e-3, 0.8e-3];
     let soft = Spring {
@@ -94,7 +100,7 @@ fn rolling_contacts_follow_the_original_program() {
     for rubbing in soft {
         let steps = 5_000;
         let run = replay(Twins::new(gears(rubbing), true), steps);
-        assert_eq!(run.touching, steps, "they never part");
+        assert_eq!(run.touching, steps, "the contacts never end");
         for gear in &run.twins.oracle.grains {
             assert!(
                 gear.phi.abs() > 2.0 * TAU,
@@ -108,8 +114,8 @@ fn rolling_contacts_follow_the_original_program() {
 
 #[test]
 fn contacts_begun_earlier_follow_the_original_program() {
-    // Both ends turned since then by an angle, or by that and whole turns; the last at rest, where a
-    // sliding contact has no direction of its own.
+    // Since then both ends have rotated by an angle, or by an angle and whole turns. In the last case the grains are at
+    // rest, so that the direction of sliding is undefined.
     let cases = [
         ("sticks", [1.0, 0.5], [30.0, -20.0], [1e-4, -3e-4]),
         ("slid", [1.0, 0.5], [3e3, -1e3], [0.1, 0.2]),
@@ -138,7 +144,7 @@ fn contacts_begun_earlier_follow_the_original_program() {
     }
 }
 
-/// Three grains, two of them bonded to the third and rubbing against each other, that whirl as a whole.
+/// Three grains that rotate as a whole: two are bonded to the third and have a frictional contact with each other.
 #[test]
 fn whirling_contacts_follow_the_original_program() {
     let soft = [
@@ -164,10 +170,10 @@ fn whirling_contacts_follow_the_original_program() {
         oracle.bond((0, 2), 1.0);
         oracle.bond((1, 2), 1.0);
         let run = replay(Twins::new(oracle, true), 20_000);
-        assert_eq!(run.touching, 20_000, "they never part");
+        assert_eq!(run.touching, 20_000, "the contacts never end");
         assert!(
             run.twins.oracle.grains[0].phi > 2.5 * TAU,
-            "it turns more than twice"
+            "the group turns more than twice"
         );
         check(&format!("whirl, {rubbing:?}"), &run, STABLE);
     }

@@ -1,4 +1,4 @@
-//! The program that runs the checks, which `gouge verify` starts.
+//! Tests of `gouge-verify`, the program that `gouge verify` starts.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::path::Path;
@@ -23,7 +23,7 @@ fn a_pattern_that_matches_no_check_is_refused() {
     assert!(!folder.exists(), "nothing is written");
 }
 
-/// The page in a folder, without what was timed and with figures of files put back.
+/// The report page in a folder, without timings and with figure files inserted.
 fn page(folder: &Path) -> String {
     let page = std::fs::read_to_string(folder.join("report.html")).expect("the page");
     let mut parts = page.split("<td class=\"n time\">");
@@ -44,7 +44,7 @@ fn page(folder: &Path) -> String {
 }
 
 #[test]
-fn a_page_with_figures_apart_shows_the_same_as_a_page_alone() {
+fn a_page_with_separate_figures_shows_the_same_as_a_self_contained_page() {
     let folder = tempfile::tempdir().expect("a folder");
     let (alone, apart) = (folder.path().join("alone"), folder.path().join("apart"));
     let only = ["--only", "chung-ooi.4"];

@@ -1,8 +1,8 @@
-//! What `--resume` continues from: written whole or not at all, checked before it is used.
+//! Checkpoints, from which `--resume` continues: written completely or not at all, and checked before use.
 //!
-//! A checkpoint begins with its name, the fingerprint of the scene and the version of its format, and ends with
-//! a checksum. Between them stand how far the run is and the state, as the tag of its model and named columns.
-//! All numbers are words of eight bytes, the least significant first.
+//! A checkpoint begins with the magic bytes, the fingerprint of the scene and the version of the format, and ends
+//! with a checksum. Between them are the progress of the run and the state, as the tag of its model and named
+//! columns. All numbers are words of eight bytes, the least significant byte first.
 
 use super::folder::write_whole;
 use super::phases::{PhaseKind, phase_model};
@@ -19,22 +19,22 @@ use std::path::Path;
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
 /// Version of the format.
 const VERSION: u64 = 4;
-/// The version that held the words of the state without names; it is read, and no longer written.
+/// The version that stored the words of the state without names. It can be read, but is no longer written.
 const UNNAMED: u64 = 3;
 /// Bytes of a checksum or fingerprint.
 const DIGEST: usize = 32;
 /// Bytes before the version.
 const PREFIX: usize = MAGIC.len() + DIGEST;
-/// Words of the version and the numbers of a run.
+/// Number of words of the version and of the progress of the run.
 const HEAD: usize = 8;
 
-/// Fingerprint of everything in a scene that decides on the bits of a run.
+/// Fingerprint of everything in a scene that affects the bits of a run.
 pub type Fingerprint = [u8; DIGEST];
 
-/// A moment of a run.
+/// Progress and state of a run at one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checkpoint {
-    /// The phase.
+    /// Position of the phase.
     pub phase: u64,
     /// Samples written.
     pub samples: u64,
@@ -44,7 +44,7 @@ pub struct Checkpoint {
     pub bonds_initial: u64,
     /// Wall time so far in s, of the whole run and of the scene proper.
     pub seconds: [f64; 2],
-    /// Link-steps of the scene proper so far.
+    /// Sum of the number of contacts and bonds over all steps of the scene proper so far.
     pub link_steps: f64,
     /// The state.
     pub state: Record,
@@ -55,7 +55,7 @@ pub fn fingerprint(scene: &Scene) -> Fingerprint {
     digest(&content(scene))
 }
 
-/// The fingerprint that version 3 gave to a scene; it knew no other particles than spheres.
+/// The fingerprint of a scene in version 3, which supported only spheres.
 fn unnamed_fingerprint(scene: &Scene) -> Fingerprint {
     let material = format!("material: {:?}", scene.material);
     let density = format!("density: {:?}", scene.material.density);
@@ -72,7 +72,7 @@ fn digest(content: &str) -> Fingerprint {
     Sha256::digest(text.as_bytes()).into()
 }
 
-/// Everything in a scene that decides on the bits of a run, as text.
+/// Everything in a scene that affects the bits of a run, as text.
 fn content(scene: &Scene) -> String {
     let mut anonymous = Scene {
         file: String::new(),
@@ -96,10 +96,10 @@ fn content(scene: &Scene) -> String {
 }
 
 impl Checkpoint {
-    /// Write to a file: beside it first, then in its place.
+    /// Write to a temporary file, then rename it to the given path.
     ///
     /// # Errors
-    /// Failures of the file system; the earlier checkpoint is then still there.
+    /// Failures of the file system; the earlier checkpoint then still exists.
     pub fn write(&self, path: &Path, fingerprint: &Fingerprint) -> Result<(), Error> {
         let mut bytes = MAGIC.to_vec();
         bytes.extend(fingerprint);
@@ -123,7 +123,7 @@ impl Checkpoint {
     /// Read the checkpoint of a scene from a file.
     ///
     /// # Errors
-    /// Files that are damaged or belong to another scene.
+    /// A file that is damaged or belongs to another scene.
     pub fn read(path: &Path, scene: &Scene) -> Result<Self, Error> {
         let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
         Self::parse(&bytes, scene).map_err(|reason| refusal(path, reason))
@@ -162,7 +162,7 @@ impl Checkpoint {
         let state = match version {
             VERSION => rest.record().filter(|_| rest.0.is_empty()),
             UNNAMED => World::record_of_words(scene.integrator, &words_of_bytes(rest.0)),
-            _ => return Err("its format has another version"),
+            _ => return Err("its format version is not supported"),
         };
         Ok(Self {
             phase,
@@ -175,10 +175,10 @@ impl Checkpoint {
         })
     }
 
-    /// The world in the state.
+    /// The world in the stored state.
     ///
     /// # Errors
-    /// Columns that are no state of the scene in a phase of the kind.
+    /// Columns that are not a state of the scene in a phase of this kind.
     pub fn world(&self, path: &Path, scene: &Scene, kind: PhaseKind) -> Result<World, Error> {
         let world = world_of_record(scene, kind, &self.state);
         world.ok_or_else(|| refusal(path, "its state does not fit the scene"))
@@ -196,13 +196,13 @@ fn put_words(bytes: &mut Vec<u8>, words: &[u64]) {
     bytes.extend(words.iter().flat_map(|word| word.to_le_bytes()));
 }
 
-/// A text: its length, then its bytes.
+/// Append a string: its length, then its bytes.
 fn put_text(bytes: &mut Vec<u8>, text: &str) {
     put_words(bytes, &[text.len() as u64]);
     bytes.extend(text.as_bytes());
 }
 
-/// A record: its model, the number of its columns, then each with name, shape, number of words and words.
+/// Append a record: its model, the number of columns, then each column with name, shape, number of words and words.
 fn put_record(bytes: &mut Vec<u8>, record: &Record) {
     put_text(bytes, &record.model);
     put_words(bytes, &[record.columns.len() as u64]);
@@ -217,7 +217,7 @@ fn put_record(bytes: &mut Vec<u8>, record: &Record) {
     }
 }
 
-/// What is left to read.
+/// The bytes that are not read yet.
 struct Reader<'a>(&'a [u8]);
 
 impl<'a> Reader<'a> {
@@ -261,15 +261,15 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The words in bytes, the least significant byte of each first; bytes that fill no word are left out.
+/// Bytes as words, the least significant byte of each word first; trailing bytes that do not fill a word are ignored.
 pub fn words_of_bytes(bytes: &[u8]) -> Vec<u64> {
     let (words, _) = bytes.as_chunks();
     words.iter().copied().map(u64::from_le_bytes).collect()
 }
 
-/// The world of a scene in a recorded state of a phase of the kind; none if the record is no such state.
+/// The world of a scene in a recorded state of a phase of this kind; none if the record is not such a state.
 pub fn world_of_record(scene: &Scene, kind: PhaseKind, record: &Record) -> Option<World> {
-    // The area of driving depends on the radii, which only the state knows.
+    // The area of driving depends on the radii, which are known only from the state.
     let bare = World::from_record(phase_model(scene, kind, &[0.0]), record)?;
     let model = phase_model(scene, kind, &bare.particles().radius);
     World::from_record(model, record).map(with_chosen_execution)

@@ -1,4 +1,4 @@
-//! What the thesis's model writes: the values of its series, the columns of its particles, its frames.
+//! Outputs of the thesis's model: values of the series, columns of particles, frames.
 
 use super::series::{Sample, Value};
 use super::table::{Kinds, Table, Values};
@@ -35,7 +35,7 @@ pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>) -> Sample {
     sample
 }
 
-/// Names of the values of every sample of a scene.
+/// Names of the values in every sample of a scene.
 pub fn series_columns(scene: &Scene, world: &World) -> Vec<&'static str> {
     let sample = sample(scene, world, world.drive());
     sample.into_iter().map(|(name, _)| name).collect()
@@ -60,12 +60,12 @@ pub fn energies(world: &World) -> serde_json::Map<String, serde_json::Value> {
         .collect()
 }
 
-/// Number of bonds, zero where the model has none.
+/// Number of bonds; zero if the model has no bonds.
 pub fn number_of_bonds(world: &World) -> usize {
     world.bonds().map_or(0, |bonds| bonds.len())
 }
 
-/// The final particles, as `particles.csv` lists them.
+/// The final particles, with the columns of `particles.csv`.
 pub fn particles(particles: &Particles) -> Table {
     let component =
         |column: &[Vec2], of: fn(&Vec2) -> f64| Values::Numbers(column.iter().map(of).collect());
@@ -124,7 +124,7 @@ pub fn frame(scene: &Scene, world: &World) -> Frame {
     }
 }
 
-/// Bonds that can be drawn as lines between their grains: not those across the seam of a periodic box.
+/// Bonds that can be drawn as lines between their particles: all except those across the periodic boundary.
 pub fn lines(scene: &Scene, world: &World) -> impl Iterator<Item = (usize, usize)> {
     let position = &world.particles().position;
     let half = scene

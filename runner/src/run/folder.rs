@@ -1,4 +1,4 @@
-//! The folder of a run: what belongs to it, and files that are written whole or not at all.
+//! The output folder of a run: its files, which are written completely or not at all.
 
 use super::trajectory::remove_frames;
 use crate::error::Error;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// The checkpoint.
 pub const CHECKPOINT: &str = "checkpoint";
-/// The summary, which only finished and failed runs have.
+/// The summary; it exists only for finished and failed runs.
 pub const SUMMARY: &str = "summary.json";
 /// The series.
 pub const SERIES: &str = "series.csv";
@@ -17,14 +17,14 @@ pub const PARTICLES: &str = "particles.csv";
 /// The picture of the final state.
 pub const PICTURE: &str = "picture.svg";
 
-/// The files of a run, in the order in which a new run removes them: if it is stopped in between, what remains
-/// is a finished run or none.
+/// The files of a run, in the order in which a new run removes them. If the removal is interrupted, what remains
+/// looks like a finished run or like no run.
 const FILES: [&str; 5] = [CHECKPOINT, SUMMARY, SERIES, PARTICLES, PICTURE];
 
-/// Refuse a folder in which the outputs would replace what the scene reads.
+/// Check that the outputs would not replace a file that the scene reads.
 ///
 /// # Errors
-/// Such a folder.
+/// A folder with a file that would be replaced.
 pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error> {
     for name in FILES {
         let output = folder.join(name);
@@ -34,7 +34,7 @@ pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error
         let is_it = |file: &&PathBuf| file.canonicalize().is_ok_and(|file| file == place);
         if let Some(file) = scene.files.iter().find(is_it) {
             return Err(Error::Argument(format!(
-                "the run would replace {}, which the scene reads: choose another folder than {}",
+                "the run would replace {}, which the scene reads; choose another output folder than {}",
                 file.display(),
                 folder.display()
             )));
@@ -43,7 +43,7 @@ pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error
     Ok(())
 }
 
-/// Remove what an earlier, finished run left, so that no mixture remains.
+/// Remove the outputs of an earlier, finished run, so that outputs of different runs are never mixed.
 ///
 /// # Errors
 /// Failures of the file system.
@@ -57,7 +57,7 @@ pub fn remove_outputs(folder: &Path) -> Result<(), Error> {
     remove_frames(folder)
 }
 
-/// Write a file so that it is there completely or as it was before.
+/// Write a file atomically: afterwards it has either the new content or its old one.
 ///
 /// # Errors
 /// Failures of the file system.

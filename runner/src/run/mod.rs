@@ -29,20 +29,20 @@ use folder::{CHECKPOINT, SUMMARY, refuse_replacing_inputs};
 use scene_run::SceneRun;
 use std::path::Path;
 
-/// How a run is done, apart from what the scene says.
+/// Options of a run that are not part of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct RunOptions {
     /// Whether to continue a run that was stopped.
     pub resume: bool,
-    /// Wall time between checkpoints in s; there is one at the beginning of each phase anyway.
+    /// Wall time between checkpoints in s. A checkpoint is also written at the beginning of each phase.
     pub checkpoint_interval: f64,
 }
 
 /// Run a scene, write its outputs into a folder, and report what happens to an observer.
 ///
 /// # Errors
-/// Folders that cannot be written, checkpoints that do not fit, states that become senseless. What
-/// was written before stays.
+/// A folder that cannot be written, a checkpoint of another scene, or a state that becomes invalid. What was written
+/// before the error is kept.
 pub fn run(
     scene: &Scene,
     folder: &Path,

@@ -1,50 +1,50 @@
-//! What a run reports while it goes on. The runner prints nothing; who watches decides what is shown.
+//! Events that a run reports. The runner prints nothing; the observer decides what is shown.
 
 use super::phases::Phase;
 use std::fmt;
 use std::path::Path;
 
-/// Something that happened in a run.
+/// An event of a run.
 ///
-/// A phase begins, goes on and writes checkpoints and, in the scene proper, samples; the next phase begins; at
-/// last the run ends.
+/// In each phase, `PhaseBegan` is followed by progress, checkpoints and, in the scene proper, samples. The last event
+/// is `Ended`.
 #[derive(Clone, Copy, Debug)]
 pub enum Event<'a> {
     /// A phase begins, or a run is resumed in it.
     PhaseBegan {
-        /// All phases of the run.
+        /// All phases of the run, in order.
         phases: &'a [Phase],
         /// Position of this phase among them.
         index: usize,
     },
-    /// Some steps were taken.
+    /// Some steps were completed.
     Progress {
         /// Position of the phase.
         phase: usize,
         /// Steps of the phase so far.
         steps: u64,
     },
-    /// Something that the user should know, although the run goes on.
+    /// A problem that does not stop the run.
     Warning(Warning<'a>),
-    /// A sample was added to the series, and its frame to the trajectory.
+    /// A sample was written to the series, and its frame to the trajectory.
     SampleWritten {
-        /// Its number, from zero.
+        /// Number of the sample, counted from zero.
         sample: u64,
-        /// Its time in s.
+        /// Time of the sample in s.
         time: f64,
     },
-    /// A checkpoint replaced the one before.
+    /// A checkpoint was written; it replaces the previous one.
     CheckpointWritten {
-        /// Its file.
+        /// File of the checkpoint.
         path: &'a Path,
         /// Steps of the phase so far.
         steps: u64,
     },
-    /// The last step was taken, or the run failed; what remains is to write the final state.
+    /// The last step was completed, or the run failed. Only the final state remains to be written.
     Ended,
 }
 
-/// Something that the user should know, although the run goes on.
+/// A problem that does not stop the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Warning<'a> {
     /// The time step may be unstable.
@@ -69,9 +69,9 @@ impl fmt::Display for Warning<'_> {
     }
 }
 
-/// Who watches a run.
+/// A receiver of the events of a run.
 pub trait Observer {
-    /// Take note of an event.
+    /// Receive an event.
     fn event(&mut self, event: Event<'_>);
 }
 

@@ -1,4 +1,4 @@
-//! What a finished or failed run leaves: its summary, the final particles and a picture.
+//! Outputs at the end of a finished or failed run: the summary, the final particles and a picture.
 
 use super::folder::{PARTICLES, SUMMARY, write_whole};
 use super::scene_run::SceneRun;
@@ -10,7 +10,7 @@ use std::path::Path;
 /// `summary.json`.
 #[derive(Clone, Debug, Serialize)]
 struct Summary {
-    /// `done`, or what stopped the run.
+    /// `done`, or the error that stopped the run.
     status: String,
     /// Steps of the scene proper.
     steps: u64,
@@ -24,20 +24,20 @@ struct Summary {
     bonds_broken: usize,
     /// Wall time of the whole run in s, set-up included.
     wall_seconds: f64,
-    /// Particles times steps of the scene proper over its wall time.
+    /// Number of particles times steps of the scene proper, divided by its wall time in s.
     particle_steps_per_second: f64,
-    /// Links times steps of the scene proper over its wall time.
+    /// Number of contacts and bonds, summed over the steps of the scene proper, divided by its wall time in s.
     link_steps_per_second: f64,
     /// Version of the program.
     version: &'static str,
     /// SHA-256 of the scene file.
     scene_sha256: String,
-    /// Terms of the energy balance in J; absent where the scene books none.
+    /// Terms of the energy balance in J; absent if the scene does not keep it.
     #[serde(skip_serializing_if = "Option::is_none")]
     energy: Option<serde_json::Map<String, serde_json::Value>>,
     /// Columns of the series.
     series_columns: Vec<&'static str>,
-    /// How often the neighbour list was built since the run began or was resumed.
+    /// Number of times the neighbour list was built since the run began or was resumed.
     neighbor_rebuilds: u64,
 }
 
@@ -51,11 +51,11 @@ impl Summary {
 }
 
 impl SceneRun<'_> {
-    /// Run all phases from the present one and write what they leave; a run whose state became senseless leaves its
-    /// last good state.
+    /// Run all remaining phases, including the current one, and write the final outputs. A run whose state became
+    /// invalid writes its last valid state.
     ///
     /// # Errors
-    /// Failures of the file system, states that become senseless.
+    /// A failure of the file system, or a state that becomes invalid.
     pub fn complete(mut self) -> Result<(), Error> {
         let outcome = self.run_phases();
         match &outcome {

@@ -3,14 +3,14 @@
 use crate::scene::{PhaseTable, Scene, steps_for};
 use gouge_dem::model::{BondLaws, ContactLaws, Model};
 
-/// What happens in a phase.
+/// Kind of a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PhaseKind {
     /// Loose grains settle, without friction.
     Settle(PhaseTable),
     /// The bonded and cut block relaxes.
     Relax(PhaseTable),
-    /// The driven particles press.
+    /// The driven particles build up the pressure.
     Press(PhaseTable),
     /// The scene proper.
     Main,
@@ -19,9 +19,9 @@ pub enum PhaseKind {
 /// A phase of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phase {
-    /// Name for progress and errors.
+    /// Name in progress and error messages.
     pub name: String,
-    /// What happens.
+    /// Kind of the phase.
     pub kind: PhaseKind,
     /// Number of steps.
     pub steps: u64,

@@ -1,4 +1,4 @@
-//! One picture of the final state, fragments coloured, after thesis figure 11.
+//! Picture of the final state with coloured fragments, modelled on thesis figure 11.
 
 use super::dem::lines;
 use super::folder::{PICTURE, write_whole};
@@ -11,12 +11,12 @@ use std::path::Path;
 use svg::Document;
 use svg::node::element::{Circle, Group, Line, Rectangle};
 
-/// Side of the longer edge in pixels.
+/// Length of the longer edge in pixels.
 const SIZE: f64 = 1000.0;
-/// Hue that separates consecutive fragments best: the golden angle.
+/// Difference in hue between consecutive fragments, in degrees: the golden angle separates hues best.
 const HUE: f64 = 137.507_764;
 
-/// The part of the plane that the picture shows.
+/// The region that the picture shows.
 struct View {
     low: [f64; 2],
     high: [f64; 2],
@@ -99,7 +99,7 @@ fn grains(view: &View, world: &World) -> Group {
     group
 }
 
-/// Grey edges, white single grains, and a colour for each larger fragment.
+/// Grey for fixed and driven particles, white for single grains, and one colour per larger fragment.
 fn colour(label: usize, size: usize, role: Role) -> String {
     match role {
         Role::Fixed => "#777".to_owned(),
@@ -109,7 +109,7 @@ fn colour(label: usize, size: usize, role: Role) -> String {
     }
 }
 
-/// A light colour of the given hue in degrees, as six digits, which every viewer understands.
+/// A light colour of the given hue in degrees, as six hexadecimal digits, which every viewer supports.
 fn pastel(hue: f64) -> String {
     let channel = |offset: f64| {
         let place = (hue / 60.0 + offset) % 6.0;
@@ -136,7 +136,7 @@ fn bonds(view: &View, scene: &Scene, world: &World) -> Group {
     group
 }
 
-/// Two decimals are enough for a picture.
+/// The number rounded to two decimals, which is enough for a picture.
 fn rounded(x: f64) -> f64 {
     (x * 100.0).round() / 100.0
 }

@@ -13,7 +13,7 @@ impl SceneRun<'_> {
         (exact.round() as u64).max(sample)
     }
 
-    /// Write down the present state.
+    /// Write a sample of the current state.
     pub(super) fn sample(&mut self) -> Result<(), Error> {
         let refreshed = self
             .world
@@ -47,8 +47,8 @@ impl SceneRun<'_> {
         Ok(())
     }
 
-    /// The driving force and the reaction to it in the present state. If forces are pending, they are evaluated in a
-    /// copy: an evaluation breaks bonds, which belongs to the next step and not to this sample.
+    /// The driving force and the reaction force in the current state. If forces are not evaluated yet, they are
+    /// evaluated in a copy: the evaluation may break bonds, which belongs to the next step and not to this sample.
     fn present_drive(&self) -> Result<Drive<f64>, Error> {
         if self.scene.driving.is_none() || !self.world.is_pending() {
             return Ok(*self.world.drive());

@@ -1,4 +1,4 @@
-//! A scene on its way through its phases, with samples and checkpoints.
+//! Runs a scene through its phases, with samples and checkpoints.
 
 use super::checkpoint::{Checkpoint, Fingerprint, fingerprint};
 use super::dem;
@@ -13,10 +13,10 @@ use gouge_dem::{State, StepError, World};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Steps between looks at the clock.
+/// Number of steps between readings of the clock.
 const CHUNK: u64 = 256;
 
-/// A scene on its way.
+/// A run in progress.
 pub struct SceneRun<'a> {
     pub(super) scene: &'a Scene,
     pub(super) folder: PathBuf,
@@ -24,13 +24,13 @@ pub struct SceneRun<'a> {
     pub(super) world: World,
     pub(super) bonds_initial: usize,
     pub(super) link_steps: f64,
-    /// The latest state that was sampled, saved or began a phase: a run that fails ends with it.
+    /// The latest valid state: the last one that was sampled, saved or began a phase. A run that fails writes it.
     pub(super) last_good: State,
     pub(super) phases: Vec<Phase>,
-    /// Position of the present phase.
+    /// Position of the current phase.
     pub(super) phase: usize,
     pub(super) series: Option<Series>,
-    /// Samples written.
+    /// Number of samples written.
     pub(super) samples: u64,
     options: RunOptions,
     fingerprint: Fingerprint,
@@ -39,7 +39,7 @@ pub struct SceneRun<'a> {
 
 /// Wall times of a run.
 struct Clock {
-    /// Seconds before the run was resumed: of the whole run and of the scene proper.
+    /// Wall time in s before the run was resumed: of the whole run and of the scene proper.
     earlier: [f64; 2],
     run_began: Instant,
     main_began: Instant,
@@ -47,10 +47,10 @@ struct Clock {
 }
 
 impl<'a> SceneRun<'a> {
-    /// Begin a run; what an earlier one left is removed.
+    /// Begin a run; outputs of an earlier run are removed.
     ///
     /// # Errors
-    /// States that the kernel refuses, failures of the file system.
+    /// A state that the kernel rejects, or a failure of the file system.
     pub fn begin(
         scene: &'a Scene,
         folder: &Path,
@@ -67,10 +67,10 @@ impl<'a> SceneRun<'a> {
         Ok(run)
     }
 
-    /// Go on from the checkpoint in the folder.
+    /// Continue from the checkpoint in the folder.
     ///
     /// # Errors
-    /// A checkpoint or a series that does not fit, failures of the file system.
+    /// A checkpoint of another scene, a series shorter than the checkpoint requires, or a failure of the file system.
     pub fn resume(
         scene: &'a Scene,
         folder: &Path,
@@ -127,12 +127,12 @@ impl<'a> SceneRun<'a> {
         }
     }
 
-    /// Whether this is the scene proper.
+    /// Whether the current phase is the scene proper.
     pub(super) fn is_main(&self) -> bool {
         self.phase + 1 == self.phases.len()
     }
 
-    /// All phases from the present one.
+    /// Run all remaining phases, including the current one.
     pub(super) fn run_phases(&mut self) -> Result<(), Error> {
         while !self.is_main() {
             self.advance_to(self.phases[self.phase].steps)?;
@@ -143,7 +143,7 @@ impl<'a> SceneRun<'a> {
         loop {
             let due = self.sample_step(self.samples).min(last);
             self.advance_to(due)?;
-            // The last step is a sample too, once.
+            // The last step is always sampled, but only once.
             let is_extra =
                 due == last && self.samples > 0 && self.sample_step(self.samples - 1) >= last;
             if !is_extra {
@@ -157,7 +157,7 @@ impl<'a> SceneRun<'a> {
 
     fn begin_next_phase(&mut self) -> Result<(), Error> {
         self.last_good.clone_from(self.world.state());
-        // If the next phase cannot begin, the run ends in the present world.
+        // The world is copied: if the next phase cannot begin, the run ends with the current one.
         let before = Some(self.world.clone());
         self.world = begin_phase(self.scene, &self.phases, self.phase + 1, before)?;
         self.phase += 1;
@@ -167,7 +167,7 @@ impl<'a> SceneRun<'a> {
         self.write_checkpoint()
     }
 
-    /// Begin the series if the scene proper begins.
+    /// Open the series if the scene proper begins.
     fn begin_main(&mut self) -> Result<(), Error> {
         if self.is_main() {
             self.bonds_initial = dem::number_of_bonds(&self.world);
@@ -244,9 +244,9 @@ impl<'a> SceneRun<'a> {
         ]
     }
 
-    /// Write the present state as a checkpoint.
+    /// Write the current state as a checkpoint.
     pub(super) fn write_checkpoint(&mut self) -> Result<(), Error> {
-        // The checkpoint must not know of samples that a power failure may take back.
+        // The series goes to the disk first: a checkpoint must not count samples that a power failure may lose.
         if let Some(series) = &self.series {
             series.sync()?;
         }

@@ -1,4 +1,4 @@
-//! The file `series.csv` as it grows.
+//! Writes the file `series.csv`.
 
 use super::folder::SERIES;
 use crate::error::Error;
@@ -7,10 +7,10 @@ use std::fs::File;
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// A number of a sample.
+/// A value in a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// In SI units.
+    /// A number in SI units.
     Number(f64),
     /// A count.
     Count(usize),
@@ -28,7 +28,7 @@ impl fmt::Display for Value {
 /// A sample: values by name, with the same names in every sample of a series.
 pub type Sample = Vec<(&'static str, Value)>;
 
-/// The file `series.csv` as it grows.
+/// The file `series.csv`, open for appending.
 pub struct Series {
     path: PathBuf,
     file: File,
@@ -36,7 +36,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// Begin a series of the given columns, or go on after the first `bytes` of one.
+    /// Begin a series with the given columns, or continue an existing one after its first `bytes` bytes.
     ///
     /// # Errors
     /// Failures of the file system.
@@ -64,7 +64,7 @@ impl Series {
         Ok(series)
     }
 
-    /// Bring what was appended to the disk.
+    /// Flush the appended rows to the disk.
     ///
     /// # Errors
     /// Failures of the file system.
@@ -76,7 +76,7 @@ impl Series {
     /// Append a sample.
     ///
     /// # Errors
-    /// Failures of the file system; what was there before is kept.
+    /// Failures of the file system; the rows written before are kept.
     pub fn write(&mut self, sample: &Sample) -> Result<(), Error> {
         let cells: Vec<String> = sample.iter().map(|(_, value)| value.to_string()).collect();
         self.append(&(cells.join(",") + "\n"))

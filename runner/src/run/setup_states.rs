@@ -1,4 +1,4 @@
-//! States that the set-up makes: loose grains, the bonded block, and the roles of its particles.
+//! States that the set-up generates: loose grains, the bonded block, and the roles of its particles.
 
 use super::phases::{PhaseKind, phase_model};
 use crate::machine::with_chosen_execution;
@@ -12,16 +12,17 @@ use gouge_dem::{ModelError, Start, World};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// Streams of random numbers, one per purpose, so that none depends on how much another used.
+/// The stream of random numbers for one purpose. Streams are independent, so that no result depends on how many
+/// numbers another purpose uses.
 fn random(setup: &Setup, purpose: u128) -> impl FnMut() -> f64 {
     let mut source = Pcg64::new(u128::from(setup.seed), purpose);
     move || source.random::<f64>()
 }
 
-/// Grains on the lattice, beside the particles that the scene lists.
+/// The grains on the lattice, in addition to the particles that the scene lists.
 ///
 /// # Errors
-/// States that the kernel refuses.
+/// A state that the kernel rejects.
 pub fn loose_grains(scene: &Scene, setup: &Setup, kind: PhaseKind) -> Result<World, ModelError> {
     let (mut sizes, mut places) = (random(setup, 1), random(setup, 2));
     let table = setup.lattice;
@@ -84,7 +85,7 @@ fn wants_more(amount: &Amount, columns: usize, scene: &Scene, number: usize, cov
     }
 }
 
-/// Move the grains so that the mean of their heights is that of the box.
+/// Move the grains so that their mean height is half the height of the box.
 fn centre(scene: &Scene, particles: &mut Particles) {
     let mean = particles.position.iter().map(|x| x.y).sum::<f64>() / particles.len() as f64;
     let shift = 0.5 * scene.domain.height.unwrap_or(0.0) - mean;
@@ -94,7 +95,7 @@ fn centre(scene: &Scene, particles: &mut Particles) {
 /// Clip, bond, correct the density and cut: thesis sections 3.7.3-3.7.6.
 ///
 /// # Errors
-/// States that the kernel refuses.
+/// A state that the kernel rejects.
 pub fn bonded_block(
     scene: &Scene,
     setup: &Setup,
@@ -140,7 +141,7 @@ pub fn bonded_block(
     World::new(model, all, &start).map(with_chosen_execution)
 }
 
-/// Bonds between neighbouring grains, without those that the fault cuts.
+/// Bonds between neighbouring grains, except those that the fault cuts.
 fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
     let Some(bonding) = setup.bonding else {
         return Vec::new();
@@ -176,7 +177,7 @@ fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
     whole.map(start).collect()
 }
 
-/// Roles of all particles; those that the scene lists keep theirs.
+/// Roles of all particles; particles that the scene lists keep their roles.
 pub fn roles(scene: &Scene, setup: &Setup, particles: &Particles) -> Vec<Role> {
     let made = particles.len() - scene.particles.len();
     let rules = setup.roles.unwrap_or_default();

@@ -1,11 +1,11 @@
-//! Named columns: what a model has to show of its particles, as plain data.
+//! Named columns: the particle data that a model writes, as plain data.
 
 use std::fmt::Write;
 
-/// A table of as many rows in every column.
+/// A table; all columns have the same number of rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// Its columns.
+    /// The columns.
     pub columns: Vec<Column>,
 }
 
@@ -19,16 +19,16 @@ pub enum Values {
     Numbers(Vec<f64>),
     /// Counts and labels.
     Integers(Vec<usize>),
-    /// Kinds of particles.
+    /// Named categories, such as roles.
     Kinds(Kinds),
 }
 
-/// A kind per row.
+/// One category per row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kinds {
-    /// Names of all kinds.
+    /// Names of all categories.
     pub names: Vec<&'static str>,
-    /// Positions among them.
+    /// For each row, the position of its category in `names`.
     pub codes: Vec<usize>,
 }
 
@@ -53,7 +53,7 @@ impl Values {
 }
 
 impl Table {
-    /// The table as CSV, with a line of names.
+    /// The table as CSV, with a header.
     pub fn to_csv(&self) -> String {
         let names: Vec<&str> = self.columns.iter().map(|(name, _)| *name).collect();
         let mut text = names.join(",") + "\n";

@@ -1,4 +1,4 @@
-//! From one phase to the next.
+//! Transitions from one phase to the next.
 
 use super::phases::{Phase, PhaseKind, phase_model, phases};
 use super::setup_states::{bonded_block, loose_grains, roles};
@@ -7,10 +7,10 @@ use crate::machine::with_chosen_execution;
 use crate::scene::Scene;
 use gouge_dem::{ModelError, World};
 
-/// The world at the beginning of a phase, from that at the end of the phase before.
+/// The world at the beginning of a phase, made from the world at the end of the previous phase.
 ///
 /// # Errors
-/// States that the kernel refuses.
+/// A state that the kernel rejects.
 pub fn begin_phase(
     scene: &Scene,
     phases: &[Phase],
@@ -41,7 +41,7 @@ pub fn begin_phase(
 /// The world at t = 0 of the scene proper, after all phases of its set-up, without any output.
 ///
 /// # Errors
-/// States that the kernel refuses or that become senseless.
+/// A state that the kernel rejects, or that becomes invalid.
 pub fn run_setup(scene: &Scene) -> Result<World, Error> {
     let phases = phases(scene);
     let mut world = begin_phase(scene, &phases, 0, None)?;
@@ -52,10 +52,10 @@ pub fn run_setup(scene: &Scene) -> Result<World, Error> {
     Ok(world)
 }
 
-/// Advance a world by some steps of a phase of the given name.
+/// Advance a world by a number of steps; errors name the given phase.
 ///
 /// # Errors
-/// A state that becomes senseless.
+/// A state that becomes invalid.
 pub fn advance(world: &mut World, steps: u64, phase: &str) -> Result<(), Error> {
     for _ in 0..steps {
         world.step().map_err(|source| Error::Step {

@@ -9,17 +9,17 @@ pub const SCENES: [(&str, &str, &str); 9] = [
     ),
     (
         "granite-fault-small",
-        "the same protocol on 25 mm, in about half a minute",
+        "the same protocol for 25 mm; takes about half a minute",
         include_str!("../scenes/granite-fault-small.toml"),
     ),
     (
         "head-on",
-        "two spheres meet head on",
+        "two spheres collide head on",
         include_str!("../scenes/head-on.toml"),
     ),
     (
         "oblique",
-        "two spheres of different size meet off centre and begin to spin",
+        "two spheres of different sizes collide off centre and begin to spin",
         include_str!("../scenes/oblique.toml"),
     ),
     (
@@ -44,7 +44,7 @@ pub const SCENES: [(&str, &str, &str); 9] = [
     ),
     (
         "packing",
-        "grains settle in a harmonic well: the packing of the granite fault alone",
+        "grains settle in a harmonic well, as at the beginning of granite-fault",
         include_str!("../scenes/packing.toml"),
     ),
 ];

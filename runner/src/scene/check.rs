@@ -1,4 +1,4 @@
-//! What no single table of a scene can tell.
+//! Checks that involve more than one table of a scene.
 
 use super::table::Table;
 use super::{Place, Scene};
@@ -14,7 +14,7 @@ use gouge_dem::particles::Role;
 type Result<T> = std::result::Result<T, SceneError>;
 
 impl Scene {
-    /// What no single table can tell.
+    /// Check what no single table determines: that the parts of the scene fit together.
     pub(super) fn check(&self, root: &Table) -> Result<()> {
         if self.particles.is_empty() && self.setup.is_none() {
             return Err(no_particles(root));
@@ -42,8 +42,7 @@ impl Scene {
         }
         let sums = |contact: ContactLaws| matches!(contact.distance, ContactDistance::Mixed(_));
         if self.contact.is_some_and(sums) && !self.contacts.is_empty() {
-            let accepted =
-                "a table cannot be combined with [[contacts]]: its displacements begin at zero";
+            let accepted = "a table cannot be combined with [[contacts]]: it makes tangential displacements begin at zero";
             return Err(root.table("contact")?.error("distance", accepted));
         }
         self.check_pairs()?;
@@ -66,7 +65,7 @@ impl Scene {
             return match bonds.chain(contacts).next() {
                 Some((between, place)) => Err(place.error(
                     format!("{between:?}"),
-                    "cannot be listed in a scene with [setup], which makes its own".to_owned(),
+                    "cannot be listed in a scene with [setup], which makes its own contacts and bonds".to_owned(),
                 )),
                 None => Ok(()),
             };
@@ -85,7 +84,7 @@ impl Scene {
         self.check_unbonded()
     }
 
-    /// No pair is bonded and also in contact.
+    /// Check that no pair is listed both as a bond and as a contact.
     fn check_unbonded(&self) -> Result<()> {
         let pair = |between: [usize; 2]| Pair::new(between[0], between[1]);
         let bonded: std::collections::HashSet<Pair> = self
@@ -115,7 +114,7 @@ impl Scene {
             return Err(root.error("driving", accepted));
         }
         if driving.area.is_none() && self.domain.width.is_none() {
-            let accepted = "missing; without box.width the area must be given, in m^2";
+            let accepted = "missing; required if box.width is absent; must be an area in m^2";
             return Err(table.error("area", accepted));
         }
         Ok(())
@@ -130,7 +129,7 @@ impl Scene {
         let cell = 2.0 * listed.max(made);
         if width < 2.0 * cell {
             let accepted = format!(
-                "must be at least two cells wide, {} m: four times the largest radius",
+                "must be at least two cells wide, {} m (four times the largest radius)",
                 2.0 * cell
             );
             return Err(root.table("box")?.error("width", &accepted));
@@ -138,7 +137,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The scene's error for one that the kernel found.
+    /// An error of the kernel as an error of the scene, at the line of the bond or contact if known.
     fn placed(&self, root: &Table, error: &ModelError) -> SceneError {
         let bond = |(bond, place): &(BondStart, Place)| (bond.between, place.clone());
         let contact = |(contact, place): &(ContactStart, Place)| (contact.between, place.clone());
@@ -166,9 +165,9 @@ fn check_pairs<'a>(
                 "names a particle that does not exist; indices go from 0 to {last}"
             ))
         } else if i == j {
-            Some("connects a particle with itself; two different ones are needed".to_owned())
+            Some("connects a particle with itself; must name two different particles".to_owned())
         } else if !seen.insert(Pair::new(i, j)) {
-            Some("repeats a pair; each pair may be listed once".to_owned())
+            Some("repeats a pair; each pair may be listed only once".to_owned())
         } else {
             None
         };

@@ -47,7 +47,7 @@ pub fn contact(root: &Table, reading: Reading) -> Result<Option<ContactLaws>> {
     }))
 }
 
-/// One distance for all, or a table of the conventions of another program.
+/// One of the thesis's distances, or a table that reproduces the conventions of another program.
 fn contact_distance(table: &Table) -> Result<ContactDistance> {
     if table.has_table("distance") {
         let mixed = table.table("distance")?;
@@ -195,7 +195,7 @@ fn yielding(table: &Table) -> Result<Yielding> {
     })
 }
 
-/// `[ambient]`, of the scene or of a phase.
+/// `[ambient]` of the scene or of a phase.
 pub fn ambient(parent: &Table, reading: Reading) -> Result<Option<Ambient>> {
     let Some(table) = parent.optional_table("ambient")? else {
         return Ok(None);
@@ -216,7 +216,7 @@ pub fn ambient(parent: &Table, reading: Reading) -> Result<Option<Ambient>> {
     })))
 }
 
-/// `[external]`, of the scene or of a phase.
+/// `[external]` of the scene or of a phase.
 pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
     let Some(table) = parent.optional_table("external")? else {
         return Ok(None);
@@ -228,7 +228,8 @@ pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
     }
     table.allow(&["law", "stiffness"])?;
     let Some(height) = domain.height else {
-        let accepted = "a harmonic well is centred at half the height, so box.height is needed";
+        let accepted =
+            "needs box.height, because a harmonic well is centred at half the height of the box";
         return Err(table.error("law", accepted));
     };
     let stiffness = table.number("stiffness", Range::NonNegative)?;
@@ -238,7 +239,7 @@ pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
     })))
 }
 
-/// `[driving]`, with the initial force; the area may have to wait until the particles are known.
+/// `[driving]`, with the initial force. The default area depends on the particles, so it is found later.
 pub fn driving(root: &Table) -> Result<Option<DrivingTable>> {
     let Some(table) = root.optional_table("driving")? else {
         return Ok(None);
@@ -265,10 +266,10 @@ pub fn driving(root: &Table) -> Result<Option<DrivingTable>> {
     }))
 }
 
-/// What a scene says of driving.
+/// The table `[driving]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrivingTable {
-    /// How the force is found.
+    /// The controller.
     pub controller: Controller,
     /// Target speed in m/s.
     pub speed: f64,
@@ -281,7 +282,7 @@ pub struct DrivingTable {
 }
 
 impl DrivingTable {
-    /// The law, for a width and a characteristic length in m.
+    /// The law, for the width of the box and a characteristic length in m.
     pub fn law(&self, width: f64, length: f64) -> Driving {
         Driving {
             controller: self.controller,

@@ -1,4 +1,4 @@
-//! Scene files: what a user says, checked to the last key.
+//! Scene files, read and checked completely.
 
 pub mod builtin;
 mod check;
@@ -39,21 +39,21 @@ type Result<T> = std::result::Result<T, SceneError>;
 pub struct Scene {
     /// Title.
     pub title: String,
-    /// Form of the disputed equations.
+    /// Form of the equations that the errata correct.
     pub reading: Reading,
     /// Integration method.
     pub integrator: Integrator,
     /// Time step in s.
     pub step: f64,
-    /// Last time in s.
+    /// End time in s.
     pub end: f64,
     /// The box.
     pub domain: Domain,
-    /// What particles are made of.
+    /// Density and moment of inertia.
     pub material: Material,
-    /// Weak links.
+    /// Laws of contacts (weak links).
     pub contact: Option<ContactLaws>,
-    /// Strong links.
+    /// Laws of bonds (strong links).
     pub bond: Option<BondLaws>,
     /// Drag.
     pub ambient: Option<Ambient>,
@@ -67,13 +67,13 @@ pub struct Scene {
     pub bonds: Placed<BondStart>,
     /// Contacts that began before t = 0.
     pub contacts: Placed<ContactStart>,
-    /// Protocol that makes more particles.
+    /// Protocol that generates more particles.
     pub setup: Option<Setup>,
-    /// What a run writes.
+    /// What a run writes and how often.
     pub output: Output,
-    /// Name of the file.
+    /// Name of the scene file.
     pub file: String,
-    /// All files that were read: the scene and those beside it.
+    /// All files that were read: the scene and its CSV files.
     pub files: Vec<PathBuf>,
     /// SHA-256 of the file and the overrides.
     pub sha256: String,
@@ -84,9 +84,9 @@ pub struct Scene {
 pub struct Output {
     /// Time between samples in s.
     pub interval: f64,
-    /// Frames of the trajectory.
+    /// Format of the trajectory.
     pub trajectory: Trajectory,
-    /// Whether energies are booked and written.
+    /// Whether the energy balance is kept and written.
     pub energy: bool,
 }
 
@@ -123,7 +123,7 @@ const KEYS: [&str; 19] = [
     "output",
 ];
 
-/// Names of the integrators that a scene may sensibly choose.
+/// Names of the integrators for ordinary scenes.
 pub const INTEGRATORS: [(&str, Integrator); 5] = [
     ("euler", Integrator::Euler),
     ("symplectic-euler", Integrator::SymplecticEuler),
@@ -132,7 +132,7 @@ pub const INTEGRATORS: [(&str, Integrator); 5] = [
     ("beeman", Integrator::Beeman),
 ];
 
-/// Name of the integrator that only serves comparisons with other programs.
+/// Name of the integrator that exists only for comparisons with other programs.
 const HALF_STEP: (&str, Integrator) = (
     "velocity-verlet-half-step",
     Integrator::VelocityVerletHalfStep,
@@ -148,12 +148,12 @@ impl Scene {
     /// Read a scene file, or a built-in scene by its name.
     ///
     /// # Errors
-    /// Unreadable files and every mistake in them.
+    /// An unreadable file, or any mistake in it.
     pub fn load(name: &str) -> std::result::Result<Self, Error> {
         Self::load_with(name, &Overrides::default())
     }
 
-    /// As [`Scene::load`], with some keys overridden.
+    /// Like [`Scene::load`], with some keys overridden.
     ///
     /// # Errors
     /// As [`Scene::load`]; a mistake in an override names the override.
@@ -189,15 +189,15 @@ impl Scene {
         Ok(Self::parse_with(name, &bytes, folder, overrides)?)
     }
 
-    /// Read a scene from the bytes of a file; side files are sought in `folder`.
+    /// Read a scene from the bytes of a file; its CSV files are read from `folder`.
     ///
     /// # Errors
-    /// Every mistake in it.
+    /// Any mistake in it.
     pub fn parse(file: &str, bytes: &[u8], folder: &Path) -> Result<Self> {
         Self::parse_with(file, bytes, folder, &Overrides::default())
     }
 
-    /// As [`Scene::parse`], with some keys overridden before anything is checked.
+    /// Like [`Scene::parse`], with some keys overridden before anything is checked.
     ///
     /// # Errors
     /// As [`Scene::parse`]; a mistake in an override names the override.
@@ -223,7 +223,7 @@ impl Scene {
     }
 
     fn from_table(root: &Table, folder: &Path) -> Result<Self> {
-        // The model decides on the keys, so it is checked before them.
+        // The model determines which keys exist, so it is checked first.
         root.optional_choice("model", &[("dem", ())])?;
         root.allow(&KEYS)?;
         let readings = [
@@ -281,19 +281,19 @@ impl Scene {
         }
     }
 
-    /// The world at t = 0 of a scene without set-up, computed in one thread with the widest instructions
-    /// unless the caller chooses others (`machine::with_chosen_execution`).
+    /// The world at t = 0 of a scene without set-up. It uses one thread and the widest instructions unless the caller
+    /// chooses others (`machine::with_chosen_execution`).
     ///
     /// # Errors
-    /// States that the kernel refuses.
+    /// A state that the kernel rejects.
     pub fn initial_world(&self) -> std::result::Result<World, ModelError> {
         self.initial_world_in()
     }
 
-    /// The same in another number type.
+    /// Like [`Scene::initial_world`], in another number type.
     ///
     /// # Errors
-    /// States that the kernel refuses.
+    /// A state that the kernel rejects.
     pub fn initial_world_in<S: Number>(&self) -> std::result::Result<World<S>, ModelError> {
         let mut particles: Particles<S> = self.particles.iter().copied().collect();
         wrap(&self.domain, &mut particles);
@@ -314,13 +314,13 @@ impl Scene {
         })
     }
 
-    /// Number of steps to the end.
+    /// Number of steps until the end time.
     pub fn steps(&self) -> u64 {
         steps_for(self.end, self.step)
     }
 }
 
-/// Number of steps that cover a duration: the nearest whole number where that is meant, or the next.
+/// Number of steps that cover a duration: the quotient if it is an integer up to rounding, otherwise rounded up.
 pub fn steps_for(duration: f64, step: f64) -> u64 {
     let exact = duration / step;
     let nearest = exact.round();
@@ -332,7 +332,7 @@ pub fn steps_for(duration: f64, step: f64) -> u64 {
     steps as u64
 }
 
-/// Represent all particles of a periodic box in it.
+/// Map the positions of all particles into the periodic box.
 pub fn wrap<S: Real>(domain: &Domain, particles: &mut Particles<S>) {
     use gouge_common::geometry::{Metric, PeriodicX};
     if let Some(length) = domain.period() {
@@ -358,7 +358,10 @@ fn domain(root: &Table) -> Result<Domain> {
         .optional_choice("boundary", &boundaries)?
         .unwrap_or(false);
     if periodic && width.is_none() {
-        return Err(table.error("width", "missing; a periodic box needs its width in m"));
+        return Err(table.error(
+            "width",
+            "missing; required if boundary is periodic-x; must be a width in m",
+        ));
     }
     Ok(Domain {
         width,

@@ -1,4 +1,4 @@
-//! Overrides: keys that a user sets beside the scene file, checked like the file.
+//! Overrides: keys that a user sets on the command line, checked like those of the file.
 
 use super::table::shortened;
 use crate::error::SceneError;
@@ -9,22 +9,22 @@ use toml::de::{DeString, DeTable, DeValue};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
-/// Most names that a dotted key may have, far more than any key of a scene.
+/// Largest number of names in a dotted key; every key of a scene has far fewer.
 const MOST_NAMES: usize = 16;
 
 /// Keys of a scene with the values that replace those of the file.
 ///
-/// Of several overrides of one key only the last is kept, and the order of different keys has no meaning, so that
-/// overrides with the same effect are equal and give the same hash.
+/// If a key is overridden several times, only the last override is kept. The order of different keys does not matter.
+/// So overrides with the same effect are equal and give the same hash.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Overrides(Vec<Override>);
 
 /// A dotted key and a TOML value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Override {
-    /// The names of the key. An index into an array is a name of digits.
+    /// The names of the key. A name of digits is an index into an array.
     names: Vec<String>,
-    /// The value as it was written.
+    /// The value as given by the user.
     value: String,
 }
 
@@ -32,7 +32,7 @@ impl Overrides {
     /// Read overrides from texts of the form `KEY=VALUE`.
     ///
     /// # Errors
-    /// Texts without an equals sign, keys that are not names joined by dots, values that are not TOML.
+    /// A text without an equals sign, a key that is not a list of names joined by dots, or a value that is not TOML.
     pub fn parse<T: AsRef<str>>(texts: &[T]) -> Result<Self> {
         let mut list: Vec<Override> = Vec::new();
         for text in texts {
@@ -40,7 +40,7 @@ impl Overrides {
             list.retain(|earlier| !earlier.names.starts_with(&one.names));
             list.push(one);
         }
-        // A table comes before the keys in it, which were set later.
+        // A table comes before its keys, which were set later.
         list.sort_by(|a, b| a.names.cmp(&b.names));
         Ok(Self(list))
     }
@@ -50,7 +50,7 @@ impl Overrides {
         &self.0
     }
 
-    /// SHA-256 of a scene file and the overrides; without overrides that of the file.
+    /// SHA-256 of a scene file and its overrides; without overrides, the SHA-256 of the file.
     pub(super) fn sha256(&self, file: &[u8]) -> [u8; 32] {
         let mut hash = Sha256::new_with_prefix(file);
         for one in &self.0 {
@@ -60,10 +60,10 @@ impl Overrides {
         hash.finalize().into()
     }
 
-    /// Set the keys in the table of a file whose text ends before the byte `after`.
+    /// Set the keys in the table of a file; `after` is the first byte after the text of the file.
     ///
     /// # Errors
-    /// Keys that lead through something that is neither a table nor an array, and indices without an item.
+    /// A key that leads through a value that is neither a table nor an array, or an index without an item.
     pub(super) fn apply<'a>(&'a self, table: DeTable<'a>, after: usize) -> Result<DeTable<'a>> {
         let mut root = DeValue::Table(table);
         for (start, one) in positions(&self.0) {
@@ -77,7 +77,7 @@ impl Overrides {
     }
 }
 
-/// The overrides with the first byte of each, as if their values stood one after the other.
+/// The overrides with the first byte of each value, as if the values were concatenated.
 fn positions(list: &[Override]) -> impl Iterator<Item = (usize, &Override)> {
     list.iter().scan(0, |next, one| {
         let start = *next;
@@ -86,13 +86,13 @@ fn positions(list: &[Override]) -> impl Iterator<Item = (usize, &Override)> {
     })
 }
 
-/// The override to which a byte behind the file belongs, and the byte of its value.
+/// The override to which a byte after the text of the file belongs, and the position of that byte in the value.
 pub(super) fn located(list: &[Override], byte: usize) -> Option<(&Override, usize)> {
     let found = positions(list).find(|(start, one)| byte <= start + one.value.len());
     found.map(|(start, one)| (one, byte - start))
 }
 
-/// A value whose places, and those of all that it contains, are moved by a number of bytes.
+/// The value with its span, and all spans inside it, moved by a number of bytes.
 fn shifted<'a>(value: Spanned<DeValue<'a>>, by: usize) -> Spanned<DeValue<'a>> {
     let moved = |span: std::ops::Range<usize>| span.start + by..span.end + by;
     let span = moved(value.span());
@@ -112,13 +112,13 @@ fn shifted<'a>(value: Spanned<DeValue<'a>>, by: usize) -> Spanned<DeValue<'a>> {
     Spanned::new(span, value)
 }
 
-/// The index that a name is, if it is one.
+/// The name as an index, if it is one.
 fn index(name: &str) -> Option<usize> {
     let number: usize = name.parse().ok()?;
     (number.to_string() == name).then_some(number)
 }
 
-/// Names as errors show them: `particles[0].radius`.
+/// Names as error messages show them: `particles[0].radius`.
 fn path_of(names: &[String]) -> String {
     let mut path = String::new();
     for name in names {
@@ -149,24 +149,24 @@ impl Override {
         let is_name = |name: &String| !name.is_empty() && name.chars().all(is_bare);
         if names.len() > MOST_NAMES || !names.iter().all(is_name) {
             return Err(malformed(
-                "the key must be names joined by dots, such as contact.normal.stiffness or particles.0.radius",
+                "must have a key of names joined by dots, such as contact.normal.stiffness or particles.0.radius",
             ));
         }
         let value = value.trim().to_owned();
         if value.is_empty() {
-            return Err(malformed("a TOML value must follow the equals sign"));
+            return Err(malformed("must have a TOML value after the equals sign"));
         }
         let one = Self { names, value };
         one.toml()?;
         Ok(one)
     }
 
-    /// The value.
+    /// The value as TOML.
     fn toml(&self) -> Result<Spanned<DeValue<'_>>> {
         DeValue::parse(&self.value).map_err(|problem| {
             let accepted = if is_word(&self.value) {
                 let (key, value) = (self.names.join("."), shortened(&self.value));
-                format!("a text needs quotes: --set '{key}=\"{value}\"'")
+                format!("a string needs quotes: --set '{key}=\"{value}\"'")
             } else {
                 format!("must be a TOML value: {}", problem.message())
             };
@@ -174,12 +174,12 @@ impl Override {
         })
     }
 
-    /// The key as errors show it.
+    /// The key as error messages show it.
     pub fn path(&self) -> String {
         path_of(&self.names)
     }
 
-    /// Part of the value as it was written.
+    /// Part of the value as given by the user.
     pub fn written(&self, span: std::ops::Range<usize>) -> Option<&str> {
         self.value.get(span)
     }
@@ -188,7 +188,7 @@ impl Override {
         error(&self.to_string(), accepted)
     }
 
-    /// Set the names from `depth` on in a node of the scene; new keys stand at the byte `at`.
+    /// Set the value below a node of the scene, following the names from `depth` on; new keys get the position `at`.
     fn set<'a>(
         &'a self,
         node: &mut DeValue<'a>,
@@ -200,7 +200,7 @@ impl Override {
         let key = || Spanned::new(at..at, name.into());
         let inner = match node {
             DeValue::Table(table) if next.is_none() => {
-                // Inserting alone would keep the place of the key in the file.
+                // Inserting without removing would keep the position of the key in the file.
                 table.remove(name);
                 table.insert(key(), value);
                 return Ok(());
@@ -208,7 +208,9 @@ impl Override {
             DeValue::Table(table) => {
                 if !table.contains_key(name) && next.is_some_and(|next| index(next).is_some()) {
                     let array = path_of(&self.names[..=depth]);
-                    return Err(self.error(&format!("the scene has no array {array}")));
+                    return Err(self.error(&format!(
+                        "names an array that the scene does not have: {array}"
+                    )));
                 }
                 if depth + 2 == self.names.len() && !matches!(value.get_ref(), DeValue::Table(_)) {
                     claim_array(table, name, key());
@@ -221,7 +223,7 @@ impl Override {
                 let Some(item) = index(name).and_then(|index| array.get_mut(index)) else {
                     let array = path_of(&self.names[..depth]);
                     let accepted = format!(
-                        "{array} is an array of length {length}; its items are named by indices, counted from 0"
+                        "{array} is an array of length {length}; must name an item by its index, counted from 0"
                     );
                     return Err(self.error(&accepted));
                 };
@@ -240,8 +242,8 @@ impl Override {
     }
 }
 
-/// Put the key of an array, if there is one, where the override of one of its items stands: a plain item has
-/// no key of its own that an error could name.
+/// Move the key of an array, if there is one, to the position of the override of one of its items. Errors name this
+/// key, because plain items have no key of their own.
 fn claim_array<'a>(table: &mut DeTable<'a>, name: &str, key: Spanned<DeString<'a>>) {
     if matches!(
         table.get(name).map(Spanned::get_ref),
@@ -252,7 +254,7 @@ fn claim_array<'a>(table: &mut DeTable<'a>, name: &str, key: Spanned<DeString<'a
     }
 }
 
-/// Whether a value that is not TOML looks like a text without quotes.
+/// Whether a value that is not TOML looks like a string without quotes.
 fn is_word(value: &str) -> bool {
     let begins = |c: char| c.is_alphabetic() || matches!(c, '_' | '.' | '/');
     let is_part = |c: char| !c.is_control() && !"\"'\\[]{}=#".contains(c);

@@ -1,4 +1,4 @@
-//! Particles, bonds and contacts of a scene, in the file or beside it.
+//! Particles, bonds and contacts of a scene, from the scene file or from CSV files.
 
 use super::table::{Range, Source, Table, shortened};
 use crate::error::SceneError;
@@ -26,14 +26,14 @@ pub fn role_name(role: Role) -> &'static str {
         .map_or("free", |(name, _)| name)
 }
 
-/// Where a particle or link stands, for errors found later.
+/// Where a particle, bond or contact is listed, for errors found later.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     /// The file, or the override.
     pub file: String,
     /// The line; zero for an override.
     pub line: usize,
-    /// The key; empty for an override, which names it.
+    /// The key; empty for an override, whose text names it already.
     pub key: String,
 }
 
@@ -53,15 +53,15 @@ impl Place {
     }
 }
 
-/// Items with their places.
+/// Items, each with the place where it is listed.
 pub type Placed<T> = Vec<(T, Place)>;
 
 const FIXED_MOVES: &str = "a fixed particle never moves, so this must be zero or absent";
 
-/// `[material]`: what particles are made of.
+/// `[material]`: density and moment of inertia of particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Density in kg/m^3, of particles that give none of their own.
+    /// Density in kg/m^3 of particles that do not give their own.
     pub density: f64,
     /// Moment of inertia of all particles in units of mass times radius squared.
     pub inertia_factor: f64,
@@ -79,7 +79,7 @@ pub fn material(root: &Table, reading: Reading) -> Result<Material> {
     })
 }
 
-/// What is wrong with the mass of a sphere, if its numbers leave the range of a computer.
+/// The problem with a sphere whose mass or moment of inertia overflows or underflows, if so.
 pub fn mass_problem(material: Material, radius: f64) -> Option<String> {
     let Material {
         density,
@@ -90,8 +90,8 @@ pub fn mass_problem(material: Material, radius: f64) -> Option<String> {
     let is_usable = |number: f64| number.is_normal() && number.recip().is_normal();
     (!is_usable(mass) || !is_usable(inertia)).then(|| {
         format!(
-            "must give a mass and a moment of inertia within the range of numbers, but with the \
-             density {density:?} they are {mass:?} kg and {inertia:?} kg m^2"
+            "must give a mass and a moment of inertia within the range of floating-point numbers, but \
+             with the density {density:?} they are {mass:?} kg and {inertia:?} kg m^2"
         )
     })
 }
@@ -292,14 +292,15 @@ fn place(table: &Table) -> Place {
     }
 }
 
-/// The file that stands instead of a list, if the scene names one.
+/// The CSV file that replaces a list, if the scene names one.
 fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>> {
     let key = format!("{list}_file");
     let Some(name) = root.optional_text(&key)? else {
         return Ok(None);
     };
     if root.has(list) {
-        let accepted = format!("stands instead of [[{list}]]; only one of them may be given");
+        let accepted =
+            format!("cannot be combined with [[{list}]]; only one of the two may be given");
         return Err(root.error(&key, &accepted));
     }
     let path = folder.join(name);
@@ -377,19 +378,25 @@ impl Rows {
                 return Err(source.error(0, "column", &shortened(name), &accepted));
             }
             if !seen.insert(name) {
-                return Err(source.error(0, "column", name, "stands twice in the first line"));
+                return Err(source.error(
+                    0,
+                    "column",
+                    name,
+                    "appears twice in the header; each column may appear only once",
+                ));
             }
         }
         match required.iter().find(|name| !seen.contains(*name)) {
             Some(name) => {
-                let accepted = format!("missing column; the first line must name: {known}");
+                let required = required.join(", ");
+                let accepted = format!("missing column; the header must contain: {required}");
                 Err(source.error(0, name, "", &accepted))
             }
             None => Ok(()),
         }
     }
 
-    /// Line of a row, after the blank lines that are counted to it.
+    /// Line of a row. The parser counts blank lines before a row as part of it; they are skipped here.
     fn line(&self, position: &csv::Position) -> usize {
         let rest = self
             .bytes
@@ -405,7 +412,7 @@ impl Rows {
                 expected_len, len, ..
             } => (
                 format!("{len} cells"),
-                format!("must be {expected_len} cells, as many as the first line has"),
+                format!("must have {expected_len} cells, as many as the header"),
             ),
             csv::ErrorKind::Utf8 { .. } => (String::new(), "must be text in UTF-8".to_owned()),
             _ => (String::new(), format!("must be a CSV file: {error}")),

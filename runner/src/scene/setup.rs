@@ -1,4 +1,4 @@
-//! `[setup]`: the protocol that makes the particles of a scene, thesis section 3.7.
+//! `[setup]`: the protocol that generates the particles of a scene, thesis section 3.7.
 
 use super::laws;
 use super::particles::{Material, mass_problem};
@@ -10,56 +10,56 @@ use gouge_dem::setup::{Arrangement, REACH, SizeRange};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
-/// The protocol: sizes on a lattice, settle, clip, bond, correct the density, cut, relax, press.
+/// The protocol: place grains on a lattice, settle, clip, bond, correct the density, cut, relax, press.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// Seed of every random choice.
+    /// Seed of all random numbers.
     pub seed: u64,
     /// Interval of radii.
     pub sizes: SizeRange,
-    /// Where the particles begin.
+    /// Lattice on which the particles are placed.
     pub lattice: LatticeTable,
-    /// Phases before the particles are bonded; without friction.
+    /// Phases before the particles are bonded, without friction.
     pub settle: Vec<PhaseTable>,
     /// Whether particles outside the box are removed after settling.
     pub clip: bool,
     /// Bonds between neighbours.
     pub bonding: Option<Bonding>,
-    /// Whether masses are raised so that the packing has the material's density.
+    /// Whether masses are increased so that the packing as a whole has the density of the material.
     pub correct_density: bool,
-    /// Cut through the bonds.
+    /// Fault along which bonds are cut.
     pub fault: Option<FaultTable>,
     /// Phases in which the block relaxes.
     pub relax: Vec<PhaseTable>,
-    /// Heights that decide on roles, given after relaxing.
+    /// Limits that determine the roles of particles, applied after relaxing.
     pub roles: Option<Roles>,
-    /// Phases in which the driven particles press.
+    /// Phases in which the driven particles build up the pressure.
     pub press: Vec<PhaseTable>,
 }
 
 /// `[setup.lattice]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticeTable {
-    /// How rows lie on each other.
+    /// Square or hexagonal arrangement.
     pub arrangement: Arrangement,
-    /// Distance of neighbours in m.
+    /// Distance between neighbouring lattice points in m.
     pub pitch: f64,
-    /// Largest displacement of a particle from its point in m.
+    /// Largest random displacement of a particle from its lattice point in m.
     pub perturbation: f64,
-    /// Points in a row.
+    /// Number of lattice points per row.
     pub columns: usize,
-    /// How many particles.
+    /// Number of particles.
     pub amount: Amount,
-    /// First point in m.
+    /// First lattice point in m.
     pub origin: [f64; 2],
 }
 
-/// How many particles a lattice gets.
+/// How the number of particles on a lattice is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Amount {
-    /// So many rows.
+    /// As a number of rows.
     Rows(usize),
-    /// As many as cover this fraction of the box.
+    /// As the fraction of the area of the box that the discs cover.
     Filling(f64),
 }
 
@@ -74,16 +74,16 @@ pub struct PhaseTable {
     pub ambient: Option<Ambient>,
     /// External potential.
     pub external: Option<External>,
-    /// Target speed in m/s, pressing only.
+    /// Target speed in m/s; only for pressing.
     pub speed: f64,
 }
 
 /// `[setup.bonding]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bonding {
-    /// Reach in sums of radii.
+    /// Largest distance of bonded particles in units of the sum of their radii.
     pub reach: f64,
-    /// Half-width of the interval of strength factors around one.
+    /// Half-width of the interval around one from which strength factors are drawn.
     pub strength_spread: f64,
 }
 
@@ -92,20 +92,20 @@ pub struct Bonding {
 pub struct FaultTable {
     /// Mean height in m.
     pub level: f64,
-    /// Height of the jags in m.
+    /// Height of the asperities in m.
     pub height: f64,
-    /// Number of jags.
+    /// Number of asperities.
     pub jags: f64,
 }
 
 /// `[setup.roles]`: half-planes of fixed and driven particles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Roles {
-    /// Particles below this y are fixed.
+    /// Particles with a smaller y, in m, are fixed.
     pub fixed_below: Option<f64>,
-    /// Particles left of this x are fixed.
+    /// Particles with a smaller x, in m, are fixed.
     pub fixed_left_of: Option<f64>,
-    /// Particles above this y are driven.
+    /// Particles with a greater y, in m, are driven.
     pub driven_above: Option<f64>,
 }
 
@@ -123,7 +123,7 @@ const KEYS: [&str; 11] = [
     "press",
 ];
 
-/// Largest number of particles that a lattice may get.
+/// Largest number of particles that a lattice may have.
 const MOST: f64 = 1e7;
 
 /// `[setup]`.
@@ -149,11 +149,11 @@ pub fn setup(
             return Err(table.error(key, "needs box.width and box.height"));
         }
     }
-    check_company(root, &table)?;
+    check_dependencies(root, &table)?;
     Ok(Some(Setup {
-        seed: table.optional_whole("seed")?.ok_or_else(|| {
-            table.error("seed", "missing; must be a whole number, zero or greater")
-        })?,
+        seed: table
+            .optional_whole("seed")?
+            .ok_or_else(|| table.error("seed", "missing; must be an integer, zero or greater"))?,
         lattice: lattice(&table.table("lattice")?, sizes, domain)?,
         sizes,
         settle: phases("settle", false)?,
@@ -167,8 +167,8 @@ pub fn setup(
     }))
 }
 
-/// Parts that would do nothing without another one.
-fn check_company(root: &Table, setup: &Table) -> Result<()> {
+/// Check that no part is given without the part on which it acts.
+fn check_dependencies(root: &Table, setup: &Table) -> Result<()> {
     if setup.has("fault") && !setup.has("bonding") {
         return Err(setup.error("fault", "needs [setup.bonding], whose bonds it cuts"));
     }
@@ -254,13 +254,13 @@ fn columns(table: &Table, domain: &Domain, pitch: f64) -> Result<usize> {
         }
         (None, Some(width)) => (width / pitch) as usize,
         (None, None) => {
-            return Err(table.error("columns", "missing; needed where the box has no width"));
+            return Err(table.error("columns", "missing; required if box.width is absent"));
         }
     };
     if (1..=1_000_000).contains(&columns) {
         return Ok(columns);
     }
-    let accepted = "must be a whole number from 1 to 1000000";
+    let accepted = "must be an integer from 1 to 1000000";
     Err(match table.has("columns") {
         true => table.error("columns", accepted),
         false => table.error(
@@ -278,7 +278,7 @@ fn amount(table: &Table, sizes: SizeRange, domain: &Domain, columns: usize) -> R
     let (key, amount, number) = match (rows, table.has("filling"), area) {
         (Some(rows), false, _) => {
             if !(1..=1_000_000).contains(&rows) {
-                return Err(table.error("rows", "must be a whole number from 1 to 1000000"));
+                return Err(table.error("rows", "must be an integer from 1 to 1000000"));
             }
             let number = rows as f64 * columns as f64;
             ("rows", Amount::Rows(rows as usize), number)
@@ -292,10 +292,10 @@ fn amount(table: &Table, sizes: SizeRange, domain: &Domain, columns: usize) -> R
         (None, true, None) => {
             return Err(table.error("filling", "needs box.width and box.height"));
         }
-        _ => return Err(table.error("rows", "exactly one of rows and filling is needed")),
+        _ => return Err(table.error("rows", "exactly one of rows and filling must be given")),
     };
     if number > MOST {
-        let accepted = format!("may make {MOST} particles at most, but would make {number:.0}");
+        let accepted = format!("must give at most {MOST} particles, but gives {number:.0}");
         return Err(table.error(key, &accepted));
     }
     Ok(amount)
@@ -342,7 +342,10 @@ fn bonding(setup: &Table) -> Result<Option<Bonding>> {
             .filter(|&spread| spread < 1.0)
             .map_or_else(
                 || match table.has("strength_spread") {
-                    true => Err(table.error("strength_spread", "must be from 0 to below 1")),
+                    true => {
+                        Err(table
+                            .error("strength_spread", "must be a number from 0 to less than 1"))
+                    }
                     false => Ok(0.0),
                 },
                 Ok,
@@ -364,7 +367,9 @@ fn fault(setup: &Table, domain: &Domain) -> Result<Option<FaultTable>> {
     ) {
         (Some(level), _) => level,
         (None, Some(height)) => 0.5 * height,
-        (None, None) => return Err(table.error("level", "missing; needed without box.height")),
+        (None, None) => {
+            return Err(table.error("level", "missing; required if box.height is absent"));
+        }
     };
     Ok(Some(FaultTable {
         level,

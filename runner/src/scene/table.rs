@@ -1,4 +1,4 @@
-//! A table of a scene file that knows where it stands and accounts for every key.
+//! A table of a scene file that knows the position of its keys and rejects unknown ones.
 
 use super::overrides::{Override, located};
 use crate::error::SceneError;
@@ -8,25 +8,25 @@ use toml::de::{DeTable, DeValue};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
-/// The text of a file and its overrides, to turn positions into lines.
+/// The text of a file and its overrides, to convert byte positions to lines.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
     /// Name of the file.
     pub file: &'a str,
-    /// Its text.
+    /// Text of the file.
     pub text: &'a str,
-    /// The overrides, whose values stand behind the text and one byte.
+    /// The overrides. Their values have the byte positions after the text and one more byte.
     pub overrides: &'a [Override],
 }
 
 impl<'a> Source<'a> {
-    /// The override to which a byte belongs, and the byte of its value; nothing for bytes of the file.
+    /// The override to which a byte belongs, and the position of that byte in the value; none for a byte of the file.
     fn overriding(&self, byte: usize) -> Option<(&'a Override, usize)> {
         let behind = byte.checked_sub(self.text.len() + 1)?;
         located(self.overrides, behind)
     }
 
-    /// What is written at a place.
+    /// The text of a span.
     fn written(&self, span: std::ops::Range<usize>) -> &'a str {
         let text = match self.overriding(span.start) {
             Some((one, start)) => one.written(start..start + span.len()),
@@ -46,7 +46,8 @@ impl<'a> Source<'a> {
             .count()
     }
 
-    /// An error at a byte of the file or of an override, which names its key and value itself.
+    /// An error at a byte of the file or of an override. An override already shows its key and value, so they are not
+    /// repeated.
     pub fn error(&self, byte: usize, key: &str, value: &str, accepted: &str) -> SceneError {
         let (file, line, is_named) = match self.overriding(byte) {
             Some((one, _)) => (one.to_string(), 0, one.path() == key),
@@ -63,7 +64,7 @@ impl<'a> Source<'a> {
     }
 }
 
-/// A table, its place and its keys.
+/// A table, its position and its keys.
 pub struct Table<'a> {
     source: Source<'a>,
     path: String,
@@ -80,7 +81,7 @@ pub enum Range {
     Positive,
     /// Zero or greater.
     NonNegative,
-    /// Strictly between two numbers.
+    /// Greater than the first number and less than the second.
     Between(f64, f64),
 }
 
@@ -95,18 +96,20 @@ impl Range {
                 Self::Between(low, high) => number > low && number < high,
             }
     }
-    /// What the range accepts, in words.
+    /// The accepted numbers, in words.
     pub fn text(self) -> String {
         match self {
             Self::Finite => "must be a finite number".to_owned(),
             Self::Positive => "must be a finite number greater than zero".to_owned(),
             Self::NonNegative => "must be a finite number, zero or greater".to_owned(),
-            Self::Between(low, high) => format!("must be a number between {low} and {high}"),
+            Self::Between(low, high) => {
+                format!("must be a number greater than {low} and less than {high}")
+            }
         }
     }
 }
 
-/// A value as it is written in the file, shortened.
+/// A value as written in the file, shortened.
 fn shown(source: &Source, value: &Spanned<DeValue>) -> String {
     match value.get_ref() {
         DeValue::Array(array) if array.len() <= 60 => {
@@ -117,7 +120,7 @@ fn shown(source: &Source, value: &Spanned<DeValue>) -> String {
     }
 }
 
-/// As [`shown`], of arrays only their length.
+/// Like [`shown`], but of arrays only the length is shown.
 fn shown_plain(source: &Source, value: &Spanned<DeValue>) -> String {
     match value.get_ref() {
         DeValue::String(text) => format!("{:?}", shortened(text)),
@@ -130,7 +133,7 @@ fn shown_plain(source: &Source, value: &Spanned<DeValue>) -> String {
     }
 }
 
-/// At most sixty characters of a text.
+/// The text, cut to at most sixty characters.
 pub fn shortened(text: &str) -> String {
     match text.char_indices().nth(60) {
         None => text.to_owned(),
@@ -138,7 +141,7 @@ pub fn shortened(text: &str) -> String {
     }
 }
 
-/// The number that a value is, whole or not.
+/// The value as a number, if it is an integer or a float.
 fn number_of(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Float(number) => number.as_str().replace('_', "").parse().ok(),
@@ -147,9 +150,8 @@ fn number_of(value: &DeValue) -> Option<f64> {
     }
 }
 
-/// What is accepted instead of an integer that TOML does not know.
-const TOO_LONG: &str =
-    "must fit into 64 bits; a larger number needs a decimal point or an exponent";
+/// What is accepted instead of an integer outside the range of TOML integers.
+const TOO_LONG: &str = "must be an integer that fits into 64 bits; a larger number needs a decimal point or an exponent";
 
 fn is_integer(value: &DeValue) -> bool {
     matches!(value, DeValue::Integer(_))
@@ -190,7 +192,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Whether the key is there.
+    /// Whether the key is present.
     pub fn has(&self, key: &str) -> bool {
         self.keys.contains_key(key)
     }
@@ -200,7 +202,7 @@ impl<'a> Table<'a> {
         self.source
     }
 
-    /// Check that there is no other key.
+    /// Check that all keys are among the known ones.
     pub fn allow(&self, known: &[&str]) -> Result<()> {
         for (key, (at, value)) in &self.keys {
             if !known.contains(key) {
@@ -213,7 +215,7 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
-    /// An error about a key of this table, at its line if it is there.
+    /// An error about a key of this table, at the line of the key, or of the table if the key is missing.
     pub fn error(&self, key: &str, accepted: &str) -> SceneError {
         let (at, value) = match self.keys.get(key) {
             Some((at, value)) => (*at, shown(&self.source, value)),
@@ -230,7 +232,7 @@ impl<'a> Table<'a> {
         self.keys.get(key).map(|(_, value)| *value)
     }
 
-    /// A number, if the key is there.
+    /// A number, if the key is present.
     pub fn optional_number(&self, key: &str, range: Range) -> Result<Option<f64>> {
         let Some(value) = self.value(key) else {
             return Ok(None);
@@ -248,30 +250,30 @@ impl<'a> Table<'a> {
             .ok_or_else(|| self.missing(key, &range.text()))
     }
 
-    /// A duration and the time step that divides it into a number of steps that can be counted.
+    /// A duration and the time step, which must not be so small that the steps cannot be counted.
     pub fn duration_and_step(&self, duration: &str) -> Result<(f64, f64)> {
         let (key, duration) = (duration, self.number(duration, Range::NonNegative)?);
         let step = self.number("step", Range::Positive)?;
         if duration / step > 1e15 {
             let key = self.key(key);
-            let accepted = format!("must not be below the 1e-15th part of {key}");
+            let accepted = format!("must be at least 1e-15 times {key}");
             return Err(self.error("step", &accepted));
         }
         Ok((duration, step))
     }
 
-    /// A whole number that is not negative, if the key is there.
+    /// A non-negative integer, if the key is present.
     pub fn optional_whole(&self, key: &str) -> Result<Option<u64>> {
         let Some(value) = self.value(key) else {
             return Ok(None);
         };
         match integer_of(value.get_ref()).and_then(|n| u64::try_from(n).ok()) {
             Some(number) => Ok(Some(number)),
-            None => Err(self.error(key, "must be a whole number, zero or greater, below 2^63")),
+            None => Err(self.error(key, "must be an integer, zero or greater, less than 2^63")),
         }
     }
 
-    /// A truth value, if the key is there.
+    /// A boolean, if the key is present.
     pub fn optional_truth(&self, key: &str) -> Result<Option<bool>> {
         match self.value(key).map(|value| value.get_ref()) {
             None => Ok(None),
@@ -280,16 +282,16 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// A text, if the key is there.
+    /// A string, if the key is present.
     pub fn optional_text(&self, key: &str) -> Result<Option<&'a str>> {
         match self.value(key).map(|value| value.get_ref()) {
             None => Ok(None),
             Some(DeValue::String(text)) => Ok(Some(text.as_ref())),
-            Some(_) => Err(self.error(key, "must be a text")),
+            Some(_) => Err(self.error(key, "must be a string")),
         }
     }
 
-    /// One of several names, if the key is there.
+    /// One of several names, if the key is present.
     pub fn optional_choice<T: Copy>(&self, key: &str, names: &[(&str, T)]) -> Result<Option<T>> {
         if !self.has(key) {
             return Ok(None);
@@ -312,7 +314,7 @@ impl<'a> Table<'a> {
             .ok_or_else(|| self.missing(key, &format!("must be one of: {}", list.join(", "))))
     }
 
-    /// A pair of finite numbers, if the key is there.
+    /// A pair of finite numbers, if the key is present.
     pub fn optional_pair(&self, key: &str) -> Result<Option<[f64; 2]>> {
         let Some(value) = self.value(key) else {
             return Ok(None);
@@ -348,7 +350,7 @@ impl<'a> Table<'a> {
         pair.ok_or_else(|| self.error(key, accepted))
     }
 
-    /// Whether the key is there and its value is a table.
+    /// Whether the key is present and its value is a table.
     pub fn has_table(&self, key: &str) -> bool {
         matches!(
             self.value(key).map(|value| value.get_ref()),
@@ -356,7 +358,7 @@ impl<'a> Table<'a> {
         )
     }
 
-    /// A table below this one, if the key is there.
+    /// A table below this one, if the key is present.
     pub fn optional_table(&self, key: &str) -> Result<Option<Table<'a>>> {
         let Some((at, value)) = self.keys.get(key) else {
             return Ok(None);
@@ -370,10 +372,10 @@ impl<'a> Table<'a> {
     /// A table below this one.
     pub fn table(&self, key: &str) -> Result<Table<'a>> {
         self.optional_table(key)?
-            .ok_or_else(|| self.missing(key, "a table is needed here"))
+            .ok_or_else(|| self.missing(key, "must be a table"))
     }
 
-    /// An array of tables; empty where the key is not there.
+    /// An array of tables; empty if the key is absent.
     pub fn tables(&self, key: &str) -> Result<Vec<Table<'a>>> {
         let Some(value) = self.value(key) else {
             return Ok(Vec::new());

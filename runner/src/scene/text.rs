@@ -1,4 +1,4 @@
-//! From the bytes of a file to TOML, or to the place of the mistake.
+//! Converts the bytes of a file to TOML, or finds the position of the syntax error.
 
 use super::table::{Source, shortened};
 use crate::error::SceneError;
@@ -18,7 +18,7 @@ pub(super) fn text_of<'a>(file: &str, bytes: &'a [u8]) -> Result<&'a str> {
     })
 }
 
-/// An error in a file that is no TOML, with the key that the line seems to mean.
+/// The error for a file that is not TOML, with the key that the line appears to set.
 pub(super) fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
     let at = error.span().map_or(0, |span| span.start);
     let before = source.line(at) - 1;
@@ -34,7 +34,7 @@ pub(super) fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneErr
     source.error(at, &key, &shortened(value), &accepted)
 }
 
-/// Dotted path of the table whose header is the last one among the first lines of a text.
+/// Dotted path of the last table whose header is within the first `lines` lines of a text.
 fn enclosing_table(text: &str, lines: usize) -> String {
     let headers = || text.lines().take(lines).filter_map(header);
     match headers().last() {
@@ -48,7 +48,7 @@ fn enclosing_table(text: &str, lines: usize) -> String {
     }
 }
 
-/// Name in a line such as `[name]` or `[[name]]`, and whether it is of the latter kind.
+/// Name in a line such as `[name]` or `[[name]]`, and whether the brackets are double.
 fn header(line: &str) -> Option<(&str, bool)> {
     let (inner, _) = line.trim_start().strip_prefix('[')?.split_once(']')?;
     let name = inner.strip_prefix('[');

@@ -1,6 +1,6 @@
 //! Fenced code blocks, followed from line to line.
 
-/// Tells the lines of fenced code from those of prose.
+/// Distinguishes lines of fenced code from lines of prose.
 #[derive(Default)]
 pub struct Fences {
     open: Option<Fence>,
@@ -12,7 +12,7 @@ struct Fence {
 }
 
 impl Fences {
-    /// Takes the next line and says whether it is code or a fence around code.
+    /// Takes the next line and returns whether it is code or a fence around code.
     pub fn covers(&mut self, line: &str) -> bool {
         let line = line.trim_start_matches([' ', '\t', '>']);
         match &self.open {

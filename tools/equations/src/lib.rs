@@ -1,7 +1,7 @@
 //! Typeset formulas for rustdoc, prepared at compile time.
 //!
 //! The attribute [`macro@rendered`] looks for TeX in the documentation comments of an item and of
-//! everything inside it, and puts MathML in its place. Browsers draw MathML by themselves, so the
+//! everything inside it, and replaces it by MathML. Browsers draw MathML by themselves, so the
 //! pages need neither scripts nor a network.
 //!
 //! | Source                    | Result                                   |
@@ -9,7 +9,7 @@
 //! | one dollar on each side   | a formula within the sentence            |
 //! | two dollars on each side  | a formula on a line of its own           |
 //! | `\$`                      | a dollar sign                            |
-//! | dollars in code           | left alone, in spans and in fenced blocks |
+//! | dollars in code           | unchanged, in spans and in fenced blocks |
 //!
 //! A formula begins and ends on the same line of the comment.
 //!

@@ -1,8 +1,8 @@
-//! From TeX to MathML that Markdown leaves alone.
+//! Converts TeX to MathML that Markdown does not change.
 
 use math_core::{LatexToMathML, MathDisplay};
 
-/// Converts a formula, or names the formula and the reason why it has no MathML.
+/// Converts a formula, or returns an error with the formula and the reason why it has no MathML.
 pub fn render(tex: &str, display: MathDisplay) -> Result<String, String> {
     let tex = tex.trim();
     LatexToMathML::default()
@@ -11,11 +11,11 @@ pub fn render(tex: &str, display: MathDisplay) -> Result<String, String> {
         .map_err(|error| format!("the formula `{tex}` cannot be rendered: {error}"))
 }
 
-/// Makes up for what browsers draw badly.
+/// Works around flaws in how browsers draw MathML.
 ///
-/// The combining arrow of a vector has no width, so it lands on the symbol to the left: a small
-/// arrow which has one takes its place. The padding makes room for accents and limits, which
-/// otherwise reach out of the paragraph and give it a scroll bar.
+/// The combining arrow of a vector has no width, so it is drawn over the symbol to the left. It is replaced by a small
+/// arrow with a width. The padding makes room for accents and limits, which otherwise overflow the paragraph and give
+/// it a scroll bar.
 fn adjust(mathml: &str) -> String {
     let arrow = r#"<mo stretchy="false" style="font-size:75%">→</mo>"#;
     let mathml = mathml.replace("<mo stretchy=\"false\">\u{20d7}</mo>", arrow);
@@ -54,7 +54,8 @@ fn protect(mathml: &str) -> String {
     output
 }
 
-/// Tags reach the page as they are, except that a bar would end the cell of a table.
+/// Whether Markdown would interpret the character. Within a tag it only interprets a bar, which ends the cell of a
+/// table.
 fn meaningful(place: Place, character: char) -> bool {
     match place {
         Place::Text => character.is_ascii_punctuation() || character.is_ascii_control(),

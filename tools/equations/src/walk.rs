@@ -1,4 +1,4 @@
-//! The search for documentation in a stream of tokens.
+//! Searches a stream of tokens for documentation.
 
 use crate::{fence::Fences, line};
 use litrs::StringLit;
@@ -79,7 +79,7 @@ impl Walk {
         })
     }
 
-    /// Looks inside a group, which is kept as it is unless something in it was replaced.
+    /// Renders the documentation inside a group; a group without formulas is returned unchanged.
     fn group(&mut self, group: Group) -> TokenTree {
         let before = self.replaced;
         let stream = self.stream(group.stream());

@@ -1,4 +1,4 @@
-//! Tries faults one at a time against the gate.
+//! Tests faults one at a time with the gate.
 
 use crate::gate::{Gate, Tests};
 use crate::results::{Fault, Results};
@@ -7,10 +7,10 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Try all faults that have no result yet, and return all results.
+/// Test all faults that have no result yet, and return all results.
 ///
 /// # Errors
-/// Tests that fail without a fault; files that cannot be read or written.
+/// A test that fails without a fault, or a file that cannot be read or written.
 pub fn run<F: Fault>(
     gate: &Gate,
     folder: &Path,
@@ -56,7 +56,7 @@ fn try_all<F: Fault>(
     })
 }
 
-/// Print the faults that survived, and return how many.
+/// Print the faults that survived and return their number.
 pub fn print_survivors<F: Fault>(faults: &[F], results: &Results) -> usize {
     println!("\nSurvived:");
     let mut survivors = 0;

@@ -27,18 +27,18 @@ const SKIPPED: [&str; 14] = [
     "register::thorough::",
     "pay_for_use::a_recorded_state_continues_with_the_same_bits",
     "pay_for_use::a_step_allocates_nothing",
-    "estimators::edges_do_not_thin_an_ideal_gas",
+    "estimators::the_radial_distribution_of_an_ideal_gas_is_corrected_for_edges",
     "estimators::an_ideal_gas_has_no_excess_entropy",
     "collisions::restitution_of_truncated_kelvin_voigt",
 ];
 
-/// How much longer than unperturbed tests may take.
+/// Time limit of a test, in units of its time without faults.
 const PATIENCE: f64 = 20.0;
 
-/// Runs a program with at most 8 GiB of memory: a fault may ask for any amount.
+/// Shell script that runs a program with at most 8 GiB of memory, because a fault may allocate any amount.
 const LIMITED: &str = "ulimit -v 8388608; exec \"$@\"";
 
-/// Random tests draw the same cases for each fault, and change no file where they fail.
+/// Environment in which random tests draw the same cases for each fault and write no files if they fail.
 const FIXED: [(&str, &str); 4] = [
     ("PROPTEST_RNG_SEED", "1"),
     ("PROPTEST_MAX_SHRINK_ITERS", "0"),
@@ -49,13 +49,13 @@ const FIXED: [(&str, &str); 4] = [
 /// A test: its program and its name.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Test {
-    /// Which program.
+    /// Index of the program.
     program: usize,
     /// Name of the test.
     name: String,
-    /// How long it takes in s, with notes of the switches.
+    /// Run time in s while the switches are recorded.
     seconds: f64,
-    /// The switches it meets.
+    /// The switches that the test meets.
     uses: Vec<usize>,
 }
 
@@ -99,7 +99,7 @@ impl Gate {
         })
     }
 
-    /// What tells this gate from others.
+    /// A name that distinguishes this gate from others.
     pub fn name(&self) -> String {
         let of = |path: &PathBuf| {
             let modified = fs::metadata(path).and_then(|data| data.modified());
@@ -108,10 +108,10 @@ impl Gate {
         self.programs.iter().map(of).collect::<Vec<_>>().join(" ")
     }
 
-    /// Which switches each test meets, as found before or by running each test once.
+    /// The switches that each test meets, from an earlier run or by running each test once.
     ///
     /// # Errors
-    /// Tests that fail as they are.
+    /// A test that fails without a fault.
     pub fn learn(
         &self,
         folder: &Path,
@@ -131,7 +131,7 @@ impl Gate {
                 .map(|one| one.1.as_str())
                 .collect();
             if let End::Failed(test) = self.run(program, &own, &[], None)? {
-                return Err(format!("{test} fails as it is").into());
+                return Err(format!("{test} fails without a fault").into());
             }
         }
         let (next, found) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
@@ -163,7 +163,7 @@ impl Gate {
         Ok(tests)
     }
 
-    /// Run one test and see which switches it meets. Notes cost memory, so that a test of that may fail.
+    /// Run one test and record the switches that it meets. Recording takes memory, so a test of memory use may fail.
     fn observe(&self, program: usize, name: &str, log: &Path) -> Outcome<Test> {
         let _ = fs::remove_file(log);
         let start = Instant::now();
@@ -200,7 +200,7 @@ impl Gate {
     /// Switch on a fault and run the tests that meet its switch until one fails.
     ///
     /// # Errors
-    /// Programs that cannot be run.
+    /// A program that cannot be run.
     pub fn try_fault(&self, switch: usize, tests: &Tests) -> Outcome<Fate> {
         let meets = |test: &&Test| test.uses.contains(&switch);
         let users: Vec<&Test> = tests.0.iter().filter(meets).collect();
@@ -208,7 +208,7 @@ impl Gate {
             return Ok(Fate::Unused);
         }
         let variable = [("GOUGE_FAULT", switch.to_string())];
-        // Few tests at first, more and more of them while nothing fails.
+        // Start with few tests per program run, and increase their number as long as none fails.
         let (mut from, mut size) = (0, 8);
         while from < users.len() {
             let batch = &users[from..users.len().min(from + size)];
@@ -265,14 +265,14 @@ impl Gate {
     }
 }
 
-/// Cargo in the copied workspace, with a target folder of its own.
+/// Cargo in the copied workspace, with its own target folder.
 pub fn cargo(copy: &Path) -> Command {
     let mut command = Command::new(env!("CARGO"));
     command.current_dir(copy).env_remove("CARGO_TARGET_DIR");
     command
 }
 
-/// Read what a program says until a test fails or time is up; nothing where it says no more.
+/// Read the output of a program until a test fails or the time is up; none at the end of the output.
 fn watch(child: &mut Child, limit: Option<Duration>) -> Option<End> {
     let output = BufReader::new(child.stdout.take()?);
     let (send, receive) = mpsc::channel();
@@ -307,7 +307,7 @@ fn watch(child: &mut Child, limit: Option<Duration>) -> Option<End> {
     }
 }
 
-/// The test program that a message of cargo tells of.
+/// The test program that a message of cargo names.
 fn program(line: &str) -> Option<PathBuf> {
     let message: serde_json::Value = serde_json::from_str(line).ok()?;
     let is_test = message["profile"]["test"].as_bool()?;
@@ -326,7 +326,7 @@ pub fn errors(text: &str) -> Vec<serde_json::Value> {
     text.lines().filter_map(error).collect()
 }
 
-/// What the compiler complains about.
+/// The text of the compiler's errors.
 pub fn complaint(errors: &[serde_json::Value]) -> String {
     let rendered = errors.iter().filter_map(|one| one["rendered"].as_str());
     let all: Vec<&str> = rendered.collect();

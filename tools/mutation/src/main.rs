@@ -1,10 +1,11 @@
-//! Whether the gate notices deliberate faults of the kernel.
+//! Tests whether the gate detects deliberate faults in the kernel.
 //!
 //! There are two kinds of faults: every literal and every coefficient of a formula of the kernel can be
 //! scaled by 1 + 1e-6, and operators, conditions and results of functions can be replaced. The workspace
 //! is copied, each fault gets a switch, and the gate is built once. Each test is run once to learn which
 //! switches it meets. Then each fault is switched on in turn, and the tests that meet its switch are run,
-//! fast ones first, until one fails. A fault whose tests all pass has survived: the gate would not notice.
+//! fast ones first, until one fails. A fault survives if all its tests pass: the gate does not
+//! detect it.
 
 mod campaign;
 mod gate;
@@ -17,10 +18,10 @@ use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// A result, or why there is none.
+/// A result or an error.
 pub type Outcome<T> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
 
-/// Switch on faults of the kernel, one at a time, and list those that the gate does not notice.
+/// Switch on faults of the kernel, one at a time, and list those that the gate does not detect.
 #[derive(Parser)]
 struct Arguments {
     #[command(subcommand)]
@@ -38,19 +39,19 @@ enum Faults {
     Operators(operators::Choice),
 }
 
-/// What holds for all kinds of faults.
+/// Options for all kinds of faults.
 #[derive(Args)]
 pub struct Options {
     /// List the faults and stop.
     #[arg(long, global = true)]
     list: bool,
-    /// Only faults whose line of the list contains this text.
+    /// Test only faults whose line in the list contains this text.
     #[arg(long, global = true)]
     only: Option<String>,
-    /// Try again what survived before, and keep the other results.
+    /// Test the survivors of an earlier run again; keep the other results.
     #[arg(long, global = true)]
     again: bool,
-    /// How many faults are tried at a time.
+    /// Number of faults tested at a time.
     #[arg(long, global = true, default_value_t = 2)]
     jobs: usize,
     /// Folder for the copy and the results.
@@ -59,7 +60,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// Whether a fault is asked for.
+    /// Whether the options select a fault.
     fn wants(&self, fault: &impl std::fmt::Display) -> bool {
         let only = self.only.as_ref();
         only.is_none_or(|text| fault.to_string().contains(text))

@@ -1,4 +1,4 @@
-//! What became of each fault, on paper, so that a campaign can be interrupted.
+//! Stores the outcome of each fault in a file, so that a campaign can be interrupted.
 
 use crate::Outcome;
 use crate::gate::{Gate, Tests};
@@ -9,22 +9,22 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// What became of a fault.
+/// Outcome of a fault.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
-    /// This test failed first.
+    /// Detected; this test failed first.
     Caught(String),
-    /// Tests did not end in time.
+    /// Detected; the tests did not end in time.
     Endless,
-    /// All tests that use its place passed.
+    /// Survived; all tests that meet its switch passed.
     Survived,
-    /// No test uses its place.
+    /// Survived; no test meets its switch.
     Unused,
 }
 
 impl Fate {
-    /// Whether the gate noticed.
+    /// Whether the gate detected the fault.
     pub fn is_detected(&self) -> bool {
         matches!(self, Self::Caught(_) | Self::Endless)
     }
@@ -34,16 +34,16 @@ impl fmt::Display for Fate {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Caught(test) => write!(out, "caught by {test}"),
-            Self::Endless => out.write_str("caught by the clock"),
+            Self::Endless => out.write_str("caught by the time limit"),
             Self::Survived => out.write_str("SURVIVED"),
-            Self::Unused => out.write_str("SURVIVED, for no test uses it"),
+            Self::Unused => out.write_str("SURVIVED, because no test uses it"),
         }
     }
 }
 
-/// A deliberate fault with a switch of its own; prints as a line that tells where and what it is.
+/// A deliberate fault with its own switch. It is displayed as one line with its place and its change.
 pub trait Fault: fmt::Display + Sync {
-    /// Number of its switch.
+    /// Number of the switch.
     fn switch(&self) -> usize;
 }
 
@@ -62,10 +62,10 @@ pub struct Results {
 }
 
 impl Results {
-    /// Take up the results in a folder; results of another gate are dropped.
+    /// Read the results in a folder; results of another gate are deleted.
     ///
     /// # Errors
-    /// Files that cannot be read or written.
+    /// A file that cannot be read or written.
     pub fn open(folder: &Path, gate: &Gate, switches: usize) -> Outcome<Self> {
         let [lines, tests, mark] =
             ["results.jsonl", "tests.json", "gate"].map(|name| folder.join(name));
@@ -91,12 +91,12 @@ impl Results {
         })
     }
 
-    /// What the tests were found to use before.
+    /// The switches that tests meet, as recorded in an earlier run.
     pub fn tests(&self) -> Option<Tests> {
         serde_json::from_slice(&fs::read(&self.tests).ok()?).ok()
     }
 
-    /// Keep what the tests use.
+    /// Store the switches that tests meet.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -104,22 +104,22 @@ impl Results {
         Ok(fs::write(&self.tests, serde_json::to_vec(tests)?)?)
     }
 
-    /// Drop those that survived.
+    /// Drop the results of faults that survived.
     pub fn forget_survivors(&mut self) {
         self.fates.retain(|_, fate| fate.is_detected());
     }
 
-    /// Whether a fault has been tried.
+    /// Whether a fault has a result.
     pub fn has(&self, fault: &impl Fault) -> bool {
         self.fates.contains_key(&fault.switch())
     }
 
-    /// What became of a fault.
+    /// Outcome of a fault.
     pub fn fate(&self, fault: &impl Fault) -> Option<&Fate> {
         self.fates.get(&fault.switch())
     }
 
-    /// Note what became of a fault.
+    /// Store the outcome of a fault.
     ///
     /// # Errors
     /// A file that cannot be written.

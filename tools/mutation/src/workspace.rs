@@ -5,26 +5,26 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Where the lowest crate of the kernel lives, which holds what asks for the fault that acts.
+/// Folder of the lowest crate of the kernel, which contains the module of the switches.
 pub const COMMON: &str = "kernel/common/src";
-/// Where the model's crate lives.
+/// Folder of the crate of the model.
 pub const DEM: &str = "kernel/dem/src";
 
-/// What is not copied.
+/// Names that are not copied.
 const LEFT_BEHIND: [&str; 3] = ["target", ".git", "mutation"];
 
 /// A source file.
 pub struct Source {
     /// Path from the root of the workspace.
     pub path: PathBuf,
-    /// What it says.
+    /// Text of the file.
     pub text: String,
-    /// The same, parsed.
+    /// The parsed text.
     pub file: syn::File,
 }
 
 impl Source {
-    /// The path as text.
+    /// The path as a string.
     pub fn name(&self) -> String {
         self.path.to_string_lossy().into_owned()
     }
@@ -33,7 +33,7 @@ impl Source {
 /// Read the sources below a folder, in order of their paths.
 ///
 /// # Errors
-/// Files that cannot be read or parsed.
+/// A file that cannot be read or parsed.
 pub fn parse(root: &Path, folder: &str) -> Outcome<Vec<Source>> {
     let mut paths = Vec::new();
     list(&root.join(folder), &mut paths)?;
@@ -58,11 +58,11 @@ pub fn library(path: &Path) -> &'static str {
     }
 }
 
-/// Copy the workspace with other texts for some files and with so many switches. Files that are the same
-/// stay untouched, so that nothing is compiled twice.
+/// Copy the workspace with changed texts of some files and with the given number of switches. Files that do not change
+/// are not touched, so that nothing is compiled twice.
 ///
 /// # Errors
-/// Files that cannot be read or written.
+/// A file that cannot be read or written.
 pub fn plant(
     root: &Path,
     copy: &Path,
@@ -92,7 +92,7 @@ pub fn plant(
     write(&module_path, module.as_bytes())
 }
 
-/// Remove files of the copy that the workspace has no longer.
+/// Remove files of the copy that no longer exist in the workspace.
 fn remove_others(root: &Path, copy: &Path, kept: &Path) -> Outcome<()> {
     let mut paths = Vec::new();
     if copy.exists() {

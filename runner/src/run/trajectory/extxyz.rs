@@ -1,10 +1,10 @@
-//! Extended XYZ: a line per particle, with the columns named in the second line.
+//! Extended XYZ: one line per particle; the second line names the columns.
 
 use super::super::table::Values;
 use super::Frame;
 use std::fmt::Write;
 
-/// What OVITO calls our columns.
+/// Our column names that differ from those of OVITO, and OVITO's names.
 const NAMES: [(&str, &str); 1] = [("velocity", "velo")];
 
 fn name(own: &'static str) -> &'static str {
@@ -12,7 +12,7 @@ fn name(own: &'static str) -> &'static str {
     known.map_or(own, |(_, theirs)| theirs)
 }
 
-/// A frame; its first column of kinds is the species.
+/// A frame as text; its first column of categories is the species.
 pub fn text(frame: &Frame) -> String {
     let scalars = &frame.scalars.columns;
     let species = scalars
@@ -41,7 +41,7 @@ pub fn text(frame: &Frame) -> String {
     text
 }
 
-/// The number of particles, the box and the columns.
+/// The first two lines: the number of particles; the box, the columns and the time.
 fn head(frame: &Frame, species: Option<usize>) -> String {
     let mut text = format!("{}\n", frame.positions.len());
     if let (Some(width), Some(height)) = (frame.domain.width, frame.domain.height) {

@@ -12,20 +12,20 @@ use gouge_common::geometry::{Domain, Vec2};
 use gouge_dem::World;
 use std::path::Path;
 
-/// What a frame shows, of any model.
+/// The content of a frame, for any model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Time in s.
     pub time: f64,
     /// The box.
     pub domain: Domain,
-    /// Where the particles are, in m.
+    /// Positions of the particles in m.
     pub positions: Vec<Vec2>,
-    /// Their shapes.
+    /// Shapes of the particles.
     pub shapes: Shapes,
     /// Columns of vectors.
     pub vectors: Vec<(&'static str, Vec<Vec2>)>,
-    /// Columns of numbers, labels and kinds.
+    /// Columns of numbers, labels and categories.
     pub scalars: Table,
     /// Pairs of particles between which a line is drawn.
     pub lines: Vec<(usize, usize)>,
@@ -46,7 +46,7 @@ impl Frame {
     }
 }
 
-/// Write the frame of a sample, if the scene asks for frames.
+/// Write the frame of a sample, if the scene has a trajectory.
 ///
 /// # Errors
 /// Failures of the file system.
@@ -69,7 +69,7 @@ pub fn write_frame(scene: &Scene, folder: &Path, sample: u64, world: &World) -> 
     Ok(())
 }
 
-/// Remove the frames that an earlier run left, and nothing else.
+/// Remove the frames of an earlier run, and nothing else.
 ///
 /// # Errors
 /// Failures of the file system.
@@ -85,12 +85,12 @@ pub fn remove_frames(folder: &Path) -> Result<(), Error> {
             std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;
         }
     }
-    // It stays if something else is in it.
+    // Fails, as intended, if the folder still contains other files.
     let _ = std::fs::remove_dir(&frames);
     Ok(())
 }
 
-/// The list of frames and their times that ParaView opens as one animation.
+/// Write the list of frames and their times, which ParaView opens as one animation.
 fn write_list(scene: &Scene, frames: &Path, last: u64) -> Result<(), Error> {
     let entry = |sample: u64| {
         let time = (sample as f64 * scene.output.interval).min(scene.end);

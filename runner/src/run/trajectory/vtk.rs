@@ -1,4 +1,4 @@
-//! Legacy VTK files: a vertex per particle, a segment per line.
+//! Legacy VTK files: one vertex per particle, one segment per line.
 
 use super::super::table::Values;
 use super::Frame;
@@ -9,10 +9,10 @@ use vtkio::model::{
     Attribute, Attributes, ByteOrder, DataSet, Piece, PolyDataPiece, Version, VertexNumbers, Vtk,
 };
 
-/// A frame.
+/// A frame as text.
 ///
 /// # Errors
-/// What the library cannot write.
+/// A frame that the library cannot write.
 pub fn text(frame: &Frame) -> Result<String, Error> {
     let file = Vtk {
         version: Version::new_legacy(4, 2),
@@ -78,7 +78,7 @@ fn scalar((name, values): &(&'static str, Values)) -> Attribute {
     }
 }
 
-/// Components of vectors one after the other; the third is zero.
+/// The components of all vectors in sequence; the third component is zero.
 fn flat(column: &[Vec2]) -> Vec<f64> {
     column.iter().flat_map(|v| [v.x, v.y, 0.0]).collect()
 }

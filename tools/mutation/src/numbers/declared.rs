@@ -1,12 +1,12 @@
-//! What the kernel declares: types of fields and names of constants.
+//! Declarations of the kernel: types of fields and names of constants.
 
 use std::collections::{HashMap, HashSet};
 use syn::{Fields, GenericArgument, Item, PathArguments, Type, Visibility};
 
-/// As much of a type as decides whether a value of it can be scaled.
+/// The part of a type that determines whether its values can be scaled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Last name of the type; `[]` for arrays and slices.
+    /// Last segment of the path of the type; `[]` for arrays and slices.
     pub name: String,
     /// Type of the elements of a list.
     pub element: Option<Box<Shape>>,
@@ -73,15 +73,15 @@ pub struct Declared {
     fields: HashMap<String, HashMap<String, Shape>>,
     /// Constants that are a number or a list of numbers.
     pub constants: HashSet<String>,
-    /// Those of them that are numbers and seen outside.
+    /// Public constants that are numbers.
     pub exported: HashSet<String>,
 }
 
-/// Constants of the standard library that stand in formulas.
+/// Constants of the standard library that appear in formulas.
 const STANDARD: [&str; 3] = ["PI", "TAU", "SQRT_2"];
 
 impl Declared {
-    /// Everything that the files declare.
+    /// All declarations of the files.
     pub fn in_files<'a>(files: impl Iterator<Item = &'a syn::File>) -> Self {
         let mut all = Self::default();
         all.constants.extend(STANDARD.map(str::to_owned));
@@ -127,8 +127,8 @@ impl Declared {
         }
     }
 
-    /// Type of a field; where the structure is not known, the type in all that have such a field, if
-    /// they agree.
+    /// Type of a field. If the structure is not known: the type of the field of this name in all structures, if these
+    /// agree.
     pub fn field(&self, owner: Option<&Shape>, name: &str) -> Option<&Shape> {
         if let Some(fields) = owner.and_then(|owner| self.fields.get(&owner.name)) {
             return fields.get(name);

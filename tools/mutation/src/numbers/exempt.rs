@@ -1,11 +1,12 @@
-//! Numbers that steer an algorithm and stand in no formula: changing one by a millionth changes no result.
+//! Exemptions: numbers that control an algorithm but appear in no formula. Changing one by a millionth changes no
+//! result.
 
 use super::site::Site;
 
-/// Sites that are left out, with the reason.
+/// Sites that are exempt, with the reason.
 struct Exemption {
     file: &'static str,
-    /// The function around it, or a part of its line in which «» mark the expression; any if empty.
+    /// The enclosing function, or a part of the line in which «» mark the expression; any if empty.
     place: &'static str,
     /// The expression; any if empty.
     expression: &'static str,
@@ -26,16 +27,15 @@ const fn exempt(
     }
 }
 
-const LIST: &str = "decides when the neighbour list is made anew and what it holds besides contacts; no result depends on it";
-const BISECTION: &str =
-    "where an interval is cut; the bisection goes on until nothing is left of it";
-const SCAN: &str = "how far and how finely the first unstable step is sought";
-const TINY: &str =
-    "a term below 2e-9 wherever it is used, a millionth of which is less than rounding";
+const LIST: &str = "determines when the neighbour list is rebuilt and which pairs without overlap it contains; no result depends on it";
+const BISECTION: &str = "where an interval is divided; the bisection continues until the interval cannot be divided further";
+const SCAN: &str = "range and resolution of the search for the first unstable step";
+const TINY: &str = "a term below 2e-9 wherever it is used; a millionth of it is less than rounding";
 const BRACKET: &str = "brackets the root that the bisection then finds";
-const NORMALISED: &str = "a factor of all pairs; the distribution is divided by its sum afterwards";
-const BEYOND: &str = "which samples and pairs are looked at; those beyond contribute nothing";
-const ROUNDING: &str = "a probability above one by rounding is cut there; exact ones never are";
+const NORMALISED: &str = "a common factor of all pairs; the distribution is normalised afterwards";
+const BEYOND: &str = "which samples and pairs are visited; those beyond contribute nothing";
+const ROUNDING: &str =
+    "clamps a probability that exceeds one by rounding; exact probabilities never do";
 
 const EXEMPTIONS: &[Exemption] = &[
     exempt("kernel/common/src/neighbors/list.rs", "", "", LIST),
@@ -49,31 +49,31 @@ const EXEMPTIONS: &[Exemption] = &[
         "kernel/dem/src/setup/bonding.rs",
         "r * «reach»",
         "reach",
-        "a search for candidates, of which the exact distance then chooses",
+        "a search for candidates, from which the exact distance then selects",
     ),
     exempt(
         "kernel/dem/src/geometry/pair_frame.rs",
         "PairFrame::new",
         "COINCIDENT",
-        "below which distance centres count as coincident",
+        "distance below which centres count as coincident",
     ),
     exempt(
         "kernel/dem/src/geometry/angle.rs",
         "small_turn",
         "NEAR_COSINE",
-        "where a series takes over from an arctangent that agrees with it",
+        "where a series replaces an arctangent that agrees with it",
     ),
     exempt(
         "kernel/dem/src/geometry/contact.rs",
         "mean_distance",
         "1e-4",
-        "where a series takes over from a function that agrees with it",
+        "where a series replaces a function that agrees with it",
     ),
     exempt(
         "kernel/dem/src/integrators/time_step.rs",
         "is_stable",
         "GROWTH",
-        "the growth by rounding that still counts as none",
+        "growth by rounding that counts as no growth",
     ),
     exempt(
         "kernel/dem/src/geometry/contact.rs",
@@ -103,7 +103,7 @@ const EXEMPTIONS: &[Exemption] = &[
         "kernel/dem/src/laws/tangential.rs",
         "CundallStrack::friction",
         "Self::SLIDING",
-        "a mark that is compared with zero",
+        "a marker that is only compared with zero",
     ),
     exempt(
         "kernel/dem/src/distributions/uniform.rs",
@@ -187,13 +187,13 @@ const EXEMPTIONS: &[Exemption] = &[
         "kernel/dem/src/forces/driving.rs",
         "velocity_gain: ",
         "1.0",
-        "a place holder, filled in by the method before it is read",
+        "a placeholder that the integrator sets before it is read",
     ),
     exempt(
         "kernel/dem/src/distributions/uniform.rs",
         "outside",
         "x",
-        "tells only on which side of the support a point outside it lies",
+        "only indicates on which side of the support a point lies",
     ),
     exempt(
         "kernel/dem/src/distributions/uniform.rs",
@@ -211,7 +211,7 @@ const EXEMPTIONS: &[Exemption] = &[
         "validation/src/checks/dem/strength/sampled.rs",
         "independent",
         "REACH",
-        "which neighbours are bonded, of which only the nearest in a row are used",
+        "which neighbours are bonded; only the nearest ones in a row are used",
     ),
     exempt(
         "kernel/dem/src/distributions/strength.rs",
@@ -229,13 +229,13 @@ impl Exemption {
     }
 }
 
-/// Why a site is left out, if it is.
+/// The reason why a site is exempt, if it is.
 pub fn reason(site: &Site) -> Option<&'static str> {
     let found = EXEMPTIONS.iter().find(|one| one.fits(site));
     found.map(|one| one.reason)
 }
 
-/// Exemptions that fit no site: the code has moved on without them.
+/// Exemptions that match no site, because the code has changed.
 pub fn stale(sites: &[Site]) -> Vec<String> {
     let unused = EXEMPTIONS
         .iter()

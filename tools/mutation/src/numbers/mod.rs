@@ -14,16 +14,16 @@ use site::Site;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Try the sites, or list them.
+/// Test the sites or list them.
 ///
 /// # Errors
-/// Sources that cannot be read, an exemption that fits no site, a copy that does not compile, tests that
-/// fail without a fault.
+/// A source that cannot be read, an exemption that matches no site, a copy that does not compile, or a test that fails
+/// without a fault.
 pub fn run(root: &Path, folder: &Path, options: &Options) -> Outcome<ExitCode> {
     let sources = switches::survey(root)?;
     let all = switches::sites(&sources);
     if let Some(unused) = exempt::stale(&all).first() {
-        return Err(format!("an exemption fits no site: {unused}").into());
+        return Err(format!("an exemption matches no site: {unused}").into());
     }
     let (exempted, tried): (Vec<Site>, Vec<Site>) = all
         .iter()
@@ -34,7 +34,7 @@ pub fn run(root: &Path, folder: &Path, options: &Options) -> Outcome<ExitCode> {
         all.iter()
             .filter(|site| options.wants(site))
             .for_each(|site| println!("{site}"));
-        println!("{} sites and {} exempted", tried.len(), exempted.len());
+        println!("{} sites, and {} exempt ones", tried.len(), exempted.len());
         return Ok(ExitCode::SUCCESS);
     }
     let copy = folder.join("copy");
@@ -44,15 +44,15 @@ pub fn run(root: &Path, folder: &Path, options: &Options) -> Outcome<ExitCode> {
     Ok(report(&tried, &exempted, &results))
 }
 
-/// Print what was left out, what survived and how many were caught.
+/// Print the exempt sites, the survivors and the number of detected faults.
 fn report(tried: &[Site], exempted: &[Site], results: &Results) -> ExitCode {
-    println!("\nLeft out:");
+    println!("\nExempt:");
     for site in exempted {
         println!("{site}: {}", exempt::reason(site).unwrap_or_default());
     }
     let survivors = campaign::print_survivors(tried, results);
     println!(
-        "\n{} of {} sites caught, {survivors} survived, {} left out",
+        "\n{} of {} sites detected, {survivors} survived, {} exempt",
         tried.len() - survivors,
         tried.len(),
         exempted.len()

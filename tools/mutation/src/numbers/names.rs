@@ -1,11 +1,11 @@
-//! What names mean at a place of the code, and so which expressions are numbers of a formula.
+//! Types of the names in scope, which determine which expressions are numbers in a formula.
 
 use super::declared::{Declared, Shape};
 use super::site::{Kind, Side};
 use std::collections::HashMap;
 use syn::{Expr, ExprLit, Lit, Member, Pat};
 
-/// Generic numbers that are coefficients all the same.
+/// Generic numbers that are coefficients nevertheless.
 const PROPERTIES: [&str; 10] = [
     "radius",
     "radii",
@@ -19,8 +19,8 @@ const PROPERTIES: [&str; 10] = [
     "depth",
 ];
 
-/// Structures that only tell what was found or went wrong.
-const TIDINGS: [&str; 3] = ["Interaction", "ModelError", "StepError"];
+/// Structures that only report results or errors.
+const REPORTS: [&str; 3] = ["Interaction", "ModelError", "StepError"];
 
 #[derive(Clone)]
 struct Variable {
@@ -28,7 +28,7 @@ struct Variable {
     is_input: bool,
 }
 
-/// The names in sight.
+/// The names in scope.
 #[derive(Clone)]
 pub struct Names<'a> {
     declared: &'a Declared,
@@ -37,7 +37,7 @@ pub struct Names<'a> {
 }
 
 impl<'a> Names<'a> {
-    /// No names but those that are declared.
+    /// Only the names declared at the top level.
     pub fn new(declared: &'a Declared, side: Side) -> Self {
         Self {
             declared,
@@ -75,7 +75,7 @@ impl<'a> Names<'a> {
                 self.declare_pattern(&typed.pat, Some(Shape::of(&typed.ty)), is_input);
             }
             Pat::Slice(slice) => {
-                // Parts of a list or of a structure are what was given, under another name.
+                // Parts of a destructured list or structure count as inputs.
                 let element = shape.and_then(|shape| shape.element).map(|one| *one);
                 for part in &slice.elems {
                     self.declare_pattern(part, element.clone(), true);
@@ -102,7 +102,7 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// Type of an expression, as far as names tell.
+    /// Type of an expression, if its names determine it.
     pub fn shape(&self, expr: &Expr) -> Option<Shape> {
         match expr {
             Expr::Path(path) => self
@@ -129,7 +129,7 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// What kind of site an expression is, if any.
+    /// Kind of the site that an expression is, if it is one.
     pub fn kind(&self, expr: &Expr) -> Option<Kind> {
         if self.side == Side::User {
             let exported = |name: String| self.declared.exported.contains(&name);
@@ -162,10 +162,10 @@ impl<'a> Names<'a> {
                     return None;
                 };
                 let owner = self.shape(&field.base);
-                let tells = owner.is_some_and(|owner| TIDINGS.contains(&owner.name.as_str()));
+                let is_report = owner.is_some_and(|owner| REPORTS.contains(&owner.name.as_str()));
                 let counts = shape.is_double()
                     || shape.is_real() && PROPERTIES.contains(&name.to_string().as_str());
-                (counts && !tells).then_some(Kind::Coefficient)
+                (counts && !is_report).then_some(Kind::Coefficient)
             }
             Expr::Index(index) => {
                 let list = innermost_name(&index.expr)?;
@@ -181,7 +181,7 @@ impl<'a> Names<'a> {
     }
 }
 
-/// The name of what is indexed: the last one of a path or of fields.
+/// The name of an indexed expression: the last name of its path or fields.
 fn innermost_name(expr: &Expr) -> Option<String> {
     match expr {
         Expr::Path(path) => Some(path.path.segments.last()?.ident.to_string()),

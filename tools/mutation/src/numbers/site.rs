@@ -1,17 +1,17 @@
-//! What a site is.
+//! Sites: places where a number enters a formula.
 
 use crate::results::Fault;
 use std::fmt;
 use std::ops::Range;
 
-/// What kind of number enters.
+/// Kind of the number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A literal.
     Literal,
     /// A named constant.
     Constant,
-    /// A parameter of a law or the like, or a property of a particle or a link.
+    /// A parameter, as of a law, or a property of a particle, contact or bond.
     Coefficient,
     /// A number given to a function.
     Input,
@@ -20,23 +20,23 @@ pub enum Kind {
 /// A place where a number enters a formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Site {
-    /// Number of the site, by which it is switched on.
+    /// Number of the site and of its switch.
     pub id: usize,
     /// File, from the root of the workspace.
     pub file: String,
-    /// Line, from one.
+    /// Line, counted from one.
     pub line: usize,
-    /// The function around it.
+    /// The enclosing function.
     pub function: String,
     /// The expression.
     pub expression: String,
-    /// The line on which it begins, with marks around it.
+    /// The line on which the expression begins, with marks around the expression.
     pub context: String,
-    /// What kind of number it is.
+    /// Kind of the number.
     pub kind: Kind,
-    /// Where it stands, in bytes.
+    /// Range of bytes of the expression.
     pub range: Range<usize>,
-    /// Name to be repeated where a structure is filled by shorthand.
+    /// Field name to be repeated if a structure is initialised by shorthand.
     pub shorthand: bool,
 }
 

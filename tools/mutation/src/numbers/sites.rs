@@ -50,7 +50,7 @@ impl Finder<'_> {
         });
     }
 
-    /// Visit a place that is written to or borrowed: it is no site itself.
+    /// Visit a place that is written to or borrowed; the place itself is not a site.
     fn visit_place(&mut self, place: &Expr) {
         match place {
             Expr::Field(_) | Expr::Index(_) | Expr::Path(_) => {}
@@ -255,7 +255,7 @@ impl<'ast> Visit<'ast> for Finder<'_> {
                     }
                 }
             }
-            // Indices are no numbers of a formula.
+            // Indices do not enter formulas.
             Expr::Index(index) => self.visit_expr(&index.expr),
             _ => visit::visit_expr(self, expr),
         }

@@ -8,19 +8,19 @@ use crate::workspace::{COMMON, DEM, Source, library, parse};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// Whose uses of the kernel's constants count as well.
+/// Folders outside the kernel in which uses of the kernel's constants are sites.
 const USERS: [&str; 2] = ["runner/src", "validation/src"];
 
-/// A source file with what was found in it.
+/// A source file with its sites.
 pub struct Searched {
     source: Source,
     found: Findings,
 }
 
-/// All sites of the kernel, numbered, with the sources around them.
+/// All sources with their numbered sites.
 ///
 /// # Errors
-/// Files that cannot be read or parsed; macros that hide numbers.
+/// A file that cannot be read or parsed, or a macro whose numbers cannot be found.
 pub fn survey(root: &Path) -> Outcome<Vec<Searched>> {
     let mut parsed = parse(root, COMMON)?;
     parsed.extend(parse(root, DEM)?);
@@ -65,7 +65,7 @@ pub fn texts(searched: &[Searched]) -> HashMap<PathBuf, String> {
 
 /// The text of a source with its sites built in.
 fn rewritten(Searched { source, found }: &Searched) -> String {
-    // Insertions by place; what closes comes before what opens, inner ends before outer ones.
+    // Insertions by position. At one position, closing ones precede opening ones, and inner ends precede outer ends.
     let mut insertions: Vec<(usize, bool, String)> = Vec::new();
     let library = library(&source.path);
     for site in &found.sites {
@@ -85,7 +85,7 @@ fn rewritten(Searched { source, found }: &Searched) -> String {
         insertions.push((ty.end, false, ">".to_owned()));
         insertions.push((value.start, true, "std::sync::LazyLock::new(|| ".to_owned()));
         insertions.push((value.end, false, ")".to_owned()));
-        // Blanks keep every other place where it was.
+        // Blanks keep all other positions unchanged.
         text.replace_range(word.clone(), "     ");
     }
     insertions.sort_by_key(|(place, opens, _)| (*place, *opens));

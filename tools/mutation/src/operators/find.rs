@@ -11,7 +11,7 @@ use syn::{BinOp, Expr, Token, Type, UnOp};
 /// Longest expression that is shown in full, in characters.
 const SHOWN: usize = 70;
 
-/// The places of a file, in order of their beginning; outer ones before inner ones.
+/// The places of a file, ordered by their beginning; outer places come before inner ones.
 pub fn find(text: &str, file: &syn::File) -> Vec<Place> {
     let mut finder = Finder {
         text,
@@ -121,7 +121,7 @@ impl Finder<'_> {
     }
 }
 
-/// An expression on one line, cut where it is long.
+/// An expression on one line, shortened if it is long.
 fn shortened(expression: &str) -> String {
     let line = expression.split_whitespace().collect::<Vec<_>>().join(" ");
     match line.char_indices().nth(SHOWN) {
@@ -130,7 +130,7 @@ fn shortened(expression: &str) -> String {
     }
 }
 
-/// Whether a condition binds names, so that it must stay where it is.
+/// Whether a condition binds names, so that it cannot be moved.
 fn binds(condition: &Expr) -> bool {
     match condition {
         Expr::Let(_) => true,
@@ -141,7 +141,7 @@ fn binds(condition: &Expr) -> bool {
     }
 }
 
-/// Whether the body of a function is just a value, or has nothing that could be left out.
+/// Whether the body of a function already is the value, so that replacing the body changes nothing.
 fn is_body(value: &str, text: &str, block: &syn::Block) -> bool {
     let body = match &block.stmts[..] {
         [] => "()",
@@ -240,7 +240,7 @@ impl<'ast> Visit<'ast> for Finder<'_> {
     }
 
     fn visit_macro(&mut self, item: &'ast syn::Macro) {
-        // What looks like an expression there may be a pattern.
+        // What looks like an expression in a macro may be a pattern.
         if item.path.is_ident("matches") {
             return;
         }

@@ -1,4 +1,4 @@
-//! Operators, conditions and results of functions, replaced.
+//! Mutants that replace operators, conditions and results of functions.
 
 mod find;
 mod mutant;
@@ -18,30 +18,30 @@ use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// The profile of cargo by which the gate is built.
+/// The cargo profile with which the gate is built.
 const PROFILE: &str = "mutants";
 
-/// Which mutants are tried.
+/// Selection of mutants.
 #[derive(Args)]
 pub struct Choice {
-    /// How many mutants are drawn; all if this is not given.
+    /// Number of mutants drawn; default: all.
     #[arg(long)]
     sample: Option<usize>,
-    /// Seed of the draw.
+    /// Seed of the random draw.
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
 
-/// A source file with the places that were found in it.
+/// A source file with its places.
 struct Searched {
     source: Source,
     places: Vec<Place>,
 }
 
-/// Try the mutants that are drawn, or list them.
+/// Draw mutants, and test or list them.
 ///
 /// # Errors
-/// Sources that cannot be read, a copy that does not compile without mutants, tests that fail without one.
+/// A source that cannot be read, a copy that does not compile without mutants, or a test that fails without one.
 pub fn run(root: &Path, folder: &Path, choice: &Choice, options: &Options) -> Outcome<ExitCode> {
     let searched = survey(root)?;
     let mut all = mutants(&searched);
@@ -88,7 +88,7 @@ fn mutants(searched: &[Searched]) -> Vec<Mutant> {
     all
 }
 
-/// Draw mutants and number their switches, in the order in which they stand.
+/// Draw mutants and number their switches in source order.
 fn draw(all: Vec<Mutant>, choice: &Choice) -> Vec<Mutant> {
     let mut numbers: Vec<usize> = (0..all.len()).collect();
     if let Some(size) = choice.sample {

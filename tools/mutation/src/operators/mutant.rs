@@ -1,10 +1,10 @@
-//! What a mutant is.
+//! Mutants: places of the code with one replacement.
 
 use crate::results::Fault;
 use std::fmt;
 use std::ops::Range;
 
-/// What is replaced.
+/// Kind of the replaced code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// An operator between numbers, or between their bits.
@@ -13,11 +13,11 @@ pub enum Kind {
     Comparison,
     /// `&&` or `||`.
     Logic,
-    /// An operator that assigns.
+    /// A compound assignment operator.
     Assignment,
-    /// `-` or `!`, left out.
+    /// `-` or `!`, removed.
     Sign,
-    /// The guard of an arm.
+    /// The guard of a match arm.
     Guard,
     /// The condition of an `if`.
     Condition,
@@ -39,60 +39,60 @@ impl Kind {
     ];
 }
 
-/// How the code of a place is made of its parts.
+/// Syntactic form of a place, with the byte ranges of its operands.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// Two operands whose values are taken.
+    /// Two operands used by value.
     Arithmetic(Range<usize>, Range<usize>),
-    /// Two operands that are looked at.
+    /// Two operands used by reference.
     Comparison(Range<usize>, Range<usize>),
-    /// Two truth values of which the second may not be needed.
+    /// Two booleans, the second of which is evaluated only if needed.
     Logic(Range<usize>, Range<usize>),
-    /// A place that is written to, and a value.
+    /// A location that is written to, and a value.
     Assignment(Range<usize>, Range<usize>),
     /// One operand.
     Sign(Range<usize>),
-    /// A truth value that is replaced as a whole.
+    /// A boolean that is replaced as a whole.
     Truth,
     /// The beginning of the body of a function.
     Body,
 }
 
-/// A place of the code with what can stand there instead.
+/// A place of the code with its possible replacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// What is replaced.
+    /// Kind of the replaced code.
     pub kind: Kind,
-    /// How its code is made of its parts.
+    /// Syntactic form.
     pub form: Form,
-    /// Where it stands, in bytes; empty for the beginning of a body.
+    /// Range of bytes; empty for the beginning of a body.
     pub range: Range<usize>,
-    /// Line, from one.
+    /// Line, counted from one.
     pub line: usize,
-    /// Column, from one.
+    /// Column, counted from one.
     pub column: usize,
-    /// The function around it.
+    /// The enclosing function.
     pub function: String,
-    /// The operator; nothing where none is replaced.
+    /// The operator; empty if no operator is replaced.
     pub operator: String,
     /// The expression, shortened.
     pub expression: String,
-    /// What can stand there instead: operators or values.
+    /// Possible replacements: operators or values.
     pub others: Vec<String>,
 }
 
-/// A place with one of the things that can stand there instead.
+/// A place with one replacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mutant {
-    /// Number of its source, and of its place in it.
+    /// Index of the source, and of the place in the source.
     pub place: (usize, usize),
-    /// What stands there instead.
+    /// The replacement.
     pub other: String,
-    /// What is replaced.
+    /// Kind of the replaced code.
     pub kind: Kind,
-    /// Number of its switch, once it is drawn.
+    /// Number of the switch; set when the mutant is drawn.
     pub switch: usize,
-    /// Where it is and what it does.
+    /// Description: position and change.
     words: String,
 }
 

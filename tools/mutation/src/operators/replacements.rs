@@ -1,4 +1,4 @@
-//! What can stand instead of an operator or of the result of a function.
+//! Replacements of operators and of results of functions.
 
 use super::mutant::Kind;
 use syn::spanned::Spanned;
@@ -13,7 +13,7 @@ const ASSIGNMENTS: &[&str] = &["+=", "-=", "*=", "/=", "%="];
 const BIT_ASSIGNMENTS: &[&str] = &["&=", "|=", "^="];
 const SHIFT_ASSIGNMENTS: &[&str] = &["<<=", ">>="];
 
-/// The kind of an operator and those that can stand in its stead.
+/// The kind of an operator, and the operators that can replace it.
 pub fn operators(op: &BinOp) -> (Kind, &'static [&'static str]) {
     match op {
         BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_) => {
@@ -35,8 +35,8 @@ pub fn operators(op: &BinOp) -> (Kind, &'static [&'static str]) {
     }
 }
 
-/// Values of the type that a function returns, as far as the type tells; `text` is the source and `owner`
-/// the type that `Self` means.
+/// Values of the return type of a function, if the type is understood. `text` is the source, `owner` the type that
+/// `Self` stands for.
 pub fn results(output: &ReturnType, text: &str, owner: Option<&Type>) -> Vec<String> {
     match output {
         ReturnType::Default => vec!["()".to_owned()],

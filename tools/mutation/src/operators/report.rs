@@ -1,4 +1,4 @@
-//! How many mutants were detected.
+//! Prints the number of detected mutants.
 
 use super::mutant::{Kind, Mutant};
 use crate::results::{Fate, Results};
@@ -6,10 +6,10 @@ use crate::{Outcome, campaign};
 use statrs::distribution::{Beta, ContinuousCDF};
 use std::process::ExitCode;
 
-/// Print what survived, the numbers of each kind and the share that was detected.
+/// Print the survivors, the numbers per kind and the proportion of detected mutants.
 ///
 /// # Errors
-/// None with a number of mutants that can be counted.
+/// Only if the distribution of the confidence interval rejects the numbers, which does not happen.
 pub fn print(
     all: usize,
     sample: &[Mutant],
@@ -33,12 +33,12 @@ pub fn print(
     }
     let late = |one: &&Mutant| results.fate(*one) == Some(&Fate::Endless);
     println!(
-        "\n{all} mutants in all, {} drawn, {} of these do not compile",
+        "\n{all} mutants in total, {} drawn, {} of these do not compile",
         sample.len(),
         sample.len() - viable.len()
     );
     println!(
-        "{detected} of {} detected, {} of these by the clock, {survivors} survived",
+        "{detected} of {} detected, {} of these by the time limit, {survivors} survived",
         viable.len(),
         viable.iter().filter(late).count()
     );
@@ -54,7 +54,7 @@ pub fn print(
     })
 }
 
-/// Interval of Clopper and Pearson for a share, at 95 %.
+/// Clopper-Pearson confidence interval of a proportion, at 95 %.
 fn interval(part: usize, whole: usize) -> Outcome<[f64; 2]> {
     let quantile = |a: usize, b: usize, level: f64| -> Outcome<f64> {
         Ok(Beta::new(a as f64, b as f64)?.inverse_cdf(level))

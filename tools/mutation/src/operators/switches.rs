@@ -1,11 +1,11 @@
-//! The text of a source with switches, and which mutants an error of the compiler is due to.
+//! Writes the text of a source with switches, and finds the mutants that cause a compiler error.
 //!
-//! Operands are evaluated once, in their order, and those that were not needed are not evaluated.
+//! Operands are evaluated at most once and in order. Operands that the original does not evaluate are not evaluated.
 
 use super::mutant::{Form, Mutant, Place};
 use std::ops::Range;
 
-/// A place with those of its mutants that are built in, by switch.
+/// A place with those of its mutants that are built in, ordered by switch.
 pub struct Planted<'a> {
     /// The place.
     pub place: &'a Place,
@@ -13,7 +13,7 @@ pub struct Planted<'a> {
     pub mutants: Vec<&'a Mutant>,
 }
 
-/// The text of a source in which every place chooses between itself and its mutants.
+/// The text of a source in which every place selects between the original and its mutants.
 ///
 /// `library` is the crate that holds the switches, and the places are in order of their beginning.
 pub fn written(text: &str, library: &str, places: &[Planted]) -> String {
@@ -104,7 +104,7 @@ impl Writer<'_> {
     }
 }
 
-/// The arms for mutants of a place, the last of which takes what is left.
+/// The match arms for the mutants of a place; the last arm matches everything else.
 fn arms(mutants: &[&Mutant], code: &dyn Fn(&str) -> String) -> String {
     let arm = |(n, mutant): (usize, &&Mutant)| {
         let number = if n + 1 == mutants.len() {
@@ -125,8 +125,8 @@ fn marked(kind: char, switches: &str, code: &str) -> String {
     format!("{OPEN}{kind} {switches}>*/{code}{CLOSE}")
 }
 
-/// The mutants that an error at a place of a written text can be due to, and whether it lies in the code of
-/// one of them, or else in a place that has them.
+/// The mutants that can cause an error at a position of a written text, and whether the error is in the code of one of
+/// them or elsewhere in their place.
 pub fn blamed(written: &str, at: usize) -> (bool, Vec<usize>) {
     let mut around = vec![(false, Vec::new())];
     let before = &written[..at.min(written.len())];

@@ -1,5 +1,5 @@
-//! Which mutants compile: all are compiled together, and those at which the compiler complains are left
-//! out, until it complains no more.
+//! Finds the mutants that compile. All are compiled together; those for which the compiler reports errors are left out,
+//! until there are no errors.
 
 use super::mutant::Mutant;
 use super::switches::{Planted, blamed, written};
@@ -14,18 +14,18 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
-/// Switches of the mutants that do not compile, of a sample from some sources.
+/// Switches of the mutants of a sample that do not compile.
 #[derive(Serialize, Deserialize)]
 struct LeftOut {
     sample: u64,
     switches: BTreeSet<usize>,
 }
 
-/// Build the mutants into a copy of the workspace, without those that do not compile, and return the
-/// switches of these. They are kept in the folder, so that a run that is continued finds the same copy.
+/// Build the mutants into a copy of the workspace, without those that do not compile. Return the switches of the
+/// latter. They are stored in the folder, so that a continued run finds the same copy.
 ///
 /// # Errors
-/// Files that cannot be read or written; a complaint of the compiler at no mutant.
+/// A file that cannot be read or written, or a compiler error that no mutant causes.
 pub fn settle(
     root: &Path,
     folder: &Path,
@@ -66,7 +66,7 @@ pub fn settle(
     Ok(left_out.switches)
 }
 
-/// What tells a sample and its sources from others.
+/// A hash that identifies a sample and its sources.
 fn name(searched: &[Searched], sample: &[Mutant]) -> u64 {
     let mut hasher = DefaultHasher::new();
     for one in searched {
@@ -78,7 +78,7 @@ fn name(searched: &[Searched], sample: &[Mutant]) -> u64 {
     hasher.finish()
 }
 
-/// The texts of all sources with the mutants of the sample, but for those that are left out.
+/// The texts of all sources with the mutants of the sample, except those that are left out.
 fn texts(
     searched: &[Searched],
     sample: &[Mutant],
@@ -102,7 +102,7 @@ fn texts(
     searched.iter().enumerate().map(text).collect()
 }
 
-/// Switches of the mutants that the compiler complains about, as far as one run of it tells.
+/// Switches of the mutants for which one run of the compiler reports errors.
 fn complaints(copy: &Path, texts: &HashMap<PathBuf, String>) -> Outcome<BTreeSet<usize>> {
     let output = cargo(copy)
         .args(["check", "--message-format=json", "--profile", "mutants"])
@@ -127,7 +127,7 @@ fn complaints(copy: &Path, texts: &HashMap<PathBuf, String>) -> Outcome<BTreeSet
             (false, switches) => near.extend(switches),
         }
     }
-    // An error in a place may come from one in a mutant.
+    // A mutant that does not compile can cause an error elsewhere in its place.
     let found = if sure.is_empty() { near } else { sure };
     if found.is_empty() {
         return Err(complaint(&errors).into());
@@ -135,7 +135,7 @@ fn complaints(copy: &Path, texts: &HashMap<PathBuf, String>) -> Outcome<BTreeSet
     Ok(found)
 }
 
-/// Where an error is, in the code that was written.
+/// Position of an error in the written code.
 fn primary(error: &Value) -> Option<&Value> {
     let spans = error["spans"].as_array()?;
     spans.iter().find(|span| span["is_primary"] == true)
