@@ -1,11 +1,14 @@
 //! The pairs that are found are those that there are.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use gouge_common::geometry::{Domain, Metric, Open, PeriodicX, Vec2};
 use gouge_common::neighbors::{Cells, Neighbors, precedes};
 use gouge_common::pair::Pair;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, ZhangEckert};
 use gouge_dem::model::{BondLaws, Model, Yielding};
 use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
+use gouge_validation::scenes::{Draft, Grain};
 use proptest::prelude::*;
 
 fn particles(points: &[(f64, f64, f64)]) -> Particles {
@@ -165,22 +168,27 @@ fn a_world_without_particles_has_no_pairs() {
 }
 
 /// Two bonded grains that are torn apart, the second with a role.
-fn torn(role: &str, yielding: bool) -> gouge_dem::World {
-    let strength = "[bond.yielding]\nlaw = \"zhang-eckert\"\n\
-                    normal_strength = 28e6\ntangential_strength = 16.8e6\n";
-    let text = head("velocity-verlet", 1e-9)
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n"
-        + if yielding { strength } else { "" }
-        + &particle([0.0, 0.0], [-16.0, 0.0], 0.0, 1e-3)
-        + &particle([2.0e-3, 0.0], [0.0, 0.0], 0.0, 1e-3)
-        + &format!("role = \"{role}\"\n[[bonds]]\nbetween = [0, 1]\n");
-    world(&text)
+fn torn(role: Role, yielding: bool) -> gouge_dem::World {
+    let strength = Draft::empty().law(ZhangEckert {
+        normal_strength: 28e6,
+        tangential_strength: 16.8e6,
+    });
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 1.0,
+        })
+        .and(&if yielding { strength } else { Draft::empty() })
+        .grain(Grain::at([0.0, 0.0], 1e-3).moving([-16.0, 0.0]))
+        .grain(Grain::at([2.0e-3, 0.0], 1e-3).with_role(role))
+        .bonded(0, 1);
+    world(&draft)
 }
 
 #[test]
 fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
     let model = |edges: bool| {
-        let model = *torn("free", true).model();
+        let model = *torn(Role::Free, true).model();
         let yielding = |yielding| Yielding {
             unbreakable_edges: edges,
             ..yielding
@@ -193,13 +201,13 @@ fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
     };
     let edge = Some(vec![Role::Free, Role::Fixed]);
     let phases = [
-        ("free", true, model(true), None, 0),
-        ("fixed", true, model(true), None, 1),
+        (Role::Free, true, model(true), None, 0),
+        (Role::Fixed, true, model(true), None, 1),
         // The edge comes to be only now.
-        ("free", true, model(true), edge.clone(), 1),
-        ("free", true, model(false), edge, 0),
+        (Role::Free, true, model(true), edge.clone(), 1),
+        (Role::Free, true, model(false), edge, 0),
         // No bond could break before, and now every one can.
-        ("fixed", false, model(false), None, 0),
+        (Role::Fixed, false, model(false), None, 0),
     ];
     for (role, yielding, model, roles, holding) in phases {
         let mut world = torn(role, yielding)
@@ -207,6 +215,6 @@ fn bonds_of_an_edge_hold_as_long_as_the_present_phase_says() {
             .expect("the kernel goes on");
         advance(&mut world, 5000);
         let found = world.bonds().map(|strong| strong.len());
-        assert_eq!(found, Some(holding), "{role} {yielding} {model:?}");
+        assert_eq!(found, Some(holding), "{role:?} {yielding} {model:?}");
     }
 }

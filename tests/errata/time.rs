@@ -1,9 +1,11 @@
 //! Time and energy.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::{assert_relative_eq, relative_eq};
-use gouge_dem::integrators::{crack_bound, wave_bound};
+use gouge_dem::integrators::{Integrator, crack_bound, wave_bound};
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt, ZhangEckert};
 use gouge_dem::material::GRANITE;
+use gouge_validation::scenes::{Draft, Grain};
 
 #[test]
 fn bounds_of_the_step_are_those_of_waves_and_cracks() {
@@ -28,8 +30,9 @@ fn bounds_of_the_step_are_those_of_waves_and_cracks() {
 
 #[test]
 fn a_displacement_below_half_the_spacing_of_numbers_moves_nothing() {
-    let text = head("euler", 1e-8) + &particle([1.0, 0.0], [1e-9, 1e-9], 0.0, 1e-3);
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::Euler, 1e-8)
+        .grain(Grain::at([1.0, 0.0], 1e-3).moving([1e-9, 1e-9]));
+    let mut world = world(&draft);
     advance(&mut world, 1000);
     let x = world.particles().position[0];
     assert_eq!(x.x, 1.0, "lost next to one metre");
@@ -40,8 +43,8 @@ fn a_displacement_below_half_the_spacing_of_numbers_moves_nothing() {
 }
 
 /// Largest residual over the largest energy of a run, and the terms at its end.
-fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
-    let mut world = world(text);
+fn balance(draft: &Draft, steps: u64) -> (f64, gouge_dem::balance::Energy) {
+    let mut world = world(draft);
     let (mut residual, mut scale) = (0.0_f64, world.energy().mechanical());
     for _ in 0..steps {
         advance(&mut world, 1);
@@ -53,36 +56,38 @@ fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
 }
 
 /// Two spheres meet obliquely with spin.
-fn oblique(step: f64, law: &str) -> String {
-    head("velocity-verlet", step)
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n"
-        + &format!("[contact.tangential]\n{law}")
-        + "[external]\nlaw = \"gravity\"\nacceleration = 1e4\n\
-           [ambient]\nlaw = \"creeping\"\nviscosity = 0.3\n"
-        + &particle([0.0, 0.0], [3.0, 1.0], 900.0, 1e-3)
-        + &particle([2.3e-3, 0.8e-3], [-2.0, 0.0], -200.0, 1.4e-3)
+fn oblique(step: f64, law: &str, constant: f64) -> Draft {
+    Draft::open_box(Integrator::VelocityVerlet, step)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 1.0,
+        })
+        .friction(law, 0.5, constant)
+        .gravity(1e4)
+        .creeping_drag(0.3)
+        .grain(
+            Grain::at([0.0, 0.0], 1e-3)
+                .moving([3.0, 1.0])
+                .spinning(900.0),
+        )
+        .grain(
+            Grain::at([2.3e-3, 0.8e-3], 1.4e-3)
+                .moving([-2.0, 0.0])
+                .spinning(-200.0),
+        )
 }
 
 #[test]
 fn the_balance_of_a_collision_closes() {
     let laws = [
-        (
-            "law = \"haff-werner\"\nfriction = 0.5\ndamping = 3.0\n",
-            1e-3,
-        ),
-        (
-            "law = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 3e6\n",
-            1e-3,
-        ),
+        ("haff-werner", 3.0, 1e-3),
+        ("cundall-strack-truncated", 3e6, 1e-3),
         // Its sign may flip in the middle of a step; the force then jumps by twice the limit.
-        (
-            "law = \"cundall-strack\"\nfriction = 0.5\nstiffness = 3e6\n",
-            1e-2,
-        ),
+        ("cundall-strack", 3e6, 1e-2),
     ];
-    for (law, tolerance) in laws {
-        let (coarse, _) = balance(&oblique(4e-9, law), 20_000);
-        let (fine, end) = balance(&oblique(0.5e-9, law), 160_000);
+    for (law, constant, tolerance) in laws {
+        let (coarse, _) = balance(&oblique(4e-9, law, constant), 20_000);
+        let (fine, end) = balance(&oblique(0.5e-9, law, constant), 160_000);
         assert!(
             fine < tolerance && fine < coarse.max(1e-7),
             "{law} {coarse} {fine}"
@@ -97,15 +102,31 @@ fn the_balance_of_a_collision_closes() {
 fn the_balance_of_a_breaking_bond_closes() {
     // Pulled apart, or pressed until it breaks, when the contact that begins is booked as bonding.
     for (speed, bonds) in [(8.0, false), (-8.0, true)] {
-        let text = head("velocity-verlet", 1e-9)
-            + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n\
-               [bond.normal]\nstiffness = 1e7\ndamping = 1.0\n\
-               [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 1.0\n\
-               [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 28e6\ntangential_strength = 16.8e6\n"
-            + &particle([0.0, 0.0], [-speed, 0.0], 1000.0, 1e-3)
-            + &particle([2.0e-3, 0.0], [speed, 0.0], 0.0, 1e-3)
-            + "[[bonds]]\nbetween = [0, 1]\n";
-        let (residual, end) = balance(&text, 5000);
+        let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+            .law(KelvinVoigt {
+                stiffness: 1e7,
+                damping: 2.0,
+            })
+            .law(AdjustedKelvinVoigt {
+                stiffness: 1e7,
+                damping: 1.0,
+            })
+            .law(EulerBernoulli {
+                stiffness: 1e7,
+                damping: 1.0,
+            })
+            .law(ZhangEckert {
+                normal_strength: 28e6,
+                tangential_strength: 16.8e6,
+            })
+            .grain(
+                Grain::at([0.0, 0.0], 1e-3)
+                    .moving([-speed, 0.0])
+                    .spinning(1000.0),
+            )
+            .grain(Grain::at([2.0e-3, 0.0], 1e-3).moving([speed, 0.0]))
+            .bonded(0, 1);
+        let (residual, end) = balance(&draft, 5000);
         assert!(residual < 1e-3, "{residual}");
         assert!(end.breaking > 0.0 && end.friction > 0.0);
         assert_eq!(end.bonding > 0.0, bonds, "{end:?}");

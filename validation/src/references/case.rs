@@ -1,6 +1,7 @@
 //! What a case compares.
 
 use super::Recorded;
+use crate::scenes::Draft;
 use gouge_runner::references::{FOLDER, Run, StoredScenes};
 use include_dir::Dir;
 use serde::Deserialize;
@@ -146,6 +147,14 @@ impl Case {
     /// Variables that the run does not set, tables of particles that are not there.
     pub fn scene(&self, run: &Run) -> Result<String, String> {
         self.scenes.text(run)
+    }
+
+    /// The scene of a run, to be changed.
+    ///
+    /// # Errors
+    /// As [`Case::scene`].
+    pub fn draft(&self, run: &Run) -> Result<Draft, String> {
+        Ok(Draft::parse(&self.scene(run)?))
     }
 
     /// Inputs of the engine that are not those that it was given.

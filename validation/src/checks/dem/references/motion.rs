@@ -1,8 +1,9 @@
 //! Motion step by step: the kernel beside the particles that an engine recorded.
 
-use crate::checks::dem::scenes::{advance, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot};
 use crate::references::{Case, RecordedRun, Table};
+use crate::scenes::Draft;
 use gouge_dem::World;
 
 /// Kinds of recorded quantities: each has its own scale.
@@ -93,8 +94,8 @@ pub(super) fn differences(case: &Case) -> Result<Vec<(&str, Difference)>, Failur
     let pairs = case.runs.iter().zip(&case.result.runs);
     pairs
         .map(|(run, recorded)| {
-            let text = case.scene(run).map_err(Failure::Oracle)?;
-            Ok((run.name.as_str(), difference(&text, recorded)?))
+            let draft = case.draft(run).map_err(Failure::Oracle)?;
+            Ok((run.name.as_str(), difference(&draft, recorded)?))
         })
         .collect()
 }
@@ -106,9 +107,9 @@ pub(super) fn recorded_motion(recorded: &RecordedRun) -> Result<&Table, Failure>
 }
 
 /// Repeat a run by a scene and compare it at the recorded steps.
-pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Difference, Failure> {
+pub(super) fn difference(draft: &Draft, recorded: &RecordedRun) -> Result<Difference, Failure> {
     let table = recorded_motion(recorded)?;
-    let mut world = world(scene)?;
+    let mut world = draft.world()?;
     let columns = Columns::of(table, &world)?;
     let mut difference = Difference {
         course: Vec::new(),
