@@ -1,17 +1,17 @@
 //! Collisions of two particles against closed forms of the outcome.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::abs_diff_eq;
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{CundallStrackTruncated, KelvinVoigt};
+use gouge_validation::scenes::{Draft, Grain};
 use proptest::prelude::*;
 
 const MASS: f64 = 1.130973355292325e-5; // 4/3 pi 2700 kg/m^3 (1 mm)^3
 
-fn contact(stiffness: f64, damping: f64, more: &str) -> String {
-    format!(
-        "[contact]\n{more}\n[contact.normal]\nlaw = \"kelvin-voigt\"\n\
-         stiffness = {stiffness:e}\ndamping = {damping:e}\n"
-    )
+fn contact(stiffness: f64, damping: f64) -> Draft {
+    Draft::empty().law(KelvinVoigt { stiffness, damping })
 }
 
 /// Restitution of a truncated Kelvin-Voigt collision of equal spheres at 1 mm, by the kernel.
@@ -21,11 +21,11 @@ fn restitution(damping_ratio: f64) -> f64 {
     let damping = damping_ratio * (2.0 * stiffness * MASS).sqrt();
     let step = 1e-5 / rate;
     let gap = 1e-3 - 1e-14;
-    let text = head("velocity-verlet", step)
-        + &contact(stiffness, damping, "")
-        + &particle([-gap, 0.0], [0.5, 0.0], 0.0, 1e-3)
-        + &particle([gap, 0.0], [-0.5, 0.0], 0.0, 1e-3);
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .and(&contact(stiffness, damping))
+        .grain(Grain::at([-gap, 0.0], 1e-3).moving([0.5, 0.0]))
+        .grain(Grain::at([gap, 0.0], 1e-3).moving([-0.5, 0.0]));
+    let mut world = world(&draft);
     advance(&mut world, 800_000);
     let v = &world.particles().velocity;
     v[1].x - v[0].x
@@ -55,12 +55,12 @@ fn restitution_of_truncated_kelvin_voigt_matches_the_closed_form() {
 
 #[test]
 fn separate_particles_do_not_feel_each_other_while_they_approach() {
-    // Taken literally, (36) would push this pair apart: damping times approach speed exceeds the negative spring force.
-    let text = head("euler", 1e-9)
-        + &contact(1e7, 10.0, "")
-        + &particle([-1.1e-3, 0.0], [1.0, 0.0], 0.0, 1e-3)
-        + &particle([1.1e-3, 0.0], [-1.0, 0.0], 0.0, 1e-3);
-    let mut world = world(&text);
+    // Literally (36) would push this pair apart: damping times approach exceeds the negative spring.
+    let draft = Draft::open_box(Integrator::Euler, 1e-9)
+        .and(&contact(1e7, 10.0))
+        .grain(Grain::at([-1.1e-3, 0.0], 1e-3).moving([1.0, 0.0]))
+        .grain(Grain::at([1.1e-3, 0.0], 1e-3).moving([-1.0, 0.0]));
+    let mut world = world(&draft);
     advance(&mut world, 1000);
     assert_eq!(world.particles().velocity[0].x, 1.0);
 }
@@ -77,20 +77,37 @@ fn momenta(world: &World) -> (f64, f64, f64) {
     sums
 }
 
-const LAWS: [&str; 3] = [
-    "law = \"haff-werner\"\nfriction = 0.6\ndamping = 3.0\n",
-    "law = \"cundall-strack\"\nfriction = 0.6\nstiffness = 3e6\n",
-    "law = \"cundall-strack-truncated\"\nfriction = 0.6\nstiffness = 3e6\n",
+/// Laws of friction with their damping or stiffness.
+const LAWS: [(&str, f64); 3] = [
+    ("haff-werner", 3.0),
+    ("cundall-strack", 3e6),
+    ("cundall-strack-truncated", 3e6),
 ];
 
-/// Two spheres of different sizes that overlap, slide and spin.
-fn sliding_pair(reading: &str, distance: &str, law: &str, x: f64, y: f64, spin: f64) -> String {
-    format!("reading = \"{reading}\"\n")
-        + &head("symplectic-euler", 1e-9)
-        + &contact(1e7, 1.0, &format!("distance = \"{distance}\""))
-        + &format!("[contact.tangential]\n{law}")
-        + &particle([0.0, 0.0], [3.0, -1.0], spin, 1e-3)
-        + &particle([x, y], [-2.0, 1.5], -0.3 * spin, 1.7e-3)
+/// Two spheres of different size that overlap, slide and spin.
+fn sliding_pair(
+    reading: &str,
+    distance: &str,
+    law: (&str, f64),
+    x: f64,
+    y: f64,
+    spin: f64,
+) -> Draft {
+    Draft::open_box(Integrator::SymplecticEuler, 1e-9)
+        .reading(reading)
+        .with("contact.distance", distance)
+        .and(&contact(1e7, 1.0))
+        .friction(law.0, 0.6, law.1)
+        .grain(
+            Grain::at([0.0, 0.0], 1e-3)
+                .moving([3.0, -1.0])
+                .spinning(spin),
+        )
+        .grain(
+            Grain::at([x, y], 1.7e-3)
+                .moving([-2.0, 1.5])
+                .spinning(-0.3 * spin),
+        )
 }
 
 proptest! {
@@ -147,20 +164,28 @@ fn opposite_spins_of_equal_spheres_change_neither_spins_nor_directions() {
     for law in LAWS {
         for k in 1..=17 {
             let spin = 2.0 * (f64::from(k) * std::f64::consts::PI / 36.0).tan();
-            let text = head("velocity-verlet", 1e-7)
-                + &contact(1e6, 100.0, "")
-                + &format!("[contact.tangential]\n{law}")
-                + &particle([-0.1, 0.0], [0.2, 0.0], spin, 0.1)
-                + &particle([0.1, 0.0], [-0.2, 0.0], -spin, 0.1);
-            let mut world = world(&text);
+            let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-7)
+                .and(&contact(1e6, 100.0))
+                .friction(law.0, 0.6, law.1)
+                .grain(
+                    Grain::at([-0.1, 0.0], 0.1)
+                        .moving([0.2, 0.0])
+                        .spinning(spin),
+                )
+                .grain(
+                    Grain::at([0.1, 0.0], 0.1)
+                        .moving([-0.2, 0.0])
+                        .spinning(-spin),
+                );
+            let mut world = world(&draft);
             advance(&mut world, 2000);
             let p = world.particles();
             assert_eq!(
                 [p.angular_velocity[0], p.angular_velocity[1]],
                 [spin, -spin],
-                "{law}"
+                "{law:?}"
             );
-            assert_eq!([p.velocity[0].y, p.velocity[1].y], [0.0, 0.0], "{law}");
+            assert_eq!([p.velocity[0].y, p.velocity[1].y], [0.0, 0.0], "{law:?}");
         }
     }
 }
@@ -172,16 +197,20 @@ fn rolling_without_slip_builds_up_no_tangential_displacement() {
     let reach = 0.999 * (radii[0] + radii[1]);
     let orbit = 40.0;
     let (speed, spin) = (orbit * reach, orbit * (radii[0] + radii[1]) / radii[1]);
-    let text = head("velocity-verlet", 1e-6)
-        + &contact(1e-6, 0.0, "")
-        + "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1e9\nstiffness = 1e-9\n"
-        + &format!(
-            "[[particles]]\nposition = [0.0, 0.0]\nradius = {:e}\nrole = \"fixed\"\n",
-            radii[0]
-        )
-        + &particle([reach, 0.0], [0.0, speed], spin, radii[1]);
-    let mut world = world(&text);
-    // The contact is far too weak to bend the path, so only a few steps along chords of the circle are taken.
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-6)
+        .and(&contact(1e-6, 0.0))
+        .law(CundallStrackTruncated {
+            friction: 1e9,
+            stiffness: 1e-9,
+        })
+        .grain(Grain::at([0.0, 0.0], radii[0]).fixed())
+        .grain(
+            Grain::at([reach, 0.0], radii[1])
+                .moving([0.0, speed])
+                .spinning(spin),
+        );
+    let mut world = world(&draft);
+    // The link is far too weak to bend the path, so follow the circle by stepping along chords of it.
     advance(&mut world, 20);
     let link = world.interactions()[0];
     let slip: f64 = link.tangential_displacement.iter().sum();

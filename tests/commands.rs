@@ -1,12 +1,11 @@
 //! The commands and their outputs, as specified by the contract.
 
-use crate::program::{run, stderr, stdout, write_scene};
-use crate::worlds::{head, particle};
+use crate::program::{run, stderr, stdout, write_draft};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt};
+use gouge_validation::scenes::{Bond, Draft, Grain};
 use serde_json::Value;
-
-const CONTACT: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
-    [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e7\n";
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")
@@ -15,16 +14,26 @@ fn json(text: &str) -> Value {
 #[test]
 fn links_prints_every_pair_with_its_forces() {
     let folder = tempfile::tempdir().expect("a folder");
-    let text = head("euler", 1e-9)
-        + CONTACT
-        + "[bond.normal]\nstiffness = 2e7\ndamping = 0.0\n\
-           [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 0.0\n"
-        + &particle([0.0, 0.0], [1.0, 0.0], 0.0, 1e-3)
-        + &particle([1.9e-3, 0.0], [0.0, 0.0], 0.0, 1e-3)
-        + &particle([1.9e-3, 2.1e-3], [0.0, 0.0], 0.0, 1e-3)
-        + "[[bonds]]\nbetween = [2, 1]\ninitial_distance = 2e-3\n\
-           [[contacts]]\nbetween = [0, 1]\ninitial_angles = [0.01, 3.1315926535897933]\n";
-    let path = write_scene(folder.path(), &text);
+    let draft = Draft::open_box(Integrator::Euler, 1e-9)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .friction("cundall-strack", 0.7, 1e7)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 2e7,
+            damping: 0.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .grain(Grain::at([0.0, 0.0], 1e-3).moving([1.0, 0.0]))
+        .grain(Grain::at([1.9e-3, 0.0], 1e-3))
+        .grain(Grain::at([1.9e-3, 2.1e-3], 1e-3))
+        .bond(Bond::between(2, 1).of_length(2e-3))
+        .touching_since(0, 1, [0.01, 3.1315926535897933]);
+    let path = write_draft(folder.path(), &draft);
     let output = run(&["links", path.to_str().expect("UTF-8")]);
     assert!(output.status.success(), "{}", stderr(&output));
     let text = stdout(&output);
@@ -75,17 +84,27 @@ fn stability_reports_bounds_and_whether_they_are_satisfied() {
 fn stability_follows_the_moment_of_inertia() {
     let folder = tempfile::tempdir().expect("a folder");
     let (k, mass) = (3e6, 4.0 / 3.0 * std::f64::consts::PI * 2700.0e-9);
-    for (key, factor) in [("", 0.4), ("inertia_factor = 0.6\n", 0.6)] {
-        let text = head("velocity-verlet", 1e-9)
-            + key
-            + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e6\ndamping = 0.0\n\
-               [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 3e6\n\
-               [bond.normal]\nstiffness = 1e6\ndamping = 0.0\n\
-               [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 3e6\ndamping = 0.0\n"
-            + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
-            + &particle([2e-3, 0.0], [0.0, 0.0], 0.0, 1e-3)
-            + "[[bonds]]\nbetween = [0, 1]\n";
-        let path = write_scene(folder.path(), &text);
+    let chosen = Draft::empty().with("material.inertia_factor", 0.6);
+    for (body, factor) in [(Draft::empty(), 0.4), (chosen, 0.6)] {
+        let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+            .and(&body)
+            .law(KelvinVoigt {
+                stiffness: 1e6,
+                damping: 0.0,
+            })
+            .friction("cundall-strack", 0.5, 3e6)
+            .law(AdjustedKelvinVoigt {
+                stiffness: 1e6,
+                damping: 0.0,
+            })
+            .law(EulerBernoulli {
+                stiffness: 3e6,
+                damping: 0.0,
+            })
+            .grain(Grain::at([0.0, 0.0], 1e-3))
+            .grain(Grain::at([2e-3, 0.0], 1e-3))
+            .bonded(0, 1);
+        let path = write_draft(folder.path(), &draft);
         let output = run(&["stability", path.to_str().expect("UTF-8")]);
         assert!(output.status.success(), "{}", stderr(&output));
         let report = json(&stdout(&output));
@@ -133,8 +152,8 @@ fn scenes_lists_all_scenes_and_prints_one() {
 #[test]
 fn a_run_writes_all_outputs_of_the_contract() {
     let folder = tempfile::tempdir().expect("a folder");
-    let text = stdout(&run(&["scenes", "three-point-bend"])).replace("end = 3e-3", "end = 3e-5");
-    let path = write_scene(folder.path(), &text);
+    let draft = Draft::builtin("three-point-bend").replacing("time.end", 3e-5);
+    let path = write_draft(folder.path(), &draft);
     let out = folder.path().join("out");
     let output = run(&[
         "run",

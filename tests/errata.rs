@@ -3,15 +3,20 @@
 mod fields;
 mod time;
 
-use crate::worlds::{advance, head, particle, scene, world};
+use crate::worlds::{advance, scene, world};
 use approx::{abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::{Metric, PeriodicX, Vec2};
 use gouge_dem::World;
 use gouge_dem::geometry::{contact_half_length, overlap_factor};
-use gouge_dem::laws::{ZhangEckert, dissipative_constant, dissipative_constant_printed};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{
+    AdjustedKelvinVoigt, Bshp, CundallStrackTruncated, EulerBernoulli, KelvinVoigt, ZhangEckert,
+    dissipative_constant, dissipative_constant_printed,
+};
 use gouge_dem::material::{Elastic, GRANITE};
 use gouge_dem::particles::{SPHERE_INERTIA_FACTOR, moment_of_inertia, sphere_mass};
 use gouge_runner::run::run_setup;
+use gouge_validation::scenes::{Bond, Draft, Grain};
 use std::f64::consts::PI;
 
 // --- Material and normal forces -------------------------------------------------------------
@@ -25,14 +30,15 @@ fn viscoelastic_restitution(b: f64) -> f64 {
     let constant = b / kappa.powf(0.4);
     let step = 2e-4 / kappa.powf(0.4);
     let gap = 1e-3 - 1e-12;
-    let text = head("velocity-verlet", step)
-        + &format!(
-            "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {modulus:e}\n\
-             poissons_ratio = {nu}\ndissipative_constant = {constant:e}\n"
-        )
-        + &particle([-gap, 0.0], [0.5, 0.0], 0.0, r)
-        + &particle([gap, 0.0], [-0.5, 0.0], 0.0, r);
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .law(Bshp {
+            youngs_modulus: modulus,
+            poissons_ratio: nu,
+            dissipative_constant: constant,
+        })
+        .grain(Grain::at([-gap, 0.0], r).moving([0.5, 0.0]))
+        .grain(Grain::at([gap, 0.0], r).moving([-0.5, 0.0]));
+    let mut world = world(&draft);
     advance(&mut world, 30_000);
     let v = &world.particles().velocity;
     v[1].x - v[0].x
@@ -92,12 +98,15 @@ fn proportional_viscosities_give_their_relaxation_time_as_dissipative_constant()
 #[test]
 fn viscoelastic_spheres_only_repel_and_only_while_they_overlap() {
     let at = |half: f64, speed: f64| {
-        let text = head("euler", 1e-9)
-            + "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
-               dissipative_constant = 1e-4\n"
-            + &particle([-half, 0.0], [speed, 0.0], 0.0, 1e-3)
-            + &particle([half, 0.0], [-speed, 0.0], 0.0, 1e-3);
-        let mut world = world(&text);
+        let draft = Draft::open_box(Integrator::Euler, 1e-9)
+            .law(Bshp {
+                youngs_modulus: 50e9,
+                poissons_ratio: 0.22,
+                dissipative_constant: 1e-4,
+            })
+            .grain(Grain::at([-half, 0.0], 1e-3).moving([speed, 0.0]))
+            .grain(Grain::at([half, 0.0], 1e-3).moving([-speed, 0.0]));
+        let mut world = world(&draft);
         world.evaluate_if_pending().expect("finite");
         world.forces().force[0].x
     };
@@ -113,12 +122,15 @@ fn viscoelastic_spheres_only_repel_and_only_while_they_overlap() {
 #[test]
 fn the_elastic_force_of_viscoelastic_spheres_is_the_gradient_of_stored_energy() {
     let at = |half: f64| {
-        let text = head("euler", 1e-9)
-            + "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
-               dissipative_constant = 1e-4\n"
-            + &particle([-half, 0.0], [0.0, 0.0], 0.0, 1e-3)
-            + &particle([half, 0.0], [0.0, 0.0], 0.0, 1e-3);
-        world(&text)
+        let draft = Draft::open_box(Integrator::Euler, 1e-9)
+            .law(Bshp {
+                youngs_modulus: 50e9,
+                poissons_ratio: 0.22,
+                dissipative_constant: 1e-4,
+            })
+            .grain(Grain::at([-half, 0.0], 1e-3))
+            .grain(Grain::at([half, 0.0], 1e-3));
+        world(&draft)
     };
     let (half, h) = (0.98e-3, 1e-8);
     let slope = (at(half + h).energy().contact - at(half - h).energy().contact) / (4.0 * h);
@@ -173,24 +185,34 @@ fn inertia_follows_the_reading_and_the_scene() {
     let (point, disc) = (mean_square(2), mean_square(1));
     let axis = 2.0 / 3.0 * point;
     let cases = [
-        ("", "", axis),
-        ("reading = \"thesis\"\n", "", point),
-        ("", "inertia_factor = 0.5\n", disc),
-        ("reading = \"thesis\"\n", "inertia_factor = 0.4\n", axis),
+        ("corrected", None, axis),
+        ("thesis", None, point),
+        ("corrected", Some(0.5), disc),
+        ("thesis", Some(0.4), axis),
     ];
     let r = 1.3e-3;
-    let listed = particle([0.0, 0.0], [0.0, 0.0], 0.0, r) + "density = 1000.0\n";
-    let made = "[setup]\nseed = 1\n[setup.sizes]\nminimum = 1.3e-3\nmaximum = 1.3e-3\n\
-                [setup.lattice]\ncolumns = 1\nrows = 1\n";
-    for (reading, key, expected) in cases {
-        for (particles, density) in [(listed.as_str(), 1000.0), (made, 2700.0)] {
-            let text = reading.to_owned() + &head("euler", 1e-9) + key + particles;
-            let world = run_setup(&scene(&text)).expect("the kernel takes the scene");
+    let listed = Draft::empty().grain(Grain::at([0.0, 0.0], r).of_density(1000.0));
+    let made = Draft::empty()
+        .with("setup.seed", 1)
+        .with("setup.sizes.minimum", r)
+        .with("setup.sizes.maximum", r)
+        .with("setup.lattice.columns", 1)
+        .with("setup.lattice.rows", 1);
+    for (reading, factor, expected) in cases {
+        for (particles, density) in [(&listed, 1000.0), (&made, 2700.0)] {
+            let draft = Draft::open_box(Integrator::Euler, 1e-9)
+                .reading(reading)
+                .and(particles);
+            let draft = match factor {
+                Some(factor) => draft.with("material.inertia_factor", factor),
+                None => draft,
+            };
+            let world = run_setup(&scene(&draft)).expect("the kernel takes the scene");
             let found = world.particles().moment_of_inertia[0];
             let whole = sphere_mass(density, r) * r * r;
             assert!(
                 relative_eq!(found, expected * whole, epsilon = 0.0, max_relative = 1e-7),
-                "{reading}{key}{found}"
+                "{reading} {factor:?} {found}"
             );
         }
     }
@@ -201,29 +223,35 @@ fn inertia_follows_the_reading_and_the_scene() {
 /// A pair of unequal radii in contact or bonded, with given position of the second particle and given angles.
 fn linked(kind: &str, x: f64, y: f64, angles: [f64; 2]) -> World {
     let links = match kind {
-        "bond" => {
-            "[bond.normal]\nstiffness = 2e7\ndamping = 0.0\n\
-             [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 3e7\ndamping = 0.0\n"
-        }
-        _ => {
-            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 2e7\ndamping = 0.0\n\
-             [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1e6\nstiffness = 3e7\n"
-        }
+        "bond" => Draft::empty()
+            .law(AdjustedKelvinVoigt {
+                stiffness: 2e7,
+                damping: 0.0,
+            })
+            .law(EulerBernoulli {
+                stiffness: 3e7,
+                damping: 0.0,
+            }),
+        _ => Draft::empty()
+            .law(KelvinVoigt {
+                stiffness: 2e7,
+                damping: 0.0,
+            })
+            .law(CundallStrackTruncated {
+                friction: 1e6,
+                stiffness: 3e7,
+            }),
     };
     let memory = match kind {
-        "bond" => {
-            "[[bonds]]\nbetween = [0, 1]\ninitial_distance = 2.3e-3\ninitial_angles = [0.0, -3.1]\n"
-        }
-        _ => "[[contacts]]\nbetween = [0, 1]\ninitial_angles = [0.0, -3.1]\n",
+        "bond" => Draft::empty().bond(Bond::between(0, 1).of_length(2.3e-3).since([0.0, -3.1])),
+        _ => Draft::empty().touching_since(0, 1, [0.0, -3.1]),
     };
-    let text = head("euler", 1e-9)
-        + links
-        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
-        + &format!("angle = {:e}\n", angles[0])
-        + &particle([x, y], [0.0, 0.0], 0.0, 1.4e-3)
-        + &format!("angle = {:e}\n", angles[1])
-        + memory;
-    world(&text)
+    let draft = Draft::open_box(Integrator::Euler, 1e-9)
+        .and(&links)
+        .grain(Grain::at([0.0, 0.0], 1e-3).turned(angles[0]))
+        .grain(Grain::at([x, y], 1.4e-3).turned(angles[1]))
+        .and(&memory);
+    world(&draft)
 }
 
 #[test]
@@ -261,14 +289,19 @@ fn forces_and_torques_of_links_are_the_gradient_of_stored_energy() {
 #[test]
 fn a_new_bond_is_unstrained_whatever_the_radii() {
     for x in [1.9e-3, 2.4e-3, 2.9e-3] {
-        let text = head("euler", 1e-9)
-            + "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n\
-               [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 1.0\n"
-            + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
-            + "angle = 0.7\n"
-            + &particle([0.0, x], [0.0, 0.0], 0.0, 1.4e-3)
-            + "[[bonds]]\nbetween = [0, 1]\n";
-        let link = world(&text).interactions()[0];
+        let draft = Draft::open_box(Integrator::Euler, 1e-9)
+            .law(AdjustedKelvinVoigt {
+                stiffness: 1e7,
+                damping: 1.0,
+            })
+            .law(EulerBernoulli {
+                stiffness: 1e7,
+                damping: 1.0,
+            })
+            .grain(Grain::at([0.0, 0.0], 1e-3).turned(0.7))
+            .grain(Grain::at([0.0, x], 1.4e-3))
+            .bonded(0, 1);
+        let link = world(&draft).interactions()[0];
         assert_eq!(
             [link.adjusted_normal_displacement, link.normal_force],
             [0.0, 0.0]
@@ -297,12 +330,26 @@ fn a_bond_breaks_at_the_section_of_the_smaller_particle() {
 
 #[test]
 fn forces_stay_finite_at_coincident_centres() {
-    let text = head("euler", 1e-9)
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n\
-           [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 1e7\n"
-        + &particle([0.0, 0.0], [1.0, 2.0], 10.0, 1e-3)
-        + &particle([0.0, 0.0], [-1.0, 0.0], 20.0, 2e-3);
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::Euler, 1e-9)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 1.0,
+        })
+        .law(CundallStrackTruncated {
+            friction: 0.5,
+            stiffness: 1e7,
+        })
+        .grain(
+            Grain::at([0.0, 0.0], 1e-3)
+                .moving([1.0, 2.0])
+                .spinning(10.0),
+        )
+        .grain(
+            Grain::at([0.0, 0.0], 2e-3)
+                .moving([-1.0, 0.0])
+                .spinning(20.0),
+        );
+    let mut world = world(&draft);
     world.evaluate_if_pending().expect("finite");
     let link = world.interactions()[0];
     assert_eq!(
@@ -332,23 +379,28 @@ fn the_overlap_factor_is_unbounded_near_coincidence() {
 #[test]
 fn a_contact_across_the_periodic_boundary_behaves_like_any_other() {
     let collide = |shift: f64| {
-        let text = head("velocity-verlet", 1e-8)
-            + "[box]\nwidth = 0.0078125\nheight = 0.02\nboundary = \"periodic-x\"\n\
-               [contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n\
-               [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 1e7\n"
-            + &particle(
-                [(1.5e-3 + shift).rem_euclid(0.0078125), 5e-3],
-                [3.0, 0.5],
-                300.0,
-                1e-3,
+        let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-8)
+            .with("box.width", 0.0078125)
+            .with("box.height", 0.02)
+            .with("box.boundary", "periodic-x")
+            .law(KelvinVoigt {
+                stiffness: 1e7,
+                damping: 1.0,
+            })
+            .law(CundallStrackTruncated {
+                friction: 0.5,
+                stiffness: 1e7,
+            })
+            .grain(
+                Grain::at([(1.5e-3 + shift).rem_euclid(0.0078125), 5e-3], 1e-3)
+                    .moving([3.0, 0.5])
+                    .spinning(300.0),
             )
-            + &particle(
-                [(3.6e-3 + shift).rem_euclid(0.0078125), 5.4e-3],
-                [-2.0, 0.0],
-                0.0,
-                1e-3,
+            .grain(
+                Grain::at([(3.6e-3 + shift).rem_euclid(0.0078125), 5.4e-3], 1e-3)
+                    .moving([-2.0, 0.0]),
             );
-        let mut world = world(&text);
+        let mut world = world(&draft);
         advance(&mut world, 3000);
         let p = world.particles();
         [

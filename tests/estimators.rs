@@ -1,12 +1,16 @@
 //! Estimators on states with known results.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_common::estimators::{
     Region, connected, packing_fraction, radial_distribution, visible_fraction,
 };
 use gouge_common::geometry::Vec2;
 use gouge_dem::estimators::fragments;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, Controller, EulerBernoulli, HaffWerner, KelvinVoigt};
+use gouge_runner::scene::DrivingTable;
+use gouge_validation::scenes::{Bond, Draft, Grain};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -97,22 +101,22 @@ fn a_lattice_has_its_shells_and_far_less_entropy_than_a_gas() {
     assert!(lattice.excess_entropy() < -20.0);
 }
 
-/// A row of bonded spheres stretched by a given strain.
-fn chain(strain: f64) -> String {
-    let mut text = head("velocity-verlet", 1e-9)
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n"
-        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3);
+/// A row of bonded spheres pulled apart by a given strain.
+fn chain(strain: f64) -> Draft {
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .grain(Grain::at([0.0, 0.0], 1e-3));
     for i in 1..10 {
         let x = f64::from(i) * 2e-3 * (1.0 + strain);
-        text += &particle([x, 0.0], [0.0, 0.0], 0.0, 1e-3);
+        draft = draft.grain(Grain::at([x, 0.0], 1e-3));
     }
     for i in 1..10 {
-        text += &format!(
-            "[[bonds]]\nbetween = [{}, {i}]\ninitial_distance = 2e-3\n",
-            i - 1
-        );
+        draft = draft.bond(Bond::between(i - 1, i).of_length(2e-3));
     }
-    text
+    draft
 }
 
 #[test]
@@ -137,13 +141,19 @@ fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
 #[test]
 fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
     use gouge_dem::estimators::{friction_feedback, friction_load};
-    // Pulled at constant speed against creeping drag: the reaction along x is only the drag 6 pi eta r v.
-    let text = head("symplectic-euler", 1e-6)
-        + "[ambient]\nlaw = \"creeping\"\nviscosity = 10.0\n\
-           [driving]\ncontroller = \"exact\"\nspeed = 2.0\npressure = 3.0\narea = 1.0\n"
-        + "[[particles]]\nposition = [0.0, 0.0]\nvelocity = [2.0, 0.0]\nradius = 1e-3\n\
-           role = \"driven\"\n";
-    let mut world = world(&text);
+    // Pulled at constant speed against creeping drag and pressed against the drag's absence: the
+    // reaction along x is the drag 6 pi eta r v alone.
+    let draft = Draft::open_box(Integrator::SymplecticEuler, 1e-6)
+        .creeping_drag(10.0)
+        .driving(DrivingTable {
+            controller: Controller::Exact,
+            speed: 2.0,
+            pressure: 3.0,
+            area: Some(1.0),
+            initial_force: [0.0; 2],
+        })
+        .grain(Grain::at([0.0, 0.0], 1e-3).moving([2.0, 0.0]).driven());
+    let mut world = world(&draft);
     advance(&mut world, 100);
     world.evaluate_if_pending().expect("finite");
     let drag = 6.0 * std::f64::consts::PI * 10.0 * 1e-3 * 2.0;
@@ -163,22 +173,38 @@ fn the_mean_stress_is_the_virial_of_the_forces() {
     // A frame of bonded and touching grains with random velocities and spins.
     let mut random = Pcg64::new(7, 7);
     let mut noise = |scale: f64| scale * (random.random::<f64>() - 0.5);
-    let mut text = head("symplectic-euler", 1e-9)
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 10.0\n[bond.tangential]\nlaw = \"euler-bernoulli\"\n\
-           stiffness = 1e7\ndamping = 10.0\n[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\n\
-           damping = 10.0\n[contact.tangential]\nlaw = \"haff-werner\"\ndamping = 3.0\n\
-           friction = 0.7\n";
+    let mut draft = Draft::open_box(Integrator::SymplecticEuler, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .law(HaffWerner {
+            friction: 0.7,
+            damping: 3.0,
+        });
     for k in 0..25 {
         let at = [
             f64::from(k % 5) * 1.9e-3 + noise(1e-4),
             f64::from(k / 5) * 1.9e-3 + noise(1e-4),
         ];
-        text += &particle(at, [noise(1.0), noise(1.0)], noise(500.0), 1e-3);
+        draft = draft.grain(
+            Grain::at(at, 1e-3)
+                .moving([noise(1.0), noise(1.0)])
+                .spinning(noise(500.0)),
+        );
     }
     for k in (0..25).filter(|k| k % 5 != 4).step_by(2) {
-        text += &format!("[[bonds]]\nbetween = [{k}, {}]\n", k + 1);
+        draft = draft.bonded(k, k + 1);
     }
-    let mut world = world(&text);
+    let mut world = world(&draft);
     advance(&mut world, 20);
     world.evaluate_if_pending().expect("finite");
     let stress = world.contact_network().mean_stress(1.0);

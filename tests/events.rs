@@ -1,9 +1,13 @@
 //! Events that a run reports to its observer, and their order.
 
-use crate::worlds::{head, particle, scene};
+use crate::worlds::scene;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::KelvinVoigt;
 use gouge_runner::error::Error;
 use gouge_runner::run::{Event, RunOptions, Warning, phases, run};
-use gouge_runner::scene::{Scene, builtin};
+use gouge_runner::scene::Scene;
+use gouge_validation::scenes::fault::brief;
+use gouge_validation::scenes::{Draft, Grain};
 use std::path::Path;
 
 /// An event that owns its data.
@@ -59,22 +63,11 @@ const OFTEN: RunOptions = RunOptions {
 /// A small fault with short phases: two settling phases of 600 steps, relaxing and pressing phases of 800 steps,
 /// shear of 4000 steps.
 fn fault() -> Scene {
-    let mut text = builtin::text("granite-fault-small")
-        .expect("built in")
-        .to_owned();
-    for (old, new) in [
-        ("end = 12.5e-3", "end = 40e-6"),
-        ("interval = 50e-6", "interval = 10e-6"),
-        ("width = 25e-3", "width = 15e-3"),
-        ("height = 25e-3", "height = 15e-3"),
-        ("driven_above = 21e-3", "driven_above = 11e-3"),
-        ("duration = 1e-3", "duration = 60e-6"),
-        ("duration = 0.5e-3", "duration = 8e-6"),
-    ] {
-        assert!(text.contains(old), "{old}");
-        text = text.replace(old, new);
-    }
-    scene(&text)
+    scene(
+        &brief()
+            .replacing("time.end", 40e-6)
+            .replacing("output.interval", 10e-6),
+    )
 }
 
 #[test]
@@ -129,12 +122,14 @@ fn ends_of_progress(events: Vec<Seen>) -> Vec<Seen> {
 fn pair(step: f64) -> Scene {
     // Mass 2700 4/3 pi 1e-9 kg, stiffness 1e7 N/m.
     let unit = (2700.0 * 4.0 / 3.0 * core::f64::consts::PI * 1e-9 / 1e7_f64).sqrt();
-    let text = head("velocity-verlet", step * unit)
-        .replace("end = 1.0", &format!("end = {:e}", 2000.0 * step * unit))
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n[output]\ninterval = 1.0\n"
-        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
-        + &particle([1.999e-3, 0.0], [0.0, 0.0], 0.0, 1e-3);
-    scene(&text)
+    let (stiffness, damping) = (1e7, 0.0);
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step * unit)
+        .ending_at(2000.0 * step * unit)
+        .law(KelvinVoigt { stiffness, damping })
+        .with("output.interval", 1.0)
+        .grain(Grain::at([0.0, 0.0], 1e-3))
+        .grain(Grain::at([1.999e-3, 0.0], 1e-3));
+    scene(&draft)
 }
 
 #[test]
@@ -162,8 +157,10 @@ fn a_time_step_above_the_bound_is_reported_once_before_the_first_step() {
 #[test]
 fn a_failed_run_ends_without_another_checkpoint() {
     let folder = tempfile::tempdir().expect("a folder");
-    let text = head("euler", 1e-3) + &particle([0.0; 2], [1e200, 0.0], 0.0, 1e-3);
-    let (events, outcome) = watch(&scene(&text), folder.path(), RARELY);
+    let draft = Draft::open_box(Integrator::Euler, 1e-3)
+        .ending_at(1.0)
+        .grain(Grain::at([0.0; 2], 1e-3).moving([1e200, 0.0]));
+    let (events, outcome) = watch(&scene(&draft), folder.path(), RARELY);
     assert!(matches!(outcome, Err(Error::Energy { .. })), "{outcome:?}");
     let names = vec!["run".to_owned()];
     assert_eq!(

@@ -2,7 +2,7 @@
 
 mod fields;
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::{abs_diff_eq, assert_abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::Vec2;
 use gouge_dem::geometry::{
@@ -10,9 +10,15 @@ use gouge_dem::geometry::{
     cylinder_contact_area, cylinder_displaced_volume, displaced_volume, focal_distance,
     overlap_factor, reversed,
 };
-use gouge_dem::laws::ZhangEckert;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{
+    AdjustedKelvinVoigt, Controller, CundallStrackTruncated, EulerBernoulli, HaffWerner,
+    KelvinVoigt, ZhangEckert,
+};
 use gouge_dem::material::GRANITE;
 use gouge_dem::setup::{Fault, is_above};
+use gouge_runner::scene::DrivingTable;
+use gouge_validation::scenes::{Bond, Draft, Grain};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -98,15 +104,29 @@ fn the_displaced_volume_loses_the_contact_area_per_distance() {
     }
 }
 
-/// A pair that overlaps and moves almost freely, with initial angles from an earlier rotation of both ends.
-fn gliding(distance: &str, step: f64) -> String {
-    head("euler", step)
-        + &format!("[contact]\ndistance = \"{distance}\"\n")
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e-9\ndamping = 0.0\n\
-           [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1e9\nstiffness = 1e-9\n"
-        + &particle([0.0, 0.0], [1.0, -2.0], 700.0, 1e-3)
-        + &particle([2.0e-3, 1.0e-3], [-1.5, 1.0], -400.0, 1.5e-3)
-        + "[[contacts]]\nbetween = [0, 1]\ninitial_angles = [-0.6, -3.3]\n"
+/// A pair that overlaps and moves almost freely, remembering an earlier turn of both ends.
+fn gliding(distance: &str, step: f64) -> Draft {
+    Draft::open_box(Integrator::Euler, step)
+        .with("contact.distance", distance)
+        .law(KelvinVoigt {
+            stiffness: 1e-9,
+            damping: 0.0,
+        })
+        .law(CundallStrackTruncated {
+            friction: 1e9,
+            stiffness: 1e-9,
+        })
+        .grain(
+            Grain::at([0.0, 0.0], 1e-3)
+                .moving([1.0, -2.0])
+                .spinning(700.0),
+        )
+        .grain(
+            Grain::at([2.0e-3, 1.0e-3], 1.5e-3)
+                .moving([-1.5, 1.0])
+                .spinning(-400.0),
+        )
+        .touching_since(0, 1, [-0.6, -3.3])
 }
 
 #[test]
@@ -164,46 +184,70 @@ fn rates_are_the_derivatives_of_displacements() {
 
 /// Three particles with the given kinds of forces.
 fn parts(kinds: &[&str]) -> gouge_dem::World {
-    let mut text = head("euler", 1e-9) + "[box]\nwidth = 0.02\n";
+    let mut draft = Draft::open_box(Integrator::Euler, 1e-9).with("box.width", 0.02);
     let tables = [
         (
             "contact",
-            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 3.0\n\
-             [contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.5\ndamping = 2.0\n",
+            Draft::empty()
+                .law(KelvinVoigt {
+                    stiffness: 1e7,
+                    damping: 3.0,
+                })
+                .law(HaffWerner {
+                    friction: 0.5,
+                    damping: 2.0,
+                }),
         ),
         (
             "bond",
-            "[bond.normal]\nstiffness = 2e7\ndamping = 3.0\n\
-             [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 4.0\n",
+            Draft::empty()
+                .law(AdjustedKelvinVoigt {
+                    stiffness: 2e7,
+                    damping: 3.0,
+                })
+                .law(EulerBernoulli {
+                    stiffness: 1e7,
+                    damping: 4.0,
+                }),
         ),
-        (
-            "ambient",
-            "[ambient]\nlaw = \"creeping\"\nviscosity = 3.0\n",
-        ),
-        (
-            "external",
-            "[external]\nlaw = \"gravity\"\nacceleration = 9.81e3\n",
-        ),
+        ("ambient", Draft::empty().creeping_drag(3.0)),
+        ("external", Draft::empty().gravity(9.81e3)),
         (
             "driving",
-            "[driving]\ncontroller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 1.0\n\
-             pressure = 1.0\ninitial_force = [3.0, -2.0]\n",
+            Draft::empty().driving(DrivingTable {
+                controller: Controller::RateLimited { force_rate: 0.0 },
+                speed: 1.0,
+                pressure: 1.0,
+                area: None,
+                initial_force: [3.0, -2.0],
+            }),
         ),
     ];
     for (kind, table) in tables {
         if kinds.contains(&kind) {
-            text += table;
+            draft = draft.and(&table);
         }
     }
-    text += &particle([0.0, 0.0], [1.0, 0.0], 100.0, 1e-3);
-    text += &particle([2.1e-3, 0.0], [0.0, 0.5], -300.0, 1.2e-3);
-    text += &particle([2.5e-3, 1.8e-3], [-1.0, 0.0], 50.0, 0.8e-3);
-    text += "role = \"driven\"\n";
+    draft = draft.grain(
+        Grain::at([0.0, 0.0], 1e-3)
+            .moving([1.0, 0.0])
+            .spinning(100.0),
+    );
+    draft = draft.grain(
+        Grain::at([2.1e-3, 0.0], 1.2e-3)
+            .moving([0.0, 0.5])
+            .spinning(-300.0),
+    );
+    draft = draft.grain(
+        Grain::at([2.5e-3, 1.8e-3], 0.8e-3)
+            .moving([-1.0, 0.0])
+            .spinning(50.0)
+            .driven(),
+    );
     if kinds.contains(&"bond") {
-        text +=
-            "[[bonds]]\nbetween = [0, 1]\ninitial_distance = 2.2e-3\ninitial_angles = [0.1, 3.0]\n";
+        draft = draft.bond(Bond::between(0, 1).of_length(2.2e-3).since([0.1, 3.0]));
     }
-    let mut world = world(&text);
+    let mut world = world(&draft);
     world.evaluate_if_pending().expect("finite");
     world
 }

@@ -1,9 +1,10 @@
 //! Order and stability of the integrators, measured on a damped oscillator in the kernel.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::World;
 use gouge_dem::integrators::{Integrator, Oscillator, critical_step};
+use gouge_validation::scenes::{Draft, Grain};
 use std::f64::consts::PI;
 
 const NAMES: [(&str, Integrator); 6] = [
@@ -22,10 +23,10 @@ const NAMES: [(&str, Integrator); 6] = [
 fn oscillator(integrator: &str, step: f64, damping_ratio: f64) -> World {
     let radius = (3.0 / (4.0 * PI * 2700.0)).cbrt();
     let viscosity = 2.0 * damping_ratio / (6.0 * PI * radius);
-    let mut text = head(integrator, step) + &particle([0.0, 1.0], [0.0, 0.0], 0.0, radius);
-    text += "[box]\nheight = 1e-300\n[external]\nlaw = \"harmonic-well\"\nstiffness = 1.0\n";
-    text += &format!("[ambient]\nlaw = \"creeping\"\nviscosity = {viscosity:e}\n");
-    world(&text)
+    let mut draft = Draft::open_box(integrator, step).grain(Grain::at([0.0, 1.0], radius));
+    draft = draft.with("box.height", 1e-300).harmonic_well(1.0);
+    draft = draft.creeping_drag(viscosity);
+    world(&draft)
 }
 
 /// Closed form of the height of the oscillator, released at rest at 1 m.

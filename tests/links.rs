@@ -1,11 +1,14 @@
 //! Neighbour search finds exactly the interacting pairs; bonds and contacts follow from them.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use gouge_common::geometry::{Domain, Metric, Open, PeriodicX, Vec2};
 use gouge_common::neighbors::{Cells, Neighbors, precedes};
 use gouge_common::pair::Pair;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, ZhangEckert};
 use gouge_dem::model::{BondLaws, Model, Yielding};
 use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
+use gouge_validation::scenes::{Draft, Grain};
 use proptest::prelude::*;
 
 fn particles(points: &[(f64, f64, f64)]) -> Particles {
@@ -164,23 +167,28 @@ fn a_world_without_particles_has_no_pairs() {
     assert!(found(Open, &nothing, &mut neighbors).is_empty());
 }
 
-/// Two bonded grains that move apart; the second has the given role.
-fn torn(role: &str, yielding: bool) -> gouge_dem::World {
-    let strength = "[bond.yielding]\nlaw = \"zhang-eckert\"\n\
-                    normal_strength = 28e6\ntangential_strength = 16.8e6\n";
-    let text = head("velocity-verlet", 1e-9)
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n"
-        + if yielding { strength } else { "" }
-        + &particle([0.0, 0.0], [-16.0, 0.0], 0.0, 1e-3)
-        + &particle([2.0e-3, 0.0], [0.0, 0.0], 0.0, 1e-3)
-        + &format!("role = \"{role}\"\n[[bonds]]\nbetween = [0, 1]\n");
-    world(&text)
+/// Two bonded grains that are torn apart, the second with a role.
+fn torn(role: Role, yielding: bool) -> gouge_dem::World {
+    let strength = Draft::empty().law(ZhangEckert {
+        normal_strength: 28e6,
+        tangential_strength: 16.8e6,
+    });
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 1.0,
+        })
+        .and(&if yielding { strength } else { Draft::empty() })
+        .grain(Grain::at([0.0, 0.0], 1e-3).moving([-16.0, 0.0]))
+        .grain(Grain::at([2.0e-3, 0.0], 1e-3).with_role(role))
+        .bonded(0, 1);
+    world(&draft)
 }
 
 #[test]
 fn edge_bonds_break_only_in_phases_that_let_them() {
     let model = |edges: bool| {
-        let model = *torn("free", true).model();
+        let model = *torn(Role::Free, true).model();
         let yielding = |yielding| Yielding {
             unbreakable_edges: edges,
             ..yielding
@@ -193,20 +201,20 @@ fn edge_bonds_break_only_in_phases_that_let_them() {
     };
     let edge = Some(vec![Role::Free, Role::Fixed]);
     let phases = [
-        ("free", true, model(true), None, 0),
-        ("fixed", true, model(true), None, 1),
-        // The second grain becomes part of the edge only in the next phase.
-        ("free", true, model(true), edge.clone(), 1),
-        ("free", true, model(false), edge, 0),
-        // No bond could break in the first phase; every bond can in the next.
-        ("fixed", false, model(false), None, 0),
+        (Role::Free, true, model(true), None, 0),
+        (Role::Fixed, true, model(true), None, 1),
+        // The edge comes to be only now.
+        (Role::Free, true, model(true), edge.clone(), 1),
+        (Role::Free, true, model(false), edge, 0),
+        // No bond could break before, and now every one can.
+        (Role::Fixed, false, model(false), None, 0),
     ];
     for (role, yielding, model, roles, holding) in phases {
         let mut world = torn(role, yielding)
             .continue_with(model, roles)
             .expect("the kernel goes on");
         advance(&mut world, 5000);
-        let found = world.bonds().map(|bonds| bonds.len());
-        assert_eq!(found, Some(holding), "{role} {yielding} {model:?}");
+        let found = world.bonds().map(|strong| strong.len());
+        assert_eq!(found, Some(holding), "{role:?} {yielding} {model:?}");
     }
 }

@@ -3,7 +3,9 @@
 mod disk;
 mod failing;
 
-use crate::program::{gouge, run, stderr, stdout, write_scene};
+use crate::program::{gouge, run, stderr, write_draft};
+use gouge_validation::scenes::Draft;
+use gouge_validation::scenes::fault::weak as weak_fault;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use serde_json::Value;
@@ -98,36 +100,15 @@ fn complete(scene: &Path, out: &Path, resume: bool) {
     assert!(output.status.success(), "{}", stderr(&output));
 }
 
-/// The small granite fault, so short and with so weak bonds that bonds break within a fraction of a second of run
-/// time.
-fn fault(integrator: &str, friction: &str, trajectory: &str) -> String {
-    let mut text = stdout(&run(&["scenes", "granite-fault-small"]));
-    for (old, new) in [
-        ("\"velocity-verlet\"", format!("\"{integrator}\"")),
-        ("\"cundall-strack-truncated\"", format!("\"{friction}\"")),
-        ("end = 12.5e-3", "end = 40e-6".to_owned()),
-        (
-            "interval = 50e-6",
-            format!("interval = 0.7e-6\ntrajectory = \"{trajectory}\""),
-        ),
-        ("width = 25e-3", "width = 15e-3".to_owned()),
-        ("height = 25e-3", "height = 15e-3".to_owned()),
-        ("driven_above = 21e-3", "driven_above = 11e-3".to_owned()),
-        ("duration = 1e-3", "duration = 60e-6".to_owned()),
-        ("duration = 0.5e-3", "duration = 8e-6".to_owned()),
-        (
-            "normal_strength = 280e6",
-            "normal_strength = 280e4".to_owned(),
-        ),
-        (
-            "tangential_strength = 168e6",
-            "tangential_strength = 168e4".to_owned(),
-        ),
-    ] {
-        assert!(text.contains(old), "{old}");
-        text = text.replace(old, &new);
-    }
-    text
+/// The protocol of the small granite fault, so short and so weak that it breaks in a fraction of a
+/// second.
+fn fault(integrator: &str, friction: &str, trajectory: &str) -> Draft {
+    weak_fault()
+        .replacing("time.integrator", integrator)
+        .replacing("contact.tangential.law", friction)
+        .replacing("time.end", 40e-6)
+        .replacing("output.interval", 0.7e-6)
+        .with("output.trajectory", trajectory)
 }
 
 /// Start or continue a run and kill it at a random moment. Return whether it was still running and whether the scene
@@ -163,10 +144,10 @@ fn kill(scene: &Path, out: &Path, resume: bool, random: &mut Pcg64, size: u64) -
     (status.code().is_none(), length() > 1000)
 }
 
-/// Kill a run many times, complete it, and compare it with an uninterrupted run.
-fn check_kill_and_resume(text: &str, kills: usize, seed: u128) {
+/// Kill a run many times, complete it, and compare it with one that was left alone.
+fn check_kill_and_resume(draft: &Draft, kills: usize, seed: u128) {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), text);
+    let scene = write_draft(folder.path(), draft);
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
     let output = run(&["run", self::text(&scene), "--out", self::text(&reference)]);
     assert!(output.status.success(), "{}", stderr(&output));
@@ -223,14 +204,9 @@ fn a_killed_run_with_euler_loses_no_bit() {
     check_kill_and_resume(&fault("euler", "cundall-strack", "none"), 10, 3);
 }
 
-/// A scene in which two particles collide. Its checkpoint is small, its series long.
-fn colliding_pair(step: f64) -> String {
-    let text = stdout(&run(&["scenes", "head-on"]));
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("step = "))
-        .expect("a step");
-    text.replace(line, &format!("step = {step:e}"))
+/// A scene in which two particles meet; its checkpoint is small, its series long.
+fn colliding_pair(step: f64) -> Draft {
+    Draft::builtin("head-on").replacing("time.step", step)
 }
 
 /// Damaged checkpoints: with a wrong bit, truncated, too long, or empty.
@@ -266,7 +242,7 @@ fn damaged(whole: &[u8]) -> Vec<Vec<u8>> {
 #[test]
 fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
+    let scene = write_draft(folder.path(), &colliding_pair(1e-8));
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
     complete(&scene, &reference, false);
     fs::create_dir(&out).expect("a new folder");
@@ -297,7 +273,7 @@ fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
         refused(&scene, "damaged");
     }
     fs::write(&path, &whole).expect("ours");
-    let other = write_scene(&reference, &colliding_pair(2e-8));
+    let other = write_draft(&reference, &colliding_pair(2e-8));
     refused(&other, "belongs to another scene");
     fs::remove_file(&other).expect("ours");
     complete(&scene, &out, true);
@@ -341,7 +317,7 @@ fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
 #[test]
 fn a_state_with_other_columns_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
+    let scene = write_draft(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
     let path = out.join("checkpoint");
@@ -396,7 +372,7 @@ fn a_state_with_other_columns_is_refused() {
 #[test]
 fn a_series_that_lost_rows_is_not_continued() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
+    let scene = write_draft(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
     let series = out.join("series.csv");

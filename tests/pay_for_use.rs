@@ -1,65 +1,84 @@
 //! Parts that a scene does not have change nothing; a step allocates nothing.
 
-use crate::worlds::{INTEGRATORS, advance, bits, head, particle, sheared_with, world};
+use crate::worlds::{INTEGRATORS, advance, bits, sheared_with, world};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{
+    AdjustedKelvinVoigt, Controller, CundallStrackTruncated, HaffWerner, KelvinVoigt,
+};
+use gouge_runner::scene::DrivingTable;
+use gouge_validation::scenes::{Draft, Grain};
 
-/// A few spinning grains that collide and separate again.
-fn grains(more: &str) -> String {
-    let mut text = head("velocity-verlet", 1e-8) + more;
-    text += "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n";
+/// A handful of grains that collide, spin and fall apart again.
+fn grains(more: &Draft) -> Draft {
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 1e-8).and(more);
+    draft = draft.law(KelvinVoigt {
+        stiffness: 1e7,
+        damping: 2.0,
+    });
     for i in 0..5 {
         let x = f64::from(i);
-        text += &particle(
-            [1.9e-3 * x, 0.2e-3 * (x * x)],
-            [2.0 - x, 0.3 * x],
-            100.0 * x,
-            1e-3,
+        draft = draft.grain(
+            Grain::at([1.9e-3 * x, 0.2e-3 * (x * x)], 1e-3)
+                .moving([2.0 - x, 0.3 * x])
+                .spinning(100.0 * x),
         );
     }
-    text
+    draft
 }
 
-fn outcome(text: &str) -> Vec<u64> {
-    let mut world = world(text);
+fn outcome(draft: &Draft) -> Vec<u64> {
+    let mut world = world(draft);
     advance(&mut world, 3000);
     bits(&world)
 }
 
 #[test]
 fn absent_terms_are_terms_with_coefficient_zero() {
-    let bare = outcome(&grains(""));
+    let bare = outcome(&grains(&Draft::empty()));
     let zero_terms = [
-        "[ambient]\nlaw = \"creeping\"\nviscosity = 0.0\n",
-        "[external]\nlaw = \"gravity\"\nacceleration = 0.0\n",
-        "[box]\nheight = 1.0\n[external]\nlaw = \"harmonic-well\"\nstiffness = 0.0\n",
-        "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.0\ndamping = 1.0\n",
-        "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 1.0\ndamping = 0.0\n",
-        "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.0\nstiffness = 1e7\n",
-        "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.0\nstiffness = 1e7\n",
-        "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1.0\nstiffness = 0.0\n",
-        "[output]\nenergy = false\n",
-        "[box]\nwidth = 1e3\n",
+        Draft::empty().creeping_drag(0.0),
+        Draft::empty().gravity(0.0),
+        Draft::empty().with("box.height", 1.0).harmonic_well(0.0),
+        Draft::empty().law(HaffWerner {
+            friction: 0.0,
+            damping: 1.0,
+        }),
+        Draft::empty().law(HaffWerner {
+            friction: 1.0,
+            damping: 0.0,
+        }),
+        Draft::empty().friction("cundall-strack", 0.0, 1e7),
+        Draft::empty().law(CundallStrackTruncated {
+            friction: 0.0,
+            stiffness: 1e7,
+        }),
+        Draft::empty().law(CundallStrackTruncated {
+            friction: 1.0,
+            stiffness: 0.0,
+        }),
+        Draft::empty().with("output.energy", false),
+        Draft::empty().with("box.width", 1e3),
     ];
     for term in zero_terms {
-        assert!(outcome(&grains(term)) == bare, "differs with {term}");
+        assert!(outcome(&grains(&term)) == bare, "differs with {term:?}");
     }
 }
 
 #[test]
 fn the_ledger_changes_no_motion() {
-    let text = |energy: bool| {
-        let tangential =
-            "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 1e7\n";
-        grains(&format!("[output]\nenergy = {energy}\n{tangential}"))
+    let with_ledger = |energy: bool| {
+        grains(&Draft::empty().friction("cundall-strack", 0.5, 1e7)).with("output.energy", energy)
     };
-    assert!(outcome(&text(true)) == outcome(&text(false)));
+    assert!(outcome(&with_ledger(true)) == outcome(&with_ledger(false)));
 }
 
 /// A small fault in its shear phase.
 fn sheared(integrator: &str, friction: &str) -> gouge_dem::World {
-    sheared_with(&[
-        ("velocity-verlet", integrator),
-        ("cundall-strack-truncated", friction),
-    ])
+    sheared_with(|fault| {
+        fault
+            .replacing("time.integrator", integrator)
+            .replacing("contact.tangential.law", friction)
+    })
 }
 
 #[test]
@@ -135,10 +154,13 @@ fn damaged_records_are_refused_without_panic() {
 
 #[test]
 fn records_with_wrong_indices_are_refused_or_run() {
-    let text =
-        grains("[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 1e7\n")
-            + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n[[bonds]]\nbetween = [3, 4]\n";
-    let mut world = world(&text);
+    let draft = grains(&Draft::empty().friction("cundall-strack", 0.5, 1e7))
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .bonded(3, 4);
+    let mut world = world(&draft);
     advance(&mut world, 10);
     let words = world.to_words();
     let mut refused = 0;
@@ -171,10 +193,17 @@ fn records_with_wrong_indices_are_refused_or_run() {
 
 #[test]
 fn the_driving_force_continues_in_the_next_phase() {
-    let text = grains(
-        "[driving]\ncontroller = \"rate-limited\"\nspeed = 1.0\npressure = 1e6\nforce_rate = 1e6\n[box]\nwidth = 0.1\n",
-    ) + "role = \"driven\"\n";
-    let mut world = world(&text);
+    let draft = grains(&Draft::empty())
+        .driving(DrivingTable {
+            controller: Controller::RateLimited { force_rate: 1e6 },
+            speed: 1.0,
+            pressure: 1e6,
+            area: None,
+            initial_force: [0.0; 2],
+        })
+        .with("box.width", 0.1)
+        .with("particles.4.role", "driven");
+    let mut world = world(&draft);
     advance(&mut world, 100);
     let (force, model) = (world.drive().force, *world.model());
     assert!(force.x != 0.0 && force.y != 0.0);

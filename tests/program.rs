@@ -1,5 +1,6 @@
 //! Helpers that run the program like a user.
 
+use gouge_validation::scenes::Draft;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -24,6 +25,11 @@ pub fn stderr(output: &Output) -> String {
 /// Standard output of a finished program.
 pub fn stdout(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// Write the scene of a draft into a folder.
+pub fn write_draft(folder: &Path, draft: &Draft) -> PathBuf {
+    write_scene(folder, &draft.text().expect("a scene"))
 }
 
 /// Write a scene into a folder.

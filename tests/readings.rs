@@ -1,17 +1,26 @@
 //! Decisions of the errata, tested by their effects.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::abs_diff_eq;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli};
+use gouge_validation::scenes::{Draft, Grain};
 
-/// A bonded pair that rolls like gears; each end makes many half-turns, at different times.
-fn gears(reading: &str) -> String {
-    format!("reading = \"{reading}\"\n")
-        + &head("euler", 1e-7)
-        + "[bond.normal]\nstiffness = 1e3\ndamping = 0.0\n\
-           [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e-9\ndamping = 0.0\n"
-        + &particle([0.0, 0.0], [0.0, 0.0], 2e4, 1e-3)
-        + &particle([3e-3, 0.0], [0.0, 0.0], -1e4, 2e-3)
-        + "[[bonds]]\nbetween = [0, 1]\n"
+/// A bonded pair that rolls like gears; each end turns by many half-turns, at different moments.
+fn gears(reading: &str) -> Draft {
+    Draft::open_box(Integrator::Euler, 1e-7)
+        .reading(reading)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e3,
+            damping: 0.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: 1e-9,
+            damping: 0.0,
+        })
+        .grain(Grain::at([0.0, 0.0], 1e-3).spinning(2e4))
+        .grain(Grain::at([3e-3, 0.0], 2e-3).spinning(-1e4))
+        .bonded(0, 1)
 }
 
 #[test]
@@ -40,13 +49,27 @@ fn corrected_angles_continue_where_thesis_angles_wrap() {
 fn a_bond_is_unstrained_after_many_rigid_turns() {
     // Rigid rotation about the common centre: no strain at any angle of rotation.
     let omega = 1e4;
-    let text = head("velocity-verlet", 1e-8)
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n\
-           [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 0.0\n"
-        + &particle([-1e-3, 0.0], [0.0, -omega * 1e-3], omega, 1e-3)
-        + &particle([1e-3, 0.0], [0.0, omega * 1e-3], omega, 1e-3)
-        + "[[bonds]]\nbetween = [0, 1]\n";
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-8)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .grain(
+            Grain::at([-1e-3, 0.0], 1e-3)
+                .moving([0.0, -omega * 1e-3])
+                .spinning(omega),
+        )
+        .grain(
+            Grain::at([1e-3, 0.0], 1e-3)
+                .moving([0.0, omega * 1e-3])
+                .spinning(omega),
+        )
+        .bonded(0, 1);
+    let mut world = world(&draft);
     advance(&mut world, 200_000);
     let p = world.particles();
     assert!(
@@ -61,11 +84,11 @@ fn a_bond_is_unstrained_after_many_rigid_turns() {
 
 /// Terminal speed of a 1 mm sphere falling in air, by the drag law of the reading.
 fn drag(reading: &str) -> f64 {
-    let text = format!("reading = \"{reading}\"\n")
-        + &head("euler", 1e-9)
-        + "[ambient]\nlaw = \"correlation\"\nviscosity = 18e-6\ndensity = 1.2\n"
-        + &particle([0.0, 0.0], [2.0, 0.0], 0.0, 1e-3);
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::Euler, 1e-9)
+        .reading(reading)
+        .correlation_drag(18e-6, 1.2)
+        .grain(Grain::at([0.0, 0.0], 1e-3).moving([2.0, 0.0]));
+    let mut world = world(&draft);
     world.evaluate_if_pending().expect("finite");
     world.forces().force[0].x
 }

@@ -3,7 +3,8 @@
 //! The recordings in `recorded/` are our own. They show that something changed, not that it is right; results of other
 //! programs are in `references/`. `cargo insta review` accepts a change.
 
-use crate::program::{run, stderr, stdout, write_scene};
+use crate::program::{run, stderr, stdout, write_draft, write_scene};
+use gouge_validation::scenes::Draft;
 use std::process::Output;
 
 /// Compare a text with the recording of the given name.
@@ -64,10 +65,8 @@ fn series_particles_and_frames_of_a_chain() {
     let chain = include_str!("recorded/checkpoint-3/scene.toml");
     for (format, ending) in [("vtk", "vtk"), ("extxyz", "xyz")] {
         let folder = tempfile::tempdir().expect("a folder");
-        let scene = write_scene(
-            folder.path(),
-            &chain.replace("[output]", &format!("[output]\ntrajectory = \"{format}\"")),
-        );
+        let draft = Draft::parse(chain).with("output.trajectory", format);
+        let scene = write_draft(folder.path(), &draft);
         let out = folder.path().join("out");
         let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("UTF-8"));
         let output = run(&["run", scene, "--out", out, "--quiet"]);

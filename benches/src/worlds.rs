@@ -5,8 +5,8 @@ use gouge_dem::model::{ContactTangential, Model};
 use gouge_dem::{Start, World};
 use gouge_runner::error::Error;
 use gouge_runner::run::{PhaseKind, run_setup, world_of_record};
-use gouge_runner::scene::{Scene, builtin};
-use std::path::Path;
+use gouge_runner::scene::Scene;
+use gouge_validation::scenes::Draft;
 use std::time::Instant;
 
 const PRESSED: &str = include_str!("../scenes/pressed.toml");
@@ -41,12 +41,8 @@ impl Friction {
     }
 }
 
-fn parse(text: &str) -> Result<Scene, Error> {
-    Ok(Scene::parse("scene", text.as_bytes(), Path::new("."))?)
-}
-
-fn prepare(text: &str) -> Result<World, Error> {
-    let scene = parse(text)?;
+fn prepare(draft: &Draft) -> Result<World, Error> {
+    let scene = draft.scene()?;
     let began = Instant::now();
     let world = run_setup(&scene)?;
     let (number, seconds) = (world.particles().len(), began.elapsed().as_secs_f64());
@@ -56,38 +52,38 @@ fn prepare(text: &str) -> Result<World, Error> {
 
 /// The granite fault at the beginning of its shear phase.
 pub fn fault(friction: Friction, ledger: bool) -> Result<World, Error> {
-    prepare(&fault_text(friction, ledger))
+    prepare(&fault_draft(friction, ledger))
 }
 
 /// Number of steps of the shear phase of the granite fault.
 pub fn fault_steps() -> Result<u64, Error> {
-    Ok(parse(&fault_text(Friction::CundallStrack, false))?.steps())
+    Ok(fault_draft(Friction::CundallStrack, false).scene()?.steps())
 }
 
-fn fault_text(friction: Friction, ledger: bool) -> String {
-    let text = builtin::text("granite-fault").unwrap_or_default();
-    let text = match friction {
-        Friction::HaffWerner => text
-            .replace("\"cundall-strack-truncated\"", "\"haff-werner\"")
-            .replace("stiffness = 1e8", "damping = 100.0"),
-        _ => text.to_owned(),
-    };
-    text.replace("[output]", &format!("[output]\nenergy = {ledger}"))
+fn fault_draft(friction: Friction, ledger: bool) -> Draft {
+    let draft = Draft::builtin("granite-fault").with("output.energy", ledger);
+    match friction {
+        Friction::HaffWerner => draft.law(HaffWerner {
+            friction: 0.7,
+            damping: 100.0,
+        }),
+        _ => draft,
+    }
 }
 
 /// The recorded fault, with Cundall-Strack friction and without an energy balance.
 pub fn fault_again(words: &[u64]) -> Result<World, Error> {
-    again(&fault_text(Friction::CundallStrack, false), words)
+    again(&fault_draft(Friction::CundallStrack, false), words)
 }
 
 /// The recorded pressed grains in the box of the scene.
 pub fn pressed_again(words: &[u64]) -> Result<World, Error> {
-    again(PRESSED, words)
+    again(&Draft::parse(PRESSED), words)
 }
 
 /// The world of a scene in a recorded state.
-fn again(text: &str, words: &[u64]) -> Result<World, Error> {
-    let scene = parse(text)?;
+fn again(draft: &Draft, words: &[u64]) -> Result<World, Error> {
+    let scene = draft.scene()?;
     let record = World::<f64>::record_of_words(scene.integrator, words);
     let world = record.and_then(|record| world_of_record(&scene, PhaseKind::Main, &record));
     world.ok_or_else(|| Error::Argument("the file does not hold a state of the scene".to_owned()))
@@ -95,12 +91,14 @@ fn again(text: &str, words: &[u64]) -> Result<World, Error> {
 
 /// Pressed grains without friction in a box of the given width in m.
 pub fn pressed(width: f64) -> Result<World, Error> {
-    prepare(&PRESSED.replace("width = 0.1", &format!("width = {width}")))
+    prepare(&Draft::parse(PRESSED).replacing("box.width", width))
 }
 
 /// The scene of the pressed grains, with frames of a trajectory.
 pub fn pressed_with_frames() -> Result<Scene, Error> {
-    parse(&PRESSED.replace("[output]", "[output]\ntrajectory = \"extxyz\""))
+    Ok(Draft::parse(PRESSED)
+        .with("output.trajectory", "extxyz")
+        .scene()?)
 }
 
 /// The pressed grains with friction, repeated `times` times along the periodic direction. All contacts begin again.

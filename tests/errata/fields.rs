@@ -1,11 +1,14 @@
 //! Fields, driving and friction.
 
-use crate::worlds::{INTEGRATORS, advance, head, particle, world};
+use crate::worlds::{INTEGRATORS, advance, world};
 use approx::{abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::estimators::{friction_feedback, friction_load};
-use gouge_dem::laws::{characteristic_length, drag_coefficient};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{Controller, KelvinVoigt, characteristic_length, drag_coefficient};
+use gouge_runner::scene::DrivingTable;
+use gouge_validation::scenes::{Draft, Grain};
 use std::f64::consts::PI;
 
 #[test]
@@ -49,21 +52,26 @@ fn the_drag_of_nonspherical_particles_uses_base_ten() {
     );
 }
 
-/// Two driven particles of different sizes in a viscous medium, with an exact controller.
-fn driven(more: &str) -> World {
-    let text = head("symplectic-euler", 1e-7)
-        + "[box]\nwidth = 0.02\n[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n[driving]\n"
-        + more
-        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
-        + "role = \"driven\"\n"
-        + &particle([0.01, 0.0], [1.0, 0.0], 0.0, 2e-3)
-        + "role = \"driven\"\n";
-    world(&text)
+/// Two driven particles of different size in a drag, with an exact controller.
+fn driven(driving: DrivingTable) -> World {
+    let draft = Draft::open_box(Integrator::SymplecticEuler, 1e-7)
+        .with("box.width", 0.02)
+        .creeping_drag(1.0)
+        .driving(driving)
+        .grain(Grain::at([0.0, 0.0], 1e-3).driven())
+        .grain(Grain::at([0.01, 0.0], 2e-3).moving([1.0, 0.0]).driven());
+    world(&draft)
 }
 
 #[test]
 fn exact_driving_holds_the_mean_speed_and_the_load() {
-    let mut world = driven("controller = \"exact\"\nspeed = 2.0\npressure = 1e6\n");
+    let mut world = driven(DrivingTable {
+        controller: Controller::Exact,
+        speed: 2.0,
+        pressure: 1e6,
+        area: None,
+        initial_force: [0.0; 2],
+    });
     for _ in 0..50 {
         advance(&mut world, 1);
         let v = &world.particles().velocity;
@@ -88,11 +96,14 @@ fn exact_driving_holds_the_mean_speed_and_the_load() {
         epsilon = 0.0,
         max_relative = 1e-15
     );
-    // Each driven particle carries the same share, along the axes of the laboratory frame.
-    let mut world = driven(
-        "controller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 2.0\npressure = 0.0\n\
-         initial_force = [6.0, -4.0]\n",
-    );
+    // Each carries the same share, along the axes of the laboratory.
+    let mut world = driven(DrivingTable {
+        controller: Controller::RateLimited { force_rate: 0.0 },
+        speed: 2.0,
+        pressure: 0.0,
+        area: None,
+        initial_force: [6.0, -4.0],
+    });
     world.evaluate_if_pending().expect("finite");
     let drag = 6.0 * PI * 2e-3;
     let force = &world.forces().force;
@@ -105,12 +116,17 @@ fn exact_driving_settles_with_every_integrator() {
     // A grain in a viscous medium starts at rest, is accelerated to 2 m/s and then driven at this speed. The force
     // only has to balance the drag 6 pi eta r v.
     for integrator in INTEGRATORS {
-        let text = head(integrator, 1e-6)
-            + "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
-               [driving]\ncontroller = \"exact\"\nspeed = 2.0\npressure = 0.0\narea = 1.0\n"
-            + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
-            + "role = \"driven\"\n";
-        let mut world = world(&text);
+        let draft = Draft::open_box(integrator, 1e-6)
+            .creeping_drag(1.0)
+            .driving(DrivingTable {
+                controller: Controller::Exact,
+                speed: 2.0,
+                pressure: 0.0,
+                area: Some(1.0),
+                initial_force: [0.0; 2],
+            })
+            .grain(Grain::at([0.0, 0.0], 1e-3).driven());
+        let mut world = world(&draft);
         advance(&mut world, 200);
         for _ in 0..20 {
             advance(&mut world, 1);
@@ -139,15 +155,21 @@ fn exact_driving_settles_with_every_integrator() {
 
 #[test]
 fn the_rate_limited_controller_brings_the_reaction_to_the_load() {
-    let text = head("symplectic-euler", 1e-8)
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e6\ndamping = 3.0\n\
-           [driving]\ncontroller = \"rate-limited\"\nforce_rate = 1e3\nspeed = 0.0\npressure = 1e5\n\
-           area = 1e-5\n"
-        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, 1e-3)
-        + "role = \"fixed\"\n"
-        + &particle([0.0, 2e-3], [0.0, 0.0], 0.0, 1e-3)
-        + "role = \"driven\"\n";
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::SymplecticEuler, 1e-8)
+        .law(KelvinVoigt {
+            stiffness: 1e6,
+            damping: 3.0,
+        })
+        .driving(DrivingTable {
+            controller: Controller::RateLimited { force_rate: 1e3 },
+            speed: 0.0,
+            pressure: 1e5,
+            area: Some(1e-5),
+            initial_force: [0.0; 2],
+        })
+        .grain(Grain::at([0.0, 0.0], 1e-3).fixed())
+        .grain(Grain::at([0.0, 2e-3], 1e-3).driven());
+    let mut world = world(&draft);
     advance(&mut world, 50_000);
     assert!(
         abs_diff_eq!(world.drive().force.y, -0.5, epsilon = 0.005),
@@ -170,17 +192,20 @@ fn friction_is_the_signed_ratio_of_sums() {
     // Dragged at constant speed through a medium while a harmonic well carries the load: friction is 6 pi eta r v /
     // (p A).
     for speed in [2.0, -2.0] {
-        let text = head("symplectic-euler", 1e-6)
-            + "[box]\nheight = 0.2\n[ambient]\nlaw = \"creeping\"\nviscosity = 10.0\n\
-               [external]\nlaw = \"harmonic-well\"\nstiffness = 1e3\n"
-            + &format!(
-                "[driving]\ncontroller = \"exact\"\nspeed = {speed:e}\npressure = 1e3\narea = 1e-3\n"
-            )
-            + &particle([0.0, 0.1], [0.0, 0.0], 0.0, 1e-3)
-            + "role = \"driven\"\n"
-            + &particle([0.5, 0.1], [0.0, 0.0], 0.0, 2e-3)
-            + "role = \"driven\"\n";
-        let mut world = world(&text);
+        let draft = Draft::open_box(Integrator::SymplecticEuler, 1e-6)
+            .with("box.height", 0.2)
+            .creeping_drag(10.0)
+            .harmonic_well(1e3)
+            .driving(DrivingTable {
+                controller: Controller::Exact,
+                speed,
+                pressure: 1e3,
+                area: Some(1e-3),
+                initial_force: [0.0; 2],
+            })
+            .grain(Grain::at([0.0, 0.1], 1e-3).driven())
+            .grain(Grain::at([0.5, 0.1], 2e-3).driven());
+        let mut world = world(&draft);
         advance(&mut world, 30_000);
         world.evaluate_if_pending().expect("finite");
         let drive = world.drive();
@@ -198,7 +223,7 @@ fn friction_is_the_signed_ratio_of_sums() {
                 epsilon = 0.0,
                 max_relative = 1e-6
             ),
-            "steady motion"
+            "machine_independent motion"
         );
         assert!(friction_load(drive) * speed > 0.0);
     }
@@ -206,13 +231,17 @@ fn friction_is_the_signed_ratio_of_sums() {
 
 #[test]
 fn work_of_driving_is_signed() {
-    // A small constant force brakes a driven particle: the work equals the change of its energy.
-    let text = head("velocity-verlet", 1e-8)
-        + "[driving]\ncontroller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 0.0\npressure = 0.0\n\
-           area = 1.0\ninitial_force = [-1.0, 0.0]\n"
-        + &particle([0.0, 0.0], [3.0, 0.0], 0.0, 1e-3)
-        + "role = \"driven\"\n";
-    let mut world = world(&text);
+    // A driven particle is braked by a small constant force: the work is what its energy changes by.
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-8)
+        .driving(DrivingTable {
+            controller: Controller::RateLimited { force_rate: 0.0 },
+            speed: 0.0,
+            pressure: 0.0,
+            area: Some(1.0),
+            initial_force: [-1.0, 0.0],
+        })
+        .grain(Grain::at([0.0, 0.0], 1e-3).moving([3.0, 0.0]).driven());
+    let mut world = world(&draft);
     let before = world.energy();
     assert!(before.kinetic > 0.0);
     assert_eq!(
@@ -233,15 +262,19 @@ fn work_of_driving_is_signed() {
 #[test]
 fn a_column_in_a_harmonic_well_has_a_parabolic_pressure() {
     let (n, k) = (9, 1e2);
-    let mut text = head("velocity-verlet", 1e-7)
-        + "[box]\nheight = 0.02\n[ambient]\nlaw = \"creeping\"\nviscosity = 200.0\n\
-           [external]\nlaw = \"harmonic-well\"\nstiffness = 1e2\n\
-           [contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n";
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 1e-7)
+        .with("box.height", 0.02)
+        .creeping_drag(200.0)
+        .harmonic_well(1e2)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        });
     for i in 0..n {
         let y = 0.01 + 2e-3 * (f64::from(i) - 4.0);
-        text += &particle([0.0, y], [0.0, 0.0], 0.0, 1e-3);
+        draft = draft.grain(Grain::at([0.0, y], 1e-3));
     }
-    let mut world = world(&text);
+    let mut world = world(&draft);
     advance(&mut world, 40_000);
     let links = world.interactions();
     assert_eq!(links.len(), n as usize - 1);

@@ -1,9 +1,11 @@
 //! Time and energy.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::{assert_relative_eq, relative_eq};
-use gouge_dem::integrators::{crack_bound, wave_bound};
+use gouge_dem::integrators::{Integrator, crack_bound, wave_bound};
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt, ZhangEckert};
 use gouge_dem::material::GRANITE;
+use gouge_validation::scenes::{Draft, Grain};
 
 #[test]
 fn time_step_bounds_match_waves_and_cracks() {
@@ -28,8 +30,9 @@ fn time_step_bounds_match_waves_and_cracks() {
 
 #[test]
 fn a_displacement_below_half_an_ulp_is_lost() {
-    let text = head("euler", 1e-8) + &particle([1.0, 0.0], [1e-9, 1e-9], 0.0, 1e-3);
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::Euler, 1e-8)
+        .grain(Grain::at([1.0, 0.0], 1e-3).moving([1e-9, 1e-9]));
+    let mut world = world(&draft);
     advance(&mut world, 1000);
     let x = world.particles().position[0];
     assert_eq!(x.x, 1.0, "lost in a coordinate of one metre");
@@ -39,9 +42,9 @@ fn a_displacement_below_half_an_ulp_is_lost() {
     );
 }
 
-/// Largest residual of a run divided by its largest energy, and the terms at its end.
-fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
-    let mut world = world(text);
+/// Largest residual over the largest energy of a run, and the terms at its end.
+fn balance(draft: &Draft, steps: u64) -> (f64, gouge_dem::balance::Energy) {
+    let mut world = world(draft);
     let (mut residual, mut scale) = (0.0_f64, world.energy().mechanical());
     for _ in 0..steps {
         advance(&mut world, 1);
@@ -52,37 +55,39 @@ fn balance(text: &str, steps: u64) -> (f64, gouge_dem::balance::Energy) {
     (residual / scale, world.energy())
 }
 
-/// Two spinning spheres collide obliquely.
-fn oblique(step: f64, law: &str) -> String {
-    head("velocity-verlet", step)
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 1.0\n"
-        + &format!("[contact.tangential]\n{law}")
-        + "[external]\nlaw = \"gravity\"\nacceleration = 1e4\n\
-           [ambient]\nlaw = \"creeping\"\nviscosity = 0.3\n"
-        + &particle([0.0, 0.0], [3.0, 1.0], 900.0, 1e-3)
-        + &particle([2.3e-3, 0.8e-3], [-2.0, 0.0], -200.0, 1.4e-3)
+/// Two spheres meet obliquely with spin.
+fn oblique(step: f64, law: &str, constant: f64) -> Draft {
+    Draft::open_box(Integrator::VelocityVerlet, step)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 1.0,
+        })
+        .friction(law, 0.5, constant)
+        .gravity(1e4)
+        .creeping_drag(0.3)
+        .grain(
+            Grain::at([0.0, 0.0], 1e-3)
+                .moving([3.0, 1.0])
+                .spinning(900.0),
+        )
+        .grain(
+            Grain::at([2.3e-3, 0.8e-3], 1.4e-3)
+                .moving([-2.0, 0.0])
+                .spinning(-200.0),
+        )
 }
 
 #[test]
 fn the_balance_of_a_collision_closes() {
     let laws = [
-        (
-            "law = \"haff-werner\"\nfriction = 0.5\ndamping = 3.0\n",
-            1e-3,
-        ),
-        (
-            "law = \"cundall-strack-truncated\"\nfriction = 0.5\nstiffness = 3e6\n",
-            1e-3,
-        ),
-        // The sign of friction may change within a step; the force then jumps by twice the Coulomb limit.
-        (
-            "law = \"cundall-strack\"\nfriction = 0.5\nstiffness = 3e6\n",
-            1e-2,
-        ),
+        ("haff-werner", 3.0, 1e-3),
+        ("cundall-strack-truncated", 3e6, 1e-3),
+        // Its sign may flip in the middle of a step; the force then jumps by twice the limit.
+        ("cundall-strack", 3e6, 1e-2),
     ];
-    for (law, tolerance) in laws {
-        let (coarse, _) = balance(&oblique(4e-9, law), 20_000);
-        let (fine, end) = balance(&oblique(0.5e-9, law), 160_000);
+    for (law, constant, tolerance) in laws {
+        let (coarse, _) = balance(&oblique(4e-9, law, constant), 20_000);
+        let (fine, end) = balance(&oblique(0.5e-9, law, constant), 160_000);
         assert!(
             fine < tolerance && fine < coarse.max(1e-7),
             "{law} {coarse} {fine}"
@@ -98,15 +103,31 @@ fn the_balance_of_a_breaking_bond_closes() {
     // The bond is pulled or pressed until it breaks. In compression a contact begins, whose energy is booked as
     // bonding.
     for (speed, bonds) in [(8.0, false), (-8.0, true)] {
-        let text = head("velocity-verlet", 1e-9)
-            + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n\
-               [bond.normal]\nstiffness = 1e7\ndamping = 1.0\n\
-               [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 1.0\n\
-               [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 28e6\ntangential_strength = 16.8e6\n"
-            + &particle([0.0, 0.0], [-speed, 0.0], 1000.0, 1e-3)
-            + &particle([2.0e-3, 0.0], [speed, 0.0], 0.0, 1e-3)
-            + "[[bonds]]\nbetween = [0, 1]\n";
-        let (residual, end) = balance(&text, 5000);
+        let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+            .law(KelvinVoigt {
+                stiffness: 1e7,
+                damping: 2.0,
+            })
+            .law(AdjustedKelvinVoigt {
+                stiffness: 1e7,
+                damping: 1.0,
+            })
+            .law(EulerBernoulli {
+                stiffness: 1e7,
+                damping: 1.0,
+            })
+            .law(ZhangEckert {
+                normal_strength: 28e6,
+                tangential_strength: 16.8e6,
+            })
+            .grain(
+                Grain::at([0.0, 0.0], 1e-3)
+                    .moving([-speed, 0.0])
+                    .spinning(1000.0),
+            )
+            .grain(Grain::at([2.0e-3, 0.0], 1e-3).moving([speed, 0.0]))
+            .bonded(0, 1);
+        let (residual, end) = balance(&draft, 5000);
         assert!(residual < 1e-3, "{residual}");
         assert!(end.breaking > 0.0 && end.friction > 0.0);
         assert_eq!(end.bonding > 0.0, bonds, "{end:?}");

@@ -1,11 +1,13 @@
 //! Drag and external forces.
 
-use crate::worlds::{advance, head, particle, world};
+use crate::worlds::{advance, world};
 use approx::{assert_abs_diff_eq, assert_relative_eq, relative_eq};
 use gouge_common::geometry::Vec2;
+use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{
     AmbientLaw, CorrelationDrag, CreepingDrag, drag_coefficient, reynolds_number,
 };
+use gouge_validation::scenes::{Draft, Grain};
 use std::f64::consts::PI;
 
 #[test]
@@ -75,11 +77,19 @@ fn creeping_flow_stops_each_particle_at_its_own_rate() {
     // v = v0 exp(-6 pi eta r t / m) and likewise the spin with 8 pi eta r^3 / J, per particle.
     let (viscosity, step, steps) = (10.0, 1e-9, 20_000);
     let radii = [1e-3, 1.7e-3_f64];
-    let text = head("velocity-verlet", step)
-        + &format!("[ambient]\nlaw = \"creeping\"\nviscosity = {viscosity}\n")
-        + &particle([0.0, 0.0], [1.0, 2.0], 300.0, radii[0])
-        + &particle([9.0, 0.0], [1.0, 2.0], 300.0, radii[1]);
-    let mut world = world(&text);
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .creeping_drag(viscosity)
+        .grain(
+            Grain::at([0.0, 0.0], radii[0])
+                .moving([1.0, 2.0])
+                .spinning(300.0),
+        )
+        .grain(
+            Grain::at([9.0, 0.0], radii[1])
+                .moving([1.0, 2.0])
+                .spinning(300.0),
+        );
+    let mut world = world(&draft);
     advance(&mut world, steps);
     let (p, time) = (world.particles(), step * steps as f64);
     for (i, r) in radii.iter().enumerate() {
@@ -109,12 +119,16 @@ fn creeping_flow_stops_each_particle_at_its_own_rate() {
 #[test]
 fn external_forces_derive_from_their_potentials_and_turn_nothing() {
     let fields = [
-        "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n",
-        "[box]\nheight = 0.4\n[external]\nlaw = \"harmonic-well\"\nstiffness = 50.0\n",
+        Draft::empty().gravity(9.81),
+        Draft::empty().with("box.height", 0.4).harmonic_well(50.0),
     ];
     for field in fields {
         let at = |x: f64, y: f64| {
-            world(&(head("euler", 1e-6) + field + &particle([x, y], [1.0, 0.0], 3.0, 0.01)))
+            world(
+                &Draft::open_box(Integrator::Euler, 1e-6)
+                    .and(&field)
+                    .grain(Grain::at([x, y], 0.01).moving([1.0, 0.0]).spinning(3.0)),
+            )
         };
         let potential = |x: f64, y: f64| at(x, y).energy().external;
         let (x, y, h) = (0.3, 0.7, 1e-4);

@@ -1,8 +1,9 @@
 //! Full disks, foreign files and unfinished runs: nothing is overwritten unless requested.
 
 use super::{assert_same, colliding_pair, complete, fault, files, kill, start, text};
-use crate::program::{run, stderr, write_scene};
-use crate::worlds::head;
+use crate::program::{run, stderr, write_draft};
+use gouge_dem::integrators::Integrator;
+use gouge_validation::scenes::Draft;
 use rand_pcg::Pcg64;
 use std::fs;
 use std::path::Path;
@@ -22,7 +23,7 @@ fn on_a_small_disk(blocks: usize, scene: &Path, out: &Path, resume: bool) -> Out
 #[test]
 fn a_full_disk_is_reported_and_the_run_continues_when_there_is_space() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
+    let scene = write_draft(folder.path(), &colliding_pair(1e-8));
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
     complete(&scene, &reference, false);
     let mut sizes = vec![];
@@ -60,7 +61,7 @@ fn a_full_disk_is_reported_and_the_run_continues_when_there_is_space() {
 #[test]
 fn a_checkpoint_that_does_not_fit_leaves_the_earlier_one() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &fault("euler", "cundall-strack", "none"));
+    let scene = write_draft(folder.path(), &fault("euler", "cundall-strack", "none"));
     let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
     complete(&scene, &reference, false);
     let mut random = Pcg64::new(31, 32);
@@ -81,7 +82,7 @@ fn a_checkpoint_that_does_not_fit_leaves_the_earlier_one() {
 #[test]
 fn an_unfinished_run_is_not_overwritten() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = write_scene(folder.path(), &colliding_pair(1e-8));
+    let scene = write_draft(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
     let done = files(&out);
@@ -120,7 +121,7 @@ fn foreign_files_survive() {
     for name in foreign {
         fs::write(out.join(name), "precious").expect("ours");
     }
-    let scene = write_scene(folder.path(), &fault("euler", "cundall-strack", "extxyz"));
+    let scene = write_draft(folder.path(), &fault("euler", "cundall-strack", "extxyz"));
     complete(&scene, &out, false);
     assert!(out.join("trajectory/frame_000010.xyz").exists());
     complete(Path::new("head-on"), &out, false);
@@ -135,11 +136,10 @@ fn a_run_does_not_replace_what_its_scene_reads() {
     let folder = tempfile::tempdir().expect("a folder");
     let list = folder.path().join("particles.csv");
     fs::write(&list, "x,y,radius,vx\n0,0,1e-3,1\n1,0,1e-3,0\n").expect("ours");
-    let scene = format!(
-        "particles_file = \"particles.csv\"\n{}",
-        head("euler", 1e-3)
-    );
-    let scene = write_scene(folder.path(), &scene);
+    let scene = Draft::open_box(Integrator::Euler, 1e-3)
+        .ending_at(1.0)
+        .with("particles_file", "particles.csv");
+    let scene = write_draft(folder.path(), &scene);
     let before = files(folder.path());
     let output = run(&["run", text(&scene), "--out", text(folder.path())]);
     let said = stderr(&output);

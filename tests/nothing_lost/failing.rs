@@ -1,34 +1,30 @@
 //! Runs that fail keep their last good state and report what happened.
 
 use super::{fault, summary, text};
-use crate::program::{run, stderr, write_scene};
-use crate::worlds::{INTEGRATORS, head, particle};
+use crate::program::{run, stderr, write_draft};
+use crate::worlds::INTEGRATORS;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt};
+use gouge_validation::scenes::{Draft, Grain};
 use std::fs;
 
-/// Laws of a chain of bonded grains that touch other grains.
-const LAWS: &str = "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
-    [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e8\n\
-    [bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
-    [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n";
-
-/// Six grains; the first three are bonded, and the first one moves.
-fn chain(integrator: &str, step: f64, end: f64) -> String {
+/// Six grains that touch, of which the first three are bonded and the first one moves.
+fn chain(integrator: &str, step: f64, end: f64) -> Draft {
     let grain = |i: usize| {
         let speed = if i == 0 { 1.0 } else { 0.0 };
-        particle(
-            [1.98e-3 * i as f64, 1e-4 * (i % 2) as f64],
-            [speed, 0.0],
-            0.0,
-            1e-3,
-        )
+        Grain::at([1.98e-3 * i as f64, 1e-4 * (i % 2) as f64], 1e-3).moving([speed, 0.0])
     };
-    let text = head(integrator, step) + LAWS + &(0..6).map(grain).collect::<String>();
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("end = "))
-        .expect("an end");
-    let text = text.replace(line, &format!("end = {end:e}"));
-    text + "[[bonds]]\nbetween = [0, 1]\n[[bonds]]\nbetween = [1, 2]\n[output]\ninterval = 1e-9\n"
+    let (stiffness, damping) = (1e7, 10.0);
+    Draft::open_box(integrator, step)
+        .ending_at(end)
+        .law(KelvinVoigt { stiffness, damping })
+        .friction("cundall-strack", 0.7, 1e8)
+        .law(AdjustedKelvinVoigt { stiffness, damping })
+        .law(EulerBernoulli { stiffness, damping })
+        .grains((0..6).map(grain))
+        .bonded(0, 1)
+        .bonded(1, 2)
+        .with("output.interval", 1e-9)
 }
 
 #[test]
@@ -36,7 +32,7 @@ fn a_far_too_large_time_step_reports_its_cause_and_keeps_the_last_good_state() {
     for integrator in INTEGRATORS {
         for step in [1e-5, 1e-4] {
             let folder = tempfile::tempdir().expect("a folder");
-            let scene = write_scene(folder.path(), &chain(integrator, step, 1e5 * step));
+            let scene = write_draft(folder.path(), &chain(integrator, step, 1e5 * step));
             let out = folder.path().join("out");
             let output = run(&["run", text(&scene), "--out", text(&out)]);
             let said = stderr(&output);
@@ -83,8 +79,10 @@ fn a_far_too_large_time_step_reports_its_cause_and_keeps_the_last_good_state() {
 #[test]
 fn overflowing_energies_are_not_written() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = head("euler", 1e-3) + &particle([0.0; 2], [1e200, 0.0], 0.0, 1e-3);
-    let scene = write_scene(folder.path(), &scene);
+    let scene = Draft::open_box(Integrator::Euler, 1e-3)
+        .ending_at(1.0)
+        .grain(Grain::at([0.0; 2], 1e-3).moving([1e200, 0.0]));
+    let scene = write_draft(folder.path(), &scene);
     let out = folder.path().join("out");
     let output = run(&["run", text(&scene), "--out", text(&out)]);
     let said = stderr(&output);
@@ -102,20 +100,22 @@ fn overflowing_energies_are_not_written() {
 #[test]
 fn a_failing_set_up_reports_its_phase() {
     let folder = tempfile::tempdir().expect("a folder");
-    let text = fault("velocity-verlet", "cundall-strack", "none");
+    let fault = fault("velocity-verlet", "cundall-strack", "none")
+        .replacing("setup.settle.0.duration", 6e-3)
+        .replacing("setup.settle.1.duration", 6e-3);
+    let unstable = fault
+        .clone()
+        .replacing("setup.settle.0.step", 100e-6)
+        .replacing("setup.settle.1.step", 100e-6);
     let cases = [
-        ("step = 100e-9", "step = 100e-6", "phase 'settle 1'"),
+        (unstable, "phase 'settle 1'"),
         (
-            "driven_above = 11e-3",
-            "driven_above = 11.0",
+            fault.replacing("setup.roles.driven_above", 11.0),
             "no driven particle",
         ),
     ];
-    for (old, new, expected) in cases {
-        let scene = write_scene(
-            folder.path(),
-            &text.replace(old, new).replace("= 60e-6", "= 6e-3"),
-        );
+    for (draft, expected) in cases {
+        let scene = write_draft(folder.path(), &draft);
         let out = folder.path().join("out");
         let output = run(&["run", self::text(&scene), "--out", self::text(&out)]);
         let said = stderr(&output);

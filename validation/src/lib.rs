@@ -6,4 +6,5 @@ pub mod oracles;
 pub mod references;
 pub mod report;
 pub mod scalars;
+pub mod scenes;
 pub mod verify;

@@ -1,6 +1,7 @@
 //! The result of a check and its tolerance.
 
 use super::Exhibit;
+use crate::scenes::Mistake;
 use gouge_dem::{ModelError, StepError};
 use gouge_runner::error::{Error, SceneError};
 use serde::Serialize;
@@ -146,6 +147,9 @@ pub enum Failure {
     /// The scene cannot be parsed.
     #[error("{0}")]
     Scene(#[from] SceneError),
+    /// The draft of a scene is none.
+    #[error("{0}")]
+    Draft(#[from] Mistake),
     /// The kernel refused the scene.
     #[error("{0}")]
     Model(#[from] ModelError),

@@ -1,6 +1,7 @@
 //! A stored case and what is compared in it.
 
 use super::Recorded;
+use crate::scenes::Draft;
 use gouge_runner::references::{FOLDER, Run, StoredScenes};
 use include_dir::Dir;
 use serde::Deserialize;
@@ -149,7 +150,15 @@ impl Case {
         self.scenes.text(run)
     }
 
-    /// Inputs that differ from those given to the engine.
+    /// The scene of a run, to be changed.
+    ///
+    /// # Errors
+    /// As [`Case::scene`].
+    pub fn draft(&self, run: &Run) -> Result<Draft, String> {
+        Ok(Draft::parse(&self.scene(run)?))
+    }
+
+    /// Inputs of the engine that are not those that it was given.
     pub fn changed_inputs(&self) -> Vec<&str> {
         let recorded = self.result.inputs.iter();
         let is_other = |(path, hash): &(&String, &String)| self.hashes.get(*path) != Some(*hash);

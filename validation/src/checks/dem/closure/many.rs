@@ -1,15 +1,14 @@
 //! The balance of many grains: a collapsing pile, and a fault that is sheared and breaks.
 
 use super::printed::fault;
-use crate::checks::dem::scenes::scene;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
     largest, thesis,
 };
+use crate::scenes::Draft;
 use gouge_dem::World;
 use gouge_dem::balance::Energy;
 use gouge_runner::run::run_setup;
-use gouge_runner::scene::builtin;
 
 pub(super) fn checks() -> Vec<Check> {
     vec![
@@ -101,9 +100,8 @@ fn converge(
 
 fn pile() -> Outcome {
     let start = |step: f64| {
-        let text = builtin::text("pile").unwrap_or_default();
-        let text = text.replace("step = 2e-6", &format!("step = {step:e}"));
-        Ok(run_setup(&scene(&text)?)?)
+        let draft = Draft::builtin("pile").replacing("time.step", step);
+        Ok(run_setup(&draft.scene()?)?)
     };
     let steps = [4e-6, 2e-6, 1e-6, 0.5e-6];
     converge("a collapsing pile", 40e-3, steps, start, |orders| {

@@ -2,12 +2,13 @@
 
 use super::heat::{FRICTION, HELD, SPIN, SQUEEZE, STIFFNESS, held};
 use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
-use crate::checks::dem::scenes::{head, particle, scene, world};
+use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::printed::{Link, Printed};
+use crate::scenes::Draft;
+use crate::scenes::fault::weak;
 use gouge_dem::World;
 use gouge_dem::particles::Role;
-use gouge_runner::scene::builtin;
 
 pub(super) fn checks() -> Vec<Check> {
     vec![
@@ -205,27 +206,13 @@ fn apart() -> Outcome {
 
 /// The small granite fault after its set-up, so small and weak that it breaks within 2000 steps.
 pub(super) fn fault(step: f64) -> Result<World, Failure> {
-    let mut text = builtin::text("granite-fault-small")
-        .unwrap_or_default()
-        .to_owned();
-    for (old, new) in [
-        ("width = 25e-3", "width = 15e-3".to_owned()),
-        ("height = 25e-3", "height = 15e-3".to_owned()),
-        ("driven_above = 21e-3", "driven_above = 11e-3".to_owned()),
-        ("duration = 1e-3", "duration = 60e-6".to_owned()),
-        ("duration = 0.5e-3", "duration = 8e-6".to_owned()),
-        ("= 280e6", "= 280e4".to_owned()),
-        ("= 168e6", "= 168e4".to_owned()),
-        ("step = 10e-9\nend", format!("step = {step:e}\nend")),
-    ] {
-        text = text.replace(old, &new);
-    }
-    Ok(gouge_runner::run::run_setup(&scene(&text)?)?)
+    let draft = weak().replacing("time.step", step);
+    Ok(gouge_runner::run::run_setup(&draft.scene()?)?)
 }
 
 /// The initial world of a built-in scene.
 fn named(name: &str) -> Result<World, Failure> {
-    world(builtin::text(name).unwrap_or_default())
+    Ok(Draft::builtin(name).world()?)
 }
 
 fn table() -> Outcome {

@@ -1,7 +1,6 @@
 //! Forces of a bond compared with an engine whose beam becomes stiffer when stretched.
 
 use super::motion::recorded_motion;
-use crate::checks::dem::scenes::world;
 use crate::checks::{Exhibit, Failure, Measurement, Outcome, Table};
 use crate::references::{Case, RecordedRun, Run};
 use gouge_common::geometry::Vec2;
@@ -34,7 +33,7 @@ fn compare_run(
     recorded: &RecordedRun,
     table: &mut Table,
 ) -> Result<[Measurement; 4], Failure> {
-    let mut world = world(&case.scene(run).map_err(Failure::Oracle)?)?;
+    let mut world = case.draft(run).map_err(Failure::Oracle)?.world()?;
     world.evaluate_if_pending()?;
     let motion = recorded_motion(recorded)?;
     let names = ["fx", "fy", "tqz"];

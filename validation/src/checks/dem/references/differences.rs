@@ -2,12 +2,13 @@
 
 use super::motion::{difference, recorded_motion};
 use super::stored;
-use crate::checks::dem::scenes::{advance, bits, world};
+use crate::checks::dem::scenes::{advance, bits};
 use crate::checks::{
     Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, largest, thesis,
 };
 use crate::oracles::oscillator::truncated_restitution;
 use crate::references::{Case, RecordedRun, Run};
+use crate::scenes::Draft;
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::geometry::PairFrame;
@@ -93,15 +94,11 @@ fn arms() -> Outcome {
     for path in OBLIQUE {
         let case = stored(path)?;
         for (run, recorded) in case.runs.iter().zip(&case.result.runs) {
-            let text = case.scene(run).map_err(Failure::Oracle)?;
-            let theirs = difference(&text, recorded)?;
+            let draft = draft(case, run)?;
+            let theirs = difference(&draft, recorded)?;
             let [radius, focal] = ["radius", "focal"].map(|distance| {
-                let own = |line: &str| match line.starts_with("distance") {
-                    true => format!("distance = \"{distance}\""),
-                    false => line.to_owned(),
-                };
-                let lines: Vec<String> = text.lines().map(own).collect();
-                difference(&lines.join("\n"), recorded)
+                let own = draft.clone().replacing("contact.distance", distance);
+                difference(&own, recorded)
             });
             let (radius, focal) = (radius?.largest(), focal?.largest());
             measured.extend([radius, focal].map(|size| size / theirs.depth));
@@ -119,10 +116,9 @@ fn arms() -> Outcome {
     Ok(measurement.showing([Exhibit::Table(table)]))
 }
 
-/// The world of a run, with one part of its scene replaced.
-fn world_with(case: &Case, run: &Run, replace: &str, with: &str) -> Result<World, Failure> {
-    let text = case.scene(run).map_err(Failure::Oracle)?;
-    world(&text.replace(replace, with))
+/// The scene of a run.
+fn draft(case: &Case, run: &Run) -> Result<Draft, Failure> {
+    case.draft(run).map_err(Failure::Oracle)
 }
 
 /// Steps in a run of an impact.
@@ -209,8 +205,10 @@ struct Parting {
 }
 
 fn part(case: &Case, run: &Run) -> Result<Parting, Failure> {
-    let mut truncated = world_with(case, run, "", "")?;
-    let mut printed = world_with(case, run, "cundall-strack-truncated", "cundall-strack")?;
+    let draft = draft(case, run)?;
+    let mut truncated = draft.world()?;
+    let printed = draft.replacing("contact.tangential.law", "cundall-strack");
+    let mut printed = printed.world()?;
     let spin = |world: &World| world.particles().angular_velocity[0];
     let began = spin(&truncated);
     let (mut step, mut place) = (None, Place::Nowhere);
@@ -263,13 +261,9 @@ fn inertia() -> Outcome {
     );
     let mut measured = Vec::new();
     for (run, recorded) in case.runs.iter().zip(&case.result.runs) {
-        let mut world = world_with(case, run, "", "")?;
-        let mut disc = world_with(
-            case,
-            run,
-            "[material]\n",
-            "[material]\ninertia_factor = 0.5\n",
-        )?;
+        let draft = draft(case, run)?;
+        let mut world = draft.world()?;
+        let mut disc = draft.with("material.inertia_factor", 0.5).world()?;
         let began = world.particles().angular_velocity.clone();
         advance(&mut world, STEPS)?;
         advance(&mut disc, STEPS)?;
@@ -326,7 +320,7 @@ fn damping() -> Outcome {
     ] {
         let case = stored(path)?;
         for (run, recorded) in case.runs.iter().zip(&case.result.runs) {
-            let world = world_with(case, run, "", "")?;
+            let world = draft(case, run)?.world()?;
             let collision = Collision::of(&world)?;
             let found = restitution(recorded)?;
             let expected = truncated_restitution(collision.ratio);

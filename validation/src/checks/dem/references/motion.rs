@@ -1,8 +1,9 @@
 //! Step-by-step motion: the kernel compared with the particles recorded by an engine.
 
-use crate::checks::dem::scenes::{advance, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot};
 use crate::references::{Case, RecordedRun, Table};
+use crate::scenes::Draft;
 use gouge_dem::World;
 
 /// Kinds of recorded quantities, each with its own scale.
@@ -93,8 +94,8 @@ pub(super) fn differences(case: &Case) -> Result<Vec<(&str, Difference)>, Failur
     let pairs = case.runs.iter().zip(&case.result.runs);
     pairs
         .map(|(run, recorded)| {
-            let text = case.scene(run).map_err(Failure::Oracle)?;
-            Ok((run.name.as_str(), difference(&text, recorded)?))
+            let draft = case.draft(run).map_err(Failure::Oracle)?;
+            Ok((run.name.as_str(), difference(&draft, recorded)?))
         })
         .collect()
 }
@@ -105,10 +106,10 @@ pub(super) fn recorded_motion(recorded: &RecordedRun) -> Result<&Table, Failure>
     recorded.motion.as_ref().ok_or_else(missing)
 }
 
-/// Repeats a run from its scene and compares it at the recorded steps.
-pub(super) fn difference(scene: &str, recorded: &RecordedRun) -> Result<Difference, Failure> {
+/// Repeat a run by a scene and compare it at the recorded steps.
+pub(super) fn difference(draft: &Draft, recorded: &RecordedRun) -> Result<Difference, Failure> {
     let table = recorded_motion(recorded)?;
-    let mut world = world(scene)?;
+    let mut world = draft.world()?;
     let columns = Columns::of(table, &world)?;
     let mut difference = Difference {
         course: Vec::new(),

@@ -2,7 +2,6 @@
 
 use super::motion::recorded_motion;
 use super::stored;
-use crate::checks::dem::scenes::world;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::stretched::{Pair, Stretched};
 use crate::references::Table;
@@ -28,7 +27,7 @@ fn follow() -> Outcome {
     let case = stored("lammps/bond-frame")?;
     let mut measured = Vec::new();
     for (run, recorded) in case.runs.iter().zip(&case.result.runs) {
-        let world = world(&case.scene(run).map_err(Failure::Oracle)?)?;
+        let world = case.draft(run).map_err(Failure::Oracle)?.world()?;
         let motion = recorded_motion(recorded)?;
         measured.push(Measurement::absolute(0.0, largest(&world, motion)?, 5e-9));
     }
