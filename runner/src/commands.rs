@@ -126,13 +126,13 @@ fn pair_bound(scene: &Scene, name: &str, meaning: &str, [k, c]: [f64; 2]) -> Val
 fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
     let p = world.particles();
     let by_mass = |i: &usize, j: &usize| p.mass[*i].total_cmp(&p.mass[*j]);
-    let (lightest, ease) = match (0..p.len()).min_by(by_mass) {
-        Some(i) => (p.mass[i], p.ease_of_turning(i)),
+    let (lightest, inverse_inertia) = match (0..p.len()).min_by(by_mass) {
+        Some(i) => (p.mass[i], p.inverse_inertia_factor(i)),
         None => (f64::INFINITY, 0.0),
     };
     let smallest = p.radius.iter().copied().fold(f64::INFINITY, f64::min);
     // Inverse reduced mass of two equal particles; for tangential motion times 1 + m r^2 / J, which is 7/2 for spheres.
-    let (push, roll) = (2.0 / lightest, 2.0 * (1.0 + ease) / lightest);
+    let (push, roll) = (2.0 / lightest, 2.0 * (1.0 + inverse_inertia) / lightest);
     let bound = |name, meaning, k, c| pair_bound(scene, name, meaning, [k, c]);
     let mut bounds = Vec::new();
     if let Some(contact) = &scene.contact {
@@ -164,7 +164,10 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
         if let Some(beam) = bond.tangential {
             // Equal particles in touch, rotating in the same and in opposite senses: 7/2 k / m and 5/2 k / m for
             // spheres.
-            let (shear, turn) = ((1.0 + ease) / lightest, ease / lightest);
+            let (shear, turn) = (
+                (1.0 + inverse_inertia) / lightest,
+                inverse_inertia / lightest,
+            );
             bounds.push(bound(
                 "bond shear",
                 "both ends rotate in the same sense",

@@ -115,14 +115,14 @@ impl<S: Real> Particles<S> {
     pub fn may_interact(&self, i: usize, j: usize) -> bool {
         !(self.is_fixed(i) && self.is_fixed(j))
     }
-    /// How easily particle `i` turns, m r^2 / J, dimensionless: 5/2 for a sphere.
+    /// The inverse of the inertia factor of particle `i`, m r^2 / J, dimensionless: 5/2 for a sphere.
     ///
-    /// A multiple of 2^-40, which takes back the roundings of J.
-    pub fn ease_of_turning(&self, i: usize) -> f64 {
+    /// Rounded to a multiple of 2^-40, so that the rounding of J does not show: it is exactly 5/2 for a sphere.
+    pub fn inverse_inertia_factor(&self, i: usize) -> f64 {
         const UNIT: f64 = 1.0 / (1_u64 << 40) as f64;
         let (mass, radius) = (self.mass[i].to_f64(), self.radius[i].to_f64());
-        let ease = mass * radius * radius / self.moment_of_inertia[i].to_f64();
-        libm::round(ease / UNIT) * UNIT
+        let inverse = mass * radius * radius / self.moment_of_inertia[i].to_f64();
+        libm::round(inverse / UNIT) * UNIT
     }
     /// Indices of the particles with the given role.
     pub fn with_role(&self, role: Role) -> impl Iterator<Item = usize> + '_ {

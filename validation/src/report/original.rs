@@ -81,19 +81,25 @@ pub fn chapter() -> Markup {
     };
     let margin = Some(MARGIN);
     let compared = [
-        Compared::of("friction from the load (85)", margin, &runs, |run| {
-            run.friction_load
-        }),
-        Compared::of("friction from the reaction (86)", margin, &runs, |run| {
-            run.friction_feedback
-        }),
+        Compared::of(
+            "friction from the load, thesis (85)",
+            margin,
+            &runs,
+            |run| run.friction_load,
+        ),
+        Compared::of(
+            "friction from the reaction, thesis (86)",
+            margin,
+            &runs,
+            |run| run.friction_feedback,
+        ),
         Compared::of("broken bonds", None, &runs, |run| run.bonds_broken),
     ];
     html! {
         section id="original" {
             h2 { "The author's program" }
             p.about {
-                "The author's program uses the moment of inertia 3/5 m r^2 instead of the printed 2/5 m r^2 (E64), so every grain resists rotation 1.5 times too much. "
+                "The author's program uses the moment of inertia 3/5 m r^2 instead of the printed 2/5 m r^2 (thesis E64), so every grain resists rotation 1.5 times too much. "
                 "The effect on friction was measured on the small fault, the scene " code { "granite-fault-small" }
                 ": each seed was run with both values and no other change. "
                 "Friction is the signed mean over all samples while the fault slides, from 2.5 ms (after 5 mm of sliding) to the end at 12.5 ms. Start, margin and tests were fixed before the runs. "

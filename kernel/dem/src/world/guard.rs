@@ -96,7 +96,7 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
     let mut damping = vec![0.0; number];
     let mut add = |(i, j): (usize, usize), link: PairConstants| {
         for particle in [i, j] {
-            let [k, c] = link.for_mass(world.state.particles.ease_of_turning(particle));
+            let [k, c] = link.for_mass(world.state.particles.inverse_inertia_factor(particle));
             stiffness[particle] += k;
             damping[particle] += c;
         }
@@ -149,8 +149,8 @@ impl PairConstants {
     /// Between equal masses the normal mode has the squared frequency 2 k / m. The spring of a contact sees
     /// both rotations: 2 (1 + q) k / m. The ends of a beam are springs of their own: at most 2 (1 + q/2) k / m
     /// for any ratio of radii, (1 + q) k / m for equal ones.
-    fn for_mass(self, ease_of_turning: f64) -> [f64; 2] {
-        let share = 1.0 + self.shared * ease_of_turning;
+    fn for_mass(self, inverse_inertia_factor: f64) -> [f64; 2] {
+        let share = 1.0 + self.shared * inverse_inertia_factor;
         [0, 1].map(|n| self.normal[n].max(share * self.tangential[n]))
     }
 }
