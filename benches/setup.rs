@@ -9,6 +9,7 @@ use gouge_dem::particles::Particles;
 use gouge_runner::run::{begin_phase, phases};
 use gouge_runner::scene::{Scene, builtin};
 use gouge_validation::report::Figures;
+use gouge_validation::scenes::Draft;
 use gouge_validation::verify;
 use std::hint::black_box;
 use std::path::Path;
@@ -17,8 +18,7 @@ use std::path::Path;
 const BOX: PeriodicX = PeriodicX { length: 0.1 };
 
 fn fault() -> Option<Scene> {
-    let text = builtin::text("granite-fault")?;
-    Scene::parse("bench", text.as_bytes(), Path::new(".")).ok()
+    Draft::builtin("granite-fault").scene().ok()
 }
 
 fn scenes(criterion: &mut Criterion) {

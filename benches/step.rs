@@ -5,50 +5,80 @@
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use gouge_dem::World;
-use gouge_runner::scene::Scene;
+use gouge_dem::laws::{
+    AdjustedKelvinVoigt, Bshp, CundallStrackTruncated, EulerBernoulli, HaffWerner, KelvinVoigt,
+    ZhangEckert,
+};
+use gouge_validation::scenes::Draft;
 use std::hint::black_box;
-use std::path::Path;
 
-const KELVIN_VOIGT: &str =
-    "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n";
-const BSHP: &str = "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 50e9\npoissons_ratio = 0.22\n\
-    dissipative_constant = 1e-8\n";
-const HAFF_WERNER: &str =
-    "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.7\ndamping = 100.0\n";
-const CUNDALL_STRACK: &str =
-    "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.7\nstiffness = 1e8\n";
-const TRUNCATED: &str =
-    "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.7\nstiffness = 1e8\n";
-const BARS: &str = "[bond.normal]\nstiffness = 1e7\ndamping = 10.0\n";
-const BEAMS: &str =
-    "[bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n";
-const YIELDING: &str = "[bond.yielding]\nlaw = \"zhang-eckert\"\n\
-    normal_strength = 280e9\ntangential_strength = 168e9\n";
-const CREEPING: &str = "[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n";
-const GRAVITY: &str = "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n";
-const LEDGER: &str = "[output]\nenergy = true\n";
+/// Adds a law or another part to a scene.
+type Part = fn(Draft) -> Draft;
+
+const KELVIN_VOIGT: Part = |draft| {
+    draft.law(KelvinVoigt {
+        stiffness: 1e7,
+        damping: 10.0,
+    })
+};
+const BSHP: Part = |draft| {
+    draft.law(Bshp {
+        youngs_modulus: 50e9,
+        poissons_ratio: 0.22,
+        dissipative_constant: 1e-8,
+    })
+};
+const HAFF_WERNER: Part = |draft| {
+    draft.law(HaffWerner {
+        friction: 0.7,
+        damping: 100.0,
+    })
+};
+const CUNDALL_STRACK: Part = |draft| draft.friction("cundall-strack", 0.7, 1e8);
+const TRUNCATED: Part = |draft| {
+    draft.law(CundallStrackTruncated {
+        friction: 0.7,
+        stiffness: 1e8,
+    })
+};
+const BARS: Part = |draft| {
+    draft.law(AdjustedKelvinVoigt {
+        stiffness: 1e7,
+        damping: 10.0,
+    })
+};
+const BEAMS: Part = |draft| {
+    draft.law(EulerBernoulli {
+        stiffness: 1e7,
+        damping: 10.0,
+    })
+};
+const YIELDING: Part = |draft| {
+    draft.law(ZhangEckert {
+        normal_strength: 280e9,
+        tangential_strength: 168e9,
+    })
+};
+const CREEPING: Part = |draft| draft.creeping_drag(1.0);
+const GRAVITY: Part = |draft| draft.gravity(9.81);
+const LEDGER: Part = |draft| draft.with("output.energy", true);
 
 /// 2500 grains on a lattice, overlapping by 0.1 % of their diameter; bonded if the text has bonds.
-fn lattice(integrator: &str, parts: &[&str]) -> Option<World> {
-    let parts = parts.concat();
-    let output = if parts.contains("[output]") {
-        ""
-    } else {
-        "[output]\nenergy = false\n"
+fn lattice(integrator: &str, parts: &[Part]) -> Option<World> {
+    let bare = Draft::open_box(integrator, 1e-9)
+        .with("output.energy", false)
+        .with("setup.seed", 1)
+        .with("setup.sizes.mean", 1e-3)
+        .with("setup.lattice.arrangement", "hexagonal")
+        .with("setup.lattice.pitch", 1.998e-3)
+        .with("setup.lattice.columns", 50)
+        .with("setup.lattice.rows", 50);
+    let draft = parts.iter().fold(bare, |draft, part| part(draft));
+    let draft = match draft.has("bond") {
+        true => draft.with_table("setup.bonding"),
+        false => draft,
     };
-    let bonding = if parts.contains("[bond") {
-        "[setup.bonding]\n"
-    } else {
-        ""
-    };
-    let text = format!(
-        "[time]\nstep = 1e-9\nend = 1.0\nintegrator = \"{integrator}\"\n\
-         [material]\ndensity = 2700.0\n{output}{parts}\
-         [setup]\nseed = 1\n[setup.sizes]\nmean = 1e-3\n\
-         [setup.lattice]\narrangement = \"hexagonal\"\npitch = 1.998e-3\ncolumns = 50\nrows = 50\n{bonding}"
-    );
-    let scene = Scene::parse("bench", text.as_bytes(), Path::new("."));
-    let scene = scene.map_err(|error| eprintln!("{error}")).ok()?;
+    let scene = draft.scene().map_err(|error| eprintln!("{error}")).ok()?;
     gouge_runner::run::begin_phase(&scene, &gouge_runner::run::phases(&scene), 0, None).ok()
 }
 
@@ -58,7 +88,7 @@ fn under_way(mut world: World) -> Option<World> {
     Some(world)
 }
 
-fn time(criterion: &mut Criterion, group: &str, cases: &[(&str, &str, &[&str])]) {
+fn time(criterion: &mut Criterion, group: &str, cases: &[(&str, &str, &[Part])]) {
     let mut group = criterion.benchmark_group(group);
     for (name, integrator, parts) in cases {
         let Some(world) = lattice(integrator, parts).and_then(under_way) else {

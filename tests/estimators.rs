@@ -10,7 +10,8 @@ use gouge_dem::estimators::fragments;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{AdjustedKelvinVoigt, Controller, EulerBernoulli, HaffWerner, KelvinVoigt};
 use gouge_runner::scene::DrivingTable;
-use gouge_validation::scenes::{Bond, Draft, Grain};
+use gouge_validation::scenes::events::stretched_chain;
+use gouge_validation::scenes::{Draft, Grain};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -101,27 +102,9 @@ fn a_lattice_has_its_shells_and_far_less_entropy_than_a_gas() {
     assert!(lattice.excess_entropy() < -20.0);
 }
 
-/// A row of bonded spheres pulled apart by a given strain.
-fn chain(strain: f64) -> Draft {
-    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
-        .law(AdjustedKelvinVoigt {
-            stiffness: 1e7,
-            damping: 0.0,
-        })
-        .grain(Grain::at([0.0, 0.0], 1e-3));
-    for i in 1..10 {
-        let x = f64::from(i) * 2e-3 * (1.0 + strain);
-        draft = draft.grain(Grain::at([x, 0.0], 1e-3));
-    }
-    for i in 1..10 {
-        draft = draft.bond(Bond::between(i - 1, i).of_length(2e-3));
-    }
-    draft
-}
-
 #[test]
 fn the_stress_of_a_stretched_chain_is_its_force_over_its_section() {
-    let world = world(&chain(1e-3));
+    let world = world(&stretched_chain([1.0, 0.0], 2.002e-3));
     // Nine bonds of 2.002 mm in a volume of nine such lengths times one square millimetre.
     let stress = world.contact_network().mean_stress(9.0 * 2.002e-3 * 1e-6);
     let expected = 1e7 * 2e-6 / 1e-6;
@@ -173,19 +156,11 @@ fn the_mean_stress_is_the_virial_of_the_forces() {
     // A frame of bonded and touching grains with random velocities and spins.
     let mut random = Pcg64::new(7, 7);
     let mut noise = |scale: f64| scale * (random.random::<f64>() - 0.5);
+    let (stiffness, damping) = (1e7, 10.0);
     let mut draft = Draft::open_box(Integrator::SymplecticEuler, 1e-9)
-        .law(AdjustedKelvinVoigt {
-            stiffness: 1e7,
-            damping: 10.0,
-        })
-        .law(EulerBernoulli {
-            stiffness: 1e7,
-            damping: 10.0,
-        })
-        .law(KelvinVoigt {
-            stiffness: 1e7,
-            damping: 10.0,
-        })
+        .law(AdjustedKelvinVoigt { stiffness, damping })
+        .law(EulerBernoulli { stiffness, damping })
+        .law(KelvinVoigt { stiffness, damping })
         .law(HaffWerner {
             friction: 0.7,
             damping: 3.0,

@@ -182,6 +182,22 @@ fn rates_are_the_derivatives_of_displacements() {
     }
 }
 
+/// Grains that touch or nearly do; the last one is driven.
+fn three_grains() -> [Grain; 3] {
+    [
+        Grain::at([0.0, 0.0], 1e-3)
+            .moving([1.0, 0.0])
+            .spinning(100.0),
+        Grain::at([2.1e-3, 0.0], 1.2e-3)
+            .moving([0.0, 0.5])
+            .spinning(-300.0),
+        Grain::at([2.5e-3, 1.8e-3], 0.8e-3)
+            .moving([-1.0, 0.0])
+            .spinning(50.0)
+            .driven(),
+    ]
+}
+
 /// Three particles with the given kinds of forces.
 fn parts(kinds: &[&str]) -> gouge_dem::World {
     let mut draft = Draft::open_box(Integrator::Euler, 1e-9).with("box.width", 0.02);
@@ -228,22 +244,7 @@ fn parts(kinds: &[&str]) -> gouge_dem::World {
             draft = draft.and(&table);
         }
     }
-    draft = draft.grain(
-        Grain::at([0.0, 0.0], 1e-3)
-            .moving([1.0, 0.0])
-            .spinning(100.0),
-    );
-    draft = draft.grain(
-        Grain::at([2.1e-3, 0.0], 1.2e-3)
-            .moving([0.0, 0.5])
-            .spinning(-300.0),
-    );
-    draft = draft.grain(
-        Grain::at([2.5e-3, 1.8e-3], 0.8e-3)
-            .moving([-1.0, 0.0])
-            .spinning(50.0)
-            .driven(),
-    );
+    draft = draft.grains(three_grains());
     if kinds.contains(&"bond") {
         draft = draft.bond(Bond::between(0, 1).of_length(2.2e-3).since([0.1, 3.0]));
     }

@@ -4,8 +4,7 @@ use crate::worlds::{advance, world};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::World;
 use gouge_dem::integrators::{Integrator, Oscillator, critical_step};
-use gouge_validation::scenes::{Draft, Grain};
-use std::f64::consts::PI;
+use gouge_validation::scenes::events;
 
 const NAMES: [(&str, Integrator); 6] = [
     ("euler", Integrator::Euler),
@@ -21,12 +20,7 @@ const NAMES: [(&str, Integrator); 6] = [
 
 /// A particle of 1 kg in a harmonic well of angular frequency 1/s, with drag of the given damping ratio.
 fn oscillator(integrator: &str, step: f64, damping_ratio: f64) -> World {
-    let radius = (3.0 / (4.0 * PI * 2700.0)).cbrt();
-    let viscosity = 2.0 * damping_ratio / (6.0 * PI * radius);
-    let mut draft = Draft::open_box(integrator, step).grain(Grain::at([0.0, 1.0], radius));
-    draft = draft.with("box.height", 1e-300).harmonic_well(1.0);
-    draft = draft.creeping_drag(viscosity);
-    world(&draft)
+    world(&events::oscillator(integrator, step, damping_ratio))
 }
 
 /// Closed form of the height of the oscillator, released at rest at 1 m.

@@ -7,6 +7,7 @@ mod code_size;
 mod collisions;
 mod commands;
 mod distributions;
+mod drafts;
 mod dual;
 mod equations;
 mod errata;

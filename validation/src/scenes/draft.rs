@@ -95,12 +95,22 @@ impl Draft {
         }
     }
 
+    /// Whether there is a dotted key of tables.
+    pub fn has(&self, key: &str) -> bool {
+        keys::has(&self.table, key)
+    }
+
     /// Set a dotted key, such as `box.width` or `particles.0.radius`, whether it is there or not.
     pub fn with(mut self, key: &str, value: impl Into<Value>) -> Self {
         match keys::set(&mut self.table, key, value.into()) {
             true => self,
             false => self.mistaken(format!("{key} cannot be set")),
         }
+    }
+
+    /// Add a table that gives no key, which leaves all of them to their defaults.
+    pub fn with_table(self, key: &str) -> Self {
+        self.with(key, Table::new())
     }
 
     /// Replace the value of a dotted key; a mistake if it is not there.

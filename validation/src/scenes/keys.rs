@@ -26,6 +26,16 @@ fn split_first(key: &str) -> (&str, Option<&str>) {
     }
 }
 
+/// Whether there is a key.
+pub fn has(table: &Table, key: &str) -> bool {
+    let (first, rest) = split_first(key);
+    match (table.get(first), rest) {
+        (Some(Value::Table(inner)), Some(rest)) => has(inner, rest),
+        (found, None) => found.is_some(),
+        _ => false,
+    }
+}
+
 /// Set or add a key and the tables on the way to it; false where something else stands in the way.
 pub fn set(table: &mut Table, key: &str, new: Value) -> bool {
     if let Some(value) = value(table, key) {

@@ -6,7 +6,7 @@ use gouge_dem::laws::KelvinVoigt;
 
 /// Grains of a mean radius of 1 mm that settle in a harmonic well, in a periodic square box of a side in m: the
 /// protocol of the small granite fault up to its bonds, with a seed.
-pub fn settled(side: f64, seed: u32) -> Draft {
+pub fn settled(side: f64, seed: u64) -> Draft {
     let settling = |stiffness: f64| {
         Draft::empty()
             .with("duration", 1e-3)
@@ -22,7 +22,7 @@ pub fn settled(side: f64, seed: u32) -> Draft {
             stiffness: 1e7,
             damping: 10.0,
         })
-        .with("setup.seed", seed)
+        .with("setup.seed", seed as i64)
         .with("setup.clip", true)
         .with("setup.sizes.mean", 1e-3)
         .with("setup.lattice.perturbation", 0.05e-3)

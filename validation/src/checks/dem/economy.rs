@@ -1,11 +1,15 @@
 //! Absent terms have no effect and store nothing.
 
-use super::scenes::{advance, bits, head, particle, world};
+use super::scenes::{advance, bits};
 use crate::checks::{
     Check, Effort, Evidence, Exhibit, Failure, Measurement, Origin, Outcome, Table, Topic, thesis,
 };
+use crate::scenes::{Bond, Draft, Grain};
 use gouge_dem::World;
-use gouge_runner::scene::INTEGRATORS;
+use gouge_dem::laws::{
+    AdjustedKelvinVoigt, Bshp, Controller, EulerBernoulli, KelvinVoigt, ZhangEckert,
+};
+use gouge_runner::scene::{DrivingTable, INTEGRATORS};
 
 /// The topic.
 pub fn topic() -> Topic {
@@ -78,37 +82,55 @@ fn recorded() -> Check {
 }
 
 /// Three by three grains in a dense periodic packing, bonded below, driven above, with every term.
-fn everything(integrator: &str, friction: &str) -> String {
-    let mut text = head(integrator, 2e-8)
-        + "[box]\nwidth = 8e-3\nboundary = \"periodic-x\"\n[output]\nenergy = true\n"
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 5.0\n"
-        + &format!("[contact.tangential]\nlaw = \"{friction}\"\nfriction = 0.5\nstiffness = 5e6\n")
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 5.0\n\
-           [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 5e6\ndamping = 5.0\n\
-           [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 5e6\n\
-           tangential_strength = 3e6\n[ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
-           [driving]\ncontroller = \"rate-limited\"\nforce_rate = 1e6\nspeed = 3.0\n\
-           pressure = 1e6\narea = 1e-5\n";
+fn everything(integrator: &str, friction: &str) -> Draft {
+    let mut draft = Draft::open_box(integrator, 2e-8)
+        .with("box.width", 8e-3)
+        .with("box.boundary", "periodic-x")
+        .with("output.energy", true)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 5.0,
+        })
+        .friction(friction, 0.5, 5e6)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 5.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: 5e6,
+            damping: 5.0,
+        })
+        .law(ZhangEckert {
+            normal_strength: 5e6,
+            tangential_strength: 3e6,
+        })
+        .creeping_drag(1.0)
+        .driving(DrivingTable {
+            controller: Controller::RateLimited { force_rate: 1e6 },
+            speed: 3.0,
+            pressure: 1e6,
+            area: Some(1e-5),
+            initial_force: [0.0; 2],
+        });
     for k in 0..9 {
         let [column, row] = [k % 3, k / 3].map(f64::from);
         let at = [2.6e-3 * column + 0.7e-3 * row, 1e-3 + 1.6e-3 * row];
-        text += &particle(
-            at,
-            [row - 1.0, 0.3 * column - 0.5],
-            200.0 * (column - row),
-            1e-3,
-        );
-        text += if k < 6 { "" } else { "role = \"driven\"\n" };
+        let grain = Grain::at(at, 1e-3)
+            .moving([row - 1.0, 0.3 * column - 0.5])
+            .spinning(200.0 * (column - row));
+        draft = draft.grain(if k < 6 { grain } else { grain.driven() });
     }
-    text + "[[bonds]]\nbetween = [0, 3]\n[[bonds]]\nbetween = [1, 4]\n\
-            [[bonds]]\nbetween = [4, 5]\nstrength_factor = 2.0\n"
+    draft
+        .bonded(0, 3)
+        .bonded(1, 4)
+        .bond(Bond::between(4, 5).of_strength(2.0))
 }
 
 fn measure_recorded() -> Outcome {
     let mut wrong = 0;
     for (integrator, _) in INTEGRATORS {
         for friction in ["cundall-strack", "cundall-strack-truncated"] {
-            let mut world = world(&everything(integrator, friction))?;
+            let mut world = everything(integrator, friction).world()?;
             for _ in 0..600 {
                 advance(&mut world, 1)?;
                 let words = world.to_words();
@@ -133,106 +155,105 @@ fn continues_alike(world: &mut World) -> Result<bool, Failure> {
 }
 
 /// Grains that collide, spin and separate again; the last one is driven in scenes with driving.
-fn grains(integrator: &str, normal: &str, more: &str) -> String {
-    let mut text = head(integrator, 1e-8) + normal + more;
-    for i in 0..5 {
+fn grains(integrator: &str, laws: &Draft) -> Draft {
+    let grain = |i: i32| {
         let x = f64::from(i);
         // In the middle of the widest box.
-        text += &particle(
-            [0.5 + 1.9e-3 * x, 2e-3 + 0.2e-3 * (x * x)],
-            [2.0 - x, 0.3 * x + 0.1],
-            100.0 * x,
-            1e-3,
-        );
-    }
-    text + "role = \"driven\"\n"
+        let grain = Grain::at([0.5 + 1.9e-3 * x, 2e-3 + 0.2e-3 * (x * x)], 1e-3)
+            .moving([2.0 - x, 0.3 * x + 0.1])
+            .spinning(100.0 * x);
+        if i < 4 { grain } else { grain.driven() }
+    };
+    Draft::open_box(integrator, 1e-8)
+        .and(laws)
+        .grains((0..5).map(grain))
 }
 
-const KELVIN_VOIGT: &str =
-    "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 2.0\n";
-const BSHP: &str = "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 5e10\n\
-                    poissons_ratio = 0.22\ndissipative_constant = 1e-7\n";
+fn kelvin_voigt() -> Draft {
+    Draft::empty().law(KelvinVoigt {
+        stiffness: 1e7,
+        damping: 2.0,
+    })
+}
 
 /// Terms without effect: name, and text of the scene.
-const ZERO: [(&str, &str); 19] = [
-    (
-        "creeping drag",
-        "[ambient]\nlaw = \"creeping\"\nviscosity = 0.0\n",
-    ),
-    // The coefficients must be positive, so the medium is so thin that its drag is lost in rounding.
-    (
-        "correlation drag",
-        "[ambient]\nlaw = \"correlation\"\nviscosity = 1e-300\ndensity = 1e-300\n",
-    ),
-    (
-        "gravity",
-        "[external]\nlaw = \"gravity\"\nacceleration = 0.0\n",
-    ),
-    (
-        "well",
-        "[box]\nheight = 1.0\n[external]\nlaw = \"harmonic-well\"\nstiffness = 0.0\n",
-    ),
-    (
-        "Haff-Werner, no friction",
-        "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.0\ndamping = 1.0\n",
-    ),
-    (
-        "Haff-Werner, no damping",
-        "[contact.tangential]\nlaw = \"haff-werner\"\nfriction = 1.0\ndamping = 0.0\n",
-    ),
-    (
-        "Cundall-Strack, no friction",
-        "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.0\nstiffness = 1e7\n",
-    ),
-    (
-        "Cundall-Strack, no stiffness",
-        "[contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 1.0\nstiffness = 0.0\n",
-    ),
-    (
-        "truncated, no friction",
-        "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.0\nstiffness = 1e7\n",
-    ),
-    (
-        "truncated, no stiffness",
-        "[contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1.0\nstiffness = 0.0\n",
-    ),
-    ("focal lever arms", "[contact]\ndistance = \"focal\"\n"),
-    ("mean lever arms", "[contact]\ndistance = \"mean\"\n"),
-    (
-        "driving",
-        "[driving]\ncontroller = \"rate-limited\"\nforce_rate = 0.0\nspeed = 1.0\npressure = 1e3\narea = 1.0\n",
-    ),
-    ("ledger", "[output]\nenergy = true\n"),
-    ("no ledger", "[output]\nenergy = false\n"),
-    ("box", "[box]\nwidth = 1.0\nheight = 0.1\n"),
-    (
-        "periodic box",
-        "[box]\nwidth = 1.0\nboundary = \"periodic-x\"\n",
-    ),
-    (
-        "bonds, none listed",
-        "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n",
-    ),
-    (
-        "beams, none listed",
-        "[bond.normal]\nstiffness = 1e7\ndamping = 1.0\n[bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 1.0\n",
-    ),
-];
+fn idle_laws() -> [(&'static str, Draft); 12] {
+    let part = Draft::empty;
+    let truncated = "cundall-strack-truncated";
+    [
+        ("creeping drag", part().creeping_drag(0.0)),
+        // The coefficients must be positive, so the medium is so thin that its drag is lost in rounding.
+        ("correlation drag", part().correlation_drag(1e-300, 1e-300)),
+        ("gravity", part().gravity(0.0)),
+        ("well", part().with("box.height", 1.0).harmonic_well(0.0)),
+        (
+            "Haff-Werner, no friction",
+            part().friction("haff-werner", 0.0, 1.0),
+        ),
+        (
+            "Haff-Werner, no damping",
+            part().friction("haff-werner", 1.0, 0.0),
+        ),
+        (
+            "Cundall-Strack, no friction",
+            part().friction("cundall-strack", 0.0, 1e7),
+        ),
+        (
+            "Cundall-Strack, no stiffness",
+            part().friction("cundall-strack", 1.0, 0.0),
+        ),
+        (
+            "truncated, no friction",
+            part().friction(truncated, 0.0, 1e7),
+        ),
+        (
+            "truncated, no stiffness",
+            part().friction(truncated, 1.0, 0.0),
+        ),
+        ("focal lever arms", part().with("contact.distance", "focal")),
+        ("mean lever arms", part().with("contact.distance", "mean")),
+    ]
+}
 
-fn outcome(text: &str, steps: u64) -> Result<Vec<u64>, Failure> {
-    let mut world = world(text)?;
+/// Other terms that do nothing.
+fn idle_parts() -> [(&'static str, Draft); 7] {
+    let part = Draft::empty;
+    let (stiffness, damping) = (1e7, 1.0);
+    let driving = DrivingTable {
+        controller: Controller::RateLimited { force_rate: 0.0 },
+        speed: 1.0,
+        pressure: 1e3,
+        area: Some(1.0),
+        initial_force: [0.0; 2],
+    };
+    let wide = part().with("box.width", 1.0);
+    let bars = part().law(AdjustedKelvinVoigt { stiffness, damping });
+    let beams = bars.clone().law(EulerBernoulli { stiffness, damping });
+    [
+        ("driving", part().driving(driving)),
+        ("ledger", part().with("output.energy", true)),
+        ("no ledger", part().with("output.energy", false)),
+        ("box", wide.clone().with("box.height", 0.1)),
+        ("periodic box", wide.with("box.boundary", "periodic-x")),
+        ("bonds, none", bars),
+        ("beams, none", beams),
+    ]
+}
+
+fn outcome(draft: &Draft, steps: u64) -> Result<Vec<u64>, Failure> {
+    let mut world = draft.world()?;
     advance(&mut world, steps)?;
     Ok(bits(&world))
 }
 
 /// The text of a scene, from the name of its integrator and the text of a term.
-type SceneText<'a> = &'a dyn Fn(&str, &str) -> String;
+type SceneOf<'a> = &'a dyn Fn(&str, &Draft) -> Draft;
 
 /// Compares a scene with and without each term, for each integrator.
 fn compare(
     steps: u64,
-    pairs: &[(&str, &str, &str)],
-    scene: SceneText,
+    pairs: &[(&str, Draft, Draft)],
+    scene: SceneOf,
 ) -> Result<(usize, Table), Failure> {
     let names = INTEGRATORS.iter().map(|(name, _)| *name);
     let columns: Vec<&str> = std::iter::once("term").chain(names.clone()).collect();
@@ -252,107 +273,124 @@ fn compare(
 }
 
 fn measure_zero() -> Outcome {
-    let pairs = ZERO.map(|(name, idle)| (name, "", idle));
+    let idle = idle_laws().into_iter().chain(idle_parts());
+    let pairs: Vec<_> = idle
+        .map(|(name, idle)| (name, Draft::empty(), idle))
+        .collect();
     let (mut wrong, table) = compare(1000, &pairs, &|integrator, more| {
-        // A table may be opened only once, so the normal law must come after its parent table.
-        grains(integrator, "", &(more.to_owned() + KELVIN_VOIGT))
+        grains(integrator, &more.clone().and(&kelvin_voigt()))
     })?;
-    let hertzian = [
-        ("Haff-Werner, no friction", "", ZERO[4].1),
-        ("Cundall-Strack, no friction", "", ZERO[6].1),
-        ("truncated, no friction", "", ZERO[8].1),
-        ("mean lever arms", "", ZERO[11].1),
-    ];
+    let viscoelastic = Draft::empty().law(Bshp {
+        youngs_modulus: 5e10,
+        poissons_ratio: 0.22,
+        dissipative_constant: 1e-7,
+    });
+    let hertzian = [4, 6, 8, 11].map(|at| pairs[at].clone());
     let (more_wrong, hertzian) = compare(1000, &hertzian, &|integrator, more| {
-        grains(integrator, "", &(more.to_owned() + BSHP))
+        grains(integrator, &more.clone().and(&viscoelastic))
     })?;
     wrong += more_wrong;
     Ok(Measurement::count(wrong).showing([Exhibit::Table(table), Exhibit::Table(hertzian)]))
 }
 
 /// Eight grains in a row, slightly apart, that move and spin.
-fn row(integrator: &str, laws: &str, bonds: &str) -> String {
-    let mut text = head(integrator, 1e-8) + laws;
+fn row(integrator: &str, laws: &Draft) -> Draft {
+    let mut draft = Draft::open_box(integrator, 1e-8).and(laws);
     for i in 0..8 {
         let x = f64::from(i);
         let v = [0.3 * (1.3 * x).sin(), 0.4 * (2.1 * x).cos()];
-        text += &particle([2.1e-3 * x, 0.1e-3 * x], v, 50.0 * (x - 3.0), 1e-3);
+        draft = draft.grain(
+            Grain::at([2.1e-3 * x, 0.1e-3 * x], 1e-3)
+                .moving(v)
+                .spinning(50.0 * (x - 3.0)),
+        );
     }
-    text + bonds
+    draft
 }
 
-const BONDS: &str = "[[bonds]]\nbetween = [0, 1]\n[[bonds]]\nbetween = [1, 2]\n\
-                     [[bonds]]\nbetween = [3, 2]\n[[bonds]]\nbetween = [5, 6]\n";
-
 fn measure_bonded() -> Outcome {
-    let normal = "[bond.normal]\nstiffness = 1e6\ndamping = 2.0\n";
-    let idle = "[bond.normal]\nstiffness = 0.0\ndamping = 0.0\n";
+    let normal = Draft::empty().law(AdjustedKelvinVoigt {
+        stiffness: 1e6,
+        damping: 2.0,
+    });
+    let idle = Draft::empty().law(AdjustedKelvinVoigt {
+        stiffness: 0.0,
+        damping: 0.0,
+    });
     let beam = |k: f64| {
         let c = 1e-6 * k;
-        format!(
-            "[bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = {k:e}\ndamping = {c:e}\n"
-        )
+        Draft::empty().law(EulerBernoulli {
+            stiffness: k,
+            damping: c,
+        })
     };
-    let endless = "[bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 1e300\n\
-                   tangential_strength = 1e300\n";
-    let bars = normal.to_owned();
-    let beams = bars.clone() + &beam(1e6);
+    let endless = Draft::empty().law(ZhangEckert {
+        normal_strength: 1e300,
+        tangential_strength: 1e300,
+    });
+    let pairs_of_grains = Draft::empty()
+        .bonded(0, 1)
+        .bonded(1, 2)
+        .bonded(3, 2)
+        .bonded(5, 6);
+    let bars = normal.and(&pairs_of_grains);
+    let beams = bars.clone().and(&beam(1e6));
+    let idle = idle.and(&pairs_of_grains);
     let pairs = [
-        ("bonds", String::new(), idle.to_owned()),
+        ("bonds", Draft::empty(), idle.clone()),
+        ("bonds and beams", Draft::empty(), idle.and(&beam(0.0))),
+        ("beams", bars.clone(), bars.clone().and(&beam(0.0))),
+        ("strength of bars", bars.clone(), bars.and(&endless)),
         (
-            "bonds and beams",
-            String::new(),
-            idle.to_owned() + &beam(0.0),
+            "strength of beams",
+            beams.clone(),
+            beams.clone().and(&endless),
         ),
-        ("beams", bars.clone(), bars.clone() + &beam(0.0)),
-        ("strength of bars", bars.clone(), bars + endless),
-        ("strength of beams", beams.clone(), beams.clone() + endless),
         (
             "ledger",
-            beams.clone() + "[output]\nenergy = true\n",
-            beams + "[output]\nenergy = false\n",
+            beams.clone().with("output.energy", true),
+            beams.with("output.energy", false),
         ),
     ];
-    let pairs = pairs
-        .each_ref()
-        .map(|(name, absent, idle)| (*name, absent.as_str(), idle.as_str()));
-    let (wrong, table) = compare(1000, &pairs, &|integrator, laws| {
-        let bonds = if laws.contains("[bond") { BONDS } else { "" };
-        row(integrator, laws, bonds)
-    })?;
+    let (wrong, table) = compare(1000, &pairs, &row)?;
     Ok(Measurement::count(wrong).showing([Exhibit::Table(table)]))
 }
 
 fn measure_stored() -> Outcome {
-    let words = |integrator: &str, laws: &str, bonds: &str| -> Result<f64, Failure> {
-        let mut world = world(&(grains(integrator, laws, "") + bonds))?;
+    let words = |integrator: &str, laws: &Draft| -> Result<f64, Failure> {
+        let mut world = grains(integrator, laws).world()?;
         world.evaluate_if_pending()?;
         Ok(world.to_words().len() as f64)
     };
+    let idle = idle_laws();
     let (remembers, forgets) = (
-        KELVIN_VOIGT.to_owned() + ZERO[8].1,
-        KELVIN_VOIGT.to_owned() + ZERO[4].1,
+        kelvin_voigt().and(&idle[8].1),
+        kelvin_voigt().and(&idle[4].1),
     );
-    let bond = "[bond.normal]\nstiffness = 1e6\ndamping = 0.0\n";
-    let two = "[[bonds]]\nbetween = [0, 1]\n[[bonds]]\nbetween = [1, 2]\n";
-    let bare = words("euler", "", "")?;
+    let bond = Draft::empty().law(AdjustedKelvinVoigt {
+        stiffness: 1e6,
+        damping: 0.0,
+    });
+    let two = bond.bonded(0, 1).bonded(1, 2);
+    let none = Draft::empty();
+    let bare = words("euler", &none)?;
     // Vectors and numbers of five particles.
     let (vectors, numbers) = (2.0 * 5.0, 5.0);
     let mut all = Vec::new();
     let mut grows = |by: f64, found: f64| all.push(Measurement::absolute(bare + by, found, 0.0));
-    grows(0.0, words("euler", KELVIN_VOIGT, "")?);
-    grows(0.0, words("taylor", &forgets, "")?);
+    grows(0.0, words("euler", &kelvin_voigt())?);
+    grows(0.0, words("taylor", &forgets)?);
     // Two pairs of grains touch: their distances are 1.91 mm and 1.99 mm.
-    grows(2.0 * 6.0, words("symplectic-euler", &remembers, "")?);
-    grows(2.0 * 7.0, words("euler", bond, two)?);
+    grows(2.0 * 6.0, words("symplectic-euler", &remembers)?);
+    grows(2.0 * 7.0, words("euler", &two)?);
     // The forces kept by velocity Verlet exist only within a step.
-    grows(0.0, words("velocity-verlet", "", "")?);
+    grows(0.0, words("velocity-verlet", &none)?);
     // Beeman: a flag, four lengths, and the accelerations of two evaluations.
-    grows(5.0 + 2.0 * (vectors + numbers), words("beeman", "", "")?);
-    let world = world(&grains("euler", "", ""))?;
+    grows(5.0 + 2.0 * (vectors + numbers), words("beeman", &none)?);
+    let world = grains("euler", &none).world()?;
     let nothing = world.contacts().is_none() && world.bonds().is_none();
     all.push(Measurement::count(usize::from(!nothing)));
-    let forgetful = super::scenes::world(&grains("euler", KELVIN_VOIGT, ""))?;
+    let forgetful = grains("euler", &kelvin_voigt()).world()?;
     let memories = forgetful
         .contacts()
         .map_or(0, |weak| weak.memory_capacity());

@@ -1,11 +1,13 @@
 //! Loads under which a bond breaks.
 
 use super::modes::bond;
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::beams::Springs;
+use crate::scenes::{Bond, Draft, Grain};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::ZhangEckert;
 use std::f64::consts::{PI, TAU};
 
 /// The checks.
@@ -57,11 +59,11 @@ fn axes(radii: [f64; 2], factor: f64) -> [f64; 2] {
     STRENGTHS.map(|strength| strength * area)
 }
 
-fn yielding() -> String {
-    format!(
-        "[bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = {:e}\ntangential_strength = {:e}\n",
-        STRENGTHS[0], STRENGTHS[1]
-    )
+fn yielding() -> Draft {
+    Draft::empty().law(ZhangEckert {
+        normal_strength: STRENGTHS[0],
+        tangential_strength: STRENGTHS[1],
+    })
 }
 
 /// Whether a bond breaks under the given normal and tangential forces in N.
@@ -73,26 +75,24 @@ fn breaks(radii: [f64; 2], factor: f64, load: [f64; 2]) -> Result<bool, Failure>
     let distance = rest + load[0] / SPRINGS.normal;
     let lever = radii[0].powi(2) + radii[1].powi(2);
     let angle = -load[1] * distance / (lever * SPRINGS.tangential);
-    let turned = format!("angle = {angle:e}\n");
-    let text = head("velocity-verlet", 1e-9)
-        + &bond(
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .and(&bond(
             SPRINGS,
             Springs {
                 normal: 10.0,
                 tangential: 10.0,
             },
-        )
-        + &yielding()
-        + &particle([0.0; 2], [0.0; 2], 0.0, radii[0])
-        + &turned
-        + &particle([distance, 0.0], [0.0; 2], 0.0, radii[1])
-        + &turned
-        + &format!(
-            "[[bonds]]\nbetween = [0, 1]\nstrength_factor = {factor:e}\n\
-             initial_distance = {rest:e}\ninitial_angles = [0.0, {:e}]\n",
-            -PI
+        ))
+        .and(&yielding())
+        .grain(Grain::at([0.0; 2], radii[0]).turned(angle))
+        .grain(Grain::at([distance, 0.0], radii[1]).turned(angle))
+        .bond(
+            Bond::between(0, 1)
+                .of_strength(factor)
+                .of_length(rest)
+                .since([0.0, -PI]),
         );
-    let mut world = world(&text)?;
+    let mut world = draft.world()?;
     world.evaluate_if_pending()?;
     Ok(world.bonds().is_some_and(|strong| strong.is_empty()))
 }
@@ -188,16 +188,24 @@ fn instant([stretch, turn]: [f64; 2]) -> f64 {
 
 /// Number of steps until the bond has broken.
 fn breaking_step([stretch, turn]: [f64; 2], step: f64) -> Result<u64, Failure> {
-    const HEAVY: &str = "density = 1e20\n";
-    let text = head("velocity-verlet", step)
-        + &bond(SPRINGS, DASHPOTS)
-        + &yielding()
-        + &particle([0.0; 2], [-0.5 * stretch, 0.0], turn, RADIUS)
-        + HEAVY
-        + &particle([2.0 * RADIUS, 0.0], [0.5 * stretch, 0.0], turn, RADIUS)
-        + HEAVY
-        + "[[bonds]]\nbetween = [0, 1]\n";
-    let mut world = world(&text)?;
+    const HEAVY: f64 = 1e20;
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .and(&bond(SPRINGS, DASHPOTS))
+        .and(&yielding())
+        .grain(
+            Grain::at([0.0; 2], RADIUS)
+                .moving([-0.5 * stretch, 0.0])
+                .spinning(turn)
+                .of_density(HEAVY),
+        )
+        .grain(
+            Grain::at([2.0 * RADIUS, 0.0], RADIUS)
+                .moving([0.5 * stretch, 0.0])
+                .spinning(turn)
+                .of_density(HEAVY),
+        )
+        .bonded(0, 1);
+    let mut world = draft.world()?;
     while world.bonds().is_some_and(|strong| !strong.is_empty()) {
         world.step()?;
         if world.time() > 2.0 * DURATION {

@@ -2,14 +2,15 @@
 
 use super::modes::bond;
 use super::stiffness::{Rest, forces, inner};
-use crate::checks::dem::scenes::{head, particle};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::cantilever::{Chain, Tip};
 use crate::scalars::DoubleDouble;
+use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
+use gouge_dem::integrators::Integrator;
 use gouge_dem::particles::sphere_mass;
 use nalgebra::DVector;
 use std::f64::consts::PI;
@@ -80,15 +81,15 @@ impl Cantilever {
         } = self.chain;
         let gravity = self.weight / sphere_mass(2700.0, radius);
         let (s, c) = self.direction.sin_cos();
-        let mut text = head("euler", 1e-9)
-            + &bond(
+        let mut draft = Draft::open_box(Integrator::Euler, 1e-9)
+            .and(&bond(
                 springs,
                 Springs {
                     normal: 0.0,
                     tangential: 0.0,
                 },
-            )
-            + &format!("[external]\nlaw = \"gravity\"\nacceleration = {gravity:e}\n");
+            ))
+            .gravity(gravity);
         for n in 0..=beams {
             let along = n as f64 * distance;
             let density = match (self.load, n == beams) {
@@ -96,14 +97,13 @@ impl Cantilever {
                 (Load::Uniform, true) => 1350.0,
                 _ => 2700.0,
             };
-            text += &particle([along * c, along * s], [0.0; 2], 0.0, radius);
-            text += &format!("density = {density:e}\n");
-            text += if n == 0 { "role = \"fixed\"\n" } else { "" };
+            let grain = Grain::at([along * c, along * s], radius).of_density(density);
+            draft = draft.grain(if n == 0 { grain.fixed() } else { grain });
         }
         for n in 0..beams {
-            text += &format!("[[bonds]]\nbetween = [{n}, {}]\n", n + 1);
+            draft = draft.bonded(n, n + 1);
         }
-        Rest::of_text(&text)
+        Rest::of_draft(&draft)
     }
 
     /// Displacement of every coordinate in equilibrium; those of the clamped particle are zero.

@@ -3,13 +3,13 @@
 use super::modes::bond;
 use super::oscillation::turn_a_step;
 use super::stiffness::{Rest, coordinates, modes};
-use crate::checks::dem::scenes::{head, particle};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::beams::waves::{Lattice, Wave};
 use crate::oracles::beams::{Sphere, Springs};
 use crate::scalars::Dual;
+use crate::scenes::{Draft, Grain};
 use gouge_dem::integrators::Integrator;
 use std::f64::consts::TAU;
 
@@ -63,23 +63,24 @@ fn lattice() -> Lattice {
 
 fn rest(lattice: &Lattice) -> Result<Rest, Failure> {
     let width = BODIES as f64 * lattice.distance;
-    let mut text = head("velocity-verlet", 1e-9)
-        + &bond(
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .and(&bond(
             lattice.springs,
             Springs {
                 normal: 0.0,
                 tangential: 0.0,
             },
-        )
-        + &format!("[box]\nwidth = {width:e}\nboundary = \"periodic-x\"\n");
+        ))
+        .with("box.width", width)
+        .with("box.boundary", "periodic-x");
     for n in 0..BODIES {
         let x = n as f64 * lattice.distance;
-        text += &particle([x, 0.0], [0.0; 2], 0.0, lattice.sphere.radius);
+        draft = draft.grain(Grain::at([x, 0.0], lattice.sphere.radius));
     }
     for n in 0..BODIES {
-        text += &format!("[[bonds]]\nbetween = [{n}, {}]\n", (n + 1) % BODIES);
+        draft = draft.bonded(n, (n + 1) % BODIES);
     }
-    Rest::of_text(&text)
+    Rest::of_draft(&draft)
 }
 
 fn phase(number: usize) -> f64 {

@@ -1,10 +1,12 @@
 //! Momentum and angular momentum of bonded particles.
 
 use super::modes::bond;
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Check, Effort, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::Springs;
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -27,7 +29,7 @@ pub fn checks() -> Vec<Check> {
 const SIDE: usize = 4;
 const STEPS: u64 = 20_000;
 
-fn text(damping: f64) -> String {
+fn lattice(damping: f64) -> Draft {
     let mut random = Pcg64::new(7, 1);
     let mut uniform = move || 2.0 * random.random::<f64>() - 1.0;
     let springs = Springs {
@@ -38,22 +40,26 @@ fn text(damping: f64) -> String {
         normal: damping,
         tangential: damping,
     };
-    let mut text = head("velocity-verlet", 2e-8) + &bond(springs, dashpots);
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 2e-8).and(&bond(springs, dashpots));
     for n in 0..SIDE * SIDE {
         let (row, column) = (n / SIDE, n % SIDE);
         let position = [2e-3 * column as f64, 2e-3 * row as f64];
         let velocity = [3.0 + 20.0 * uniform(), 20.0 * uniform()];
-        text += &particle(position, velocity, 2e4 * uniform(), 1e-3 + 2e-4 * uniform());
+        draft = draft.grain(
+            Grain::at(position, 1e-3 + 2e-4 * uniform())
+                .moving(velocity)
+                .spinning(2e4 * uniform()),
+        );
     }
     for n in 0..SIDE * SIDE {
         if n % SIDE + 1 < SIDE {
-            text += &format!("[[bonds]]\nbetween = [{n}, {}]\n", n + 1);
+            draft = draft.bonded(n, n + 1);
         }
         if n + SIDE < SIDE * SIDE {
-            text += &format!("[[bonds]]\nbetween = [{n}, {}]\n", n + SIDE);
+            draft = draft.bonded(n, n + SIDE);
         }
     }
-    text
+    draft
 }
 
 /// Momentum along x and y and angular momentum, each with the sum of its absolute contributions.
@@ -80,7 +86,7 @@ fn momenta(world: &World) -> [[f64; 2]; 3] {
 fn cluster() -> Outcome {
     let mut measured = Vec::new();
     for damping in [0.0, 10.0] {
-        let mut world = world(&text(damping))?;
+        let mut world = lattice(damping).world()?;
         let before = momenta(&world);
         advance(&mut world, STEPS)?;
         let pairs = before.into_iter().zip(momenta(&world));

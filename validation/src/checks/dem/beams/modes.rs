@@ -2,12 +2,13 @@
 
 use super::oscillation::{decay_and_turn_a_step, turn_a_step};
 use super::stiffness::{Rest, coordinates, modes};
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::{Sphere, Springs, pair};
 use crate::scalars::Dual;
+use crate::scenes::{Draft, Grain};
 use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli};
 use std::f64::consts::TAU;
 
 /// The checks.
@@ -96,12 +97,16 @@ fn both([normal, tangential]: [f64; 2]) -> Springs {
 }
 
 /// The `[bond]` section of a scene with the given constants.
-pub fn bond(springs: Springs, dashpots: Springs) -> String {
-    format!(
-        "[bond.normal]\nstiffness = {:e}\ndamping = {:e}\n[bond.tangential]\n\
-         law = \"euler-bernoulli\"\nstiffness = {:e}\ndamping = {:e}\n",
-        springs.normal, dashpots.normal, springs.tangential, dashpots.tangential
-    )
+pub fn bond(springs: Springs, dashpots: Springs) -> Draft {
+    Draft::empty()
+        .law(AdjustedKelvinVoigt {
+            stiffness: springs.normal,
+            damping: dashpots.normal,
+        })
+        .law(EulerBernoulli {
+            stiffness: springs.tangential,
+            damping: dashpots.tangential,
+        })
 }
 
 impl Pair {
@@ -109,12 +114,12 @@ impl Pair {
         let (s, c) = self.direction.sin_cos();
         let [a, b] = self.ends.map(|end| end.radius);
         let there = [self.distance * c, self.distance * s];
-        let text = head("velocity-verlet", 1e-9)
-            + &bond(self.springs, dashpots)
-            + &particle([0.0; 2], [0.0; 2], 0.0, a)
-            + &particle(there, [0.0; 2], 0.0, b)
-            + "[[bonds]]\nbetween = [0, 1]\n";
-        Rest::of_text(&text)
+        let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+            .and(&bond(self.springs, dashpots))
+            .grain(Grain::at([0.0; 2], a))
+            .grain(Grain::at(there, b))
+            .bonded(0, 1);
+        Rest::of_draft(&draft)
     }
 
     /// Squared frequencies for the given constants in ascending order; the first three belong to rigid
@@ -214,12 +219,20 @@ fn swing() -> Outcome {
             false => (0.1 * radius * frequency, 0.0),
             true => (0.0, 0.5 * frequency),
         };
-        let text = head("velocity-verlet", step)
-            + &bond(pair.springs, both([0.0; 2]))
-            + &particle([-radius, 0.0], [-speed, 0.0], -spin, radius)
-            + &particle([radius, 0.0], [speed, 0.0], spin, radius)
-            + "[[bonds]]\nbetween = [0, 1]\n";
-        let mut world = world(&text)?;
+        let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+            .and(&bond(pair.springs, both([0.0; 2])))
+            .grain(
+                Grain::at([-radius, 0.0], radius)
+                    .moving([-speed, 0.0])
+                    .spinning(-spin),
+            )
+            .grain(
+                Grain::at([radius, 0.0], radius)
+                    .moving([speed, 0.0])
+                    .spinning(spin),
+            )
+            .bonded(0, 1);
+        let mut world = draft.world()?;
         let mut samples = vec![0.0];
         for _ in 0..3000 {
             world.step()?;

@@ -3,10 +3,10 @@
 use super::modes::bond;
 use super::stiffness::Rest;
 use super::tension::{Pulled, pull, pulled_lattice, thesis_lattice};
-use crate::checks::dem::scenes::scene;
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::network::{Beam, settle, stiffness};
+use crate::scenes::packing::settled;
 use gouge_runner::run::run_setup;
 use nalgebra::DVector;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -51,29 +51,14 @@ const SPRINGS: Springs = Springs {
 
 /// A bonded packing.
 fn packing(seed: u64) -> Result<Rest, Failure> {
-    let text = format!(
-        "[time]\nstep = 1e-8\nend = 1.0\nintegrator = \"velocity-verlet\"\n\
-         [box]\nwidth = {SIDE:e}\nheight = {SIDE:e}\nboundary = \"periodic-x\"\n\
-         [material]\ndensity = 2700.0\n[contact.normal]\nlaw = \"kelvin-voigt\"\n\
-         stiffness = 1e7\ndamping = 10.0\n{}\
-         [setup]\nseed = {seed}\nclip = true\n[setup.sizes]\nmean = 1e-3\n\
-         [setup.lattice]\nperturbation = 5e-5\nfilling = 0.9069\n\
-         [[setup.settle]]\nduration = 1e-3\nstep = 1e-7\n\
-         ambient = {{ law = \"creeping\", viscosity = 10.0 }}\n\
-         external = {{ law = \"harmonic-well\", stiffness = 4e3 }}\n\
-         [[setup.settle]]\nduration = 1e-3\nstep = 1e-7\n\
-         ambient = {{ law = \"creeping\", viscosity = 10.0 }}\n\
-         external = {{ law = \"harmonic-well\", stiffness = 4e2 }}\n\
-         [setup.bonding]\n",
-        bond(
-            SPRINGS,
-            Springs {
-                normal: 10.0,
-                tangential: 10.0
-            }
-        ),
-    );
-    Ok(Rest::of(&run_setup(&scene(&text)?)?))
+    let dashpots = Springs {
+        normal: 10.0,
+        tangential: 10.0,
+    };
+    let draft = settled(SIDE, seed)
+        .and(&bond(SPRINGS, dashpots))
+        .with_table("setup.bonding");
+    Ok(Rest::of(&run_setup(&draft.scene()?)?))
 }
 
 fn pulled(rest: &Rest) -> Result<Pulled, Failure> {

@@ -5,8 +5,8 @@
 //! a power of two, so that this is exact, and so short that accelerations are negligible.
 
 use crate::checks::Failure;
-use crate::checks::dem::scenes::scene;
 use crate::scalars::Dual;
+use crate::scenes::Draft;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
 use gouge_dem::integrators::Integrator;
@@ -27,8 +27,8 @@ pub struct Rest {
 
 impl Rest {
     /// The initial state of the bonds of a scene.
-    pub fn of_text(text: &str) -> Result<Self, Failure> {
-        Ok(Self::of(&scene(text)?.initial_world()?))
+    pub fn of_draft(draft: &Draft) -> Result<Self, Failure> {
+        Ok(Self::of(&draft.world()?))
     }
 
     /// The bonds of a world, as if they began in its present state.

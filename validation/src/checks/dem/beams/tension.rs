@@ -2,13 +2,14 @@
 
 use super::modes::bond;
 use super::stiffness::{Rest, forces, inner};
-use crate::checks::dem::scenes::scene;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::waves::{Lattice, technical};
 use crate::oracles::beams::{Sphere, Springs};
 use crate::scalars::DoubleDouble;
+use crate::scenes::Draft;
 use gouge_common::scalar::Real;
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
 use gouge_runner::run::run_setup;
 use nalgebra::DVector;
 
@@ -54,30 +55,32 @@ pub fn hexagonal(
     beams: bool,
 ) -> Result<World, Failure> {
     let (radius, pitch) = (lattice.sphere.radius, lattice.distance);
-    let whole = bond(
+    let bonds = bond(
         lattice.springs,
         Springs {
             normal: 0.0,
             tangential: 0.0,
         },
     );
-    let end = if beams {
-        whole.len()
-    } else {
-        whole.find("[bond.tangential]").unwrap_or(0)
+    let bonds = match beams {
+        true => bonds,
+        false => bonds.without("bond.tangential"),
     };
-    let text = format!(
-        "[time]\nstep = 1e-9\nend = 1.0\nintegrator = \"velocity-verlet\"\n\
-         [box]\nwidth = {:e}\nboundary = \"periodic-x\"\n[material]\ndensity = {:e}\n{}\
-         [setup]\nseed = 0\n[setup.sizes]\nminimum = {radius:e}\nmaximum = {radius:e}\n\
-         [setup.lattice]\narrangement = \"hexagonal\"\npitch = {pitch:e}\ncolumns = {columns}\n\
-         rows = {rows}\norigin = [0.0, 0.0]\n[setup.bonding]\nreach = {:e}\n",
-        columns as f64 * pitch,
-        lattice.sphere.density,
-        &whole[..end],
-        0.55 * pitch / radius,
-    );
-    Ok(run_setup(&scene(&text)?)?)
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .and(&bonds)
+        .replacing("material.density", lattice.sphere.density)
+        .with("box.width", columns as f64 * pitch)
+        .with("box.boundary", "periodic-x")
+        .with("setup.seed", 0)
+        .with("setup.sizes.minimum", radius)
+        .with("setup.sizes.maximum", radius)
+        .with("setup.lattice.arrangement", "hexagonal")
+        .with("setup.lattice.pitch", pitch)
+        .with("setup.lattice.columns", columns as i64)
+        .with("setup.lattice.rows", rows as i64)
+        .with("setup.lattice.origin", vec![0.0, 0.0])
+        .with("setup.bonding.reach", 0.55 * pitch / radius);
+    Ok(run_setup(&draft.scene()?)?)
 }
 
 /// Response of a pulled block.

@@ -1,14 +1,15 @@
 //! Chung and Ooi's tests 1, 2 and 3: head-on collisions.
 
-use super::plane::{Material, fixed, linear, material};
-use crate::checks::dem::scenes::{head, particle, world};
+use super::plane::{Material, linear, material};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::impact::{
     Normal, damping_ratio, dissipative_constant, time_of_elastic_overlap,
 };
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
 
 /// The checks.
 pub fn checks() -> Vec<Check> {
@@ -138,7 +139,7 @@ impl HeadOn {
     /// The scene. A plane is represented by a fixed sphere of the same radius: on the line of centres
     /// only the product of the modulus and the square root of the reduced radius matters, and sqrt(8)
     /// restores it.
-    fn scene(&self, law: Normal, steps: u64) -> String {
+    fn scene(&self, law: Normal, steps: u64) -> Draft {
         let radius = self.radius;
         let law = match law {
             Normal::Linear([stiffness, damping]) => linear(stiffness, damping),
@@ -147,7 +148,7 @@ impl HeadOn {
                 self.solid.hertzian(factor, dissipation)
             }
         };
-        let density = format!("density = {:e}\n", self.solid.density);
+        let density = self.solid.density;
         let speed = if self.free {
             0.5 * self.speed
         } else {
@@ -156,16 +157,18 @@ impl HeadOn {
         // The largest height at which the distance is just below the sum of the radii.
         let height = (2.0 * radius).next_down();
         let partner = if self.free {
-            particle([0.0; 2], [0.0, speed], 0.0, radius)
+            Grain::at([0.0; 2], radius).moving([0.0, speed])
         } else {
-            fixed([0.0; 2], radius)
+            Grain::at([0.0; 2], radius).fixed()
         };
-        head("velocity-verlet", self.elastic()[0] / steps as f64)
-            + &particle([0.0, height], [0.0, -speed], 0.0, radius)
-            + &density
-            + &partner
-            + &density
-            + &law
+        Draft::open_box(Integrator::VelocityVerlet, self.elastic()[0] / steps as f64)
+            .grain(
+                Grain::at([0.0, height], radius)
+                    .moving([0.0, -speed])
+                    .of_density(density),
+            )
+            .grain(partner.of_density(density))
+            .and(&law)
     }
     fn moment(&self, world: &World) -> Moment {
         let p = world.particles();
@@ -178,7 +181,7 @@ impl HeadOn {
     }
     /// The kernel's collision, up to the first moment after it.
     fn run(&self, law: Normal, steps: u64) -> Result<Vec<Moment>, Failure> {
-        let mut world = world(&self.scene(law, steps))?;
+        let mut world = self.scene(law, steps).world()?;
         world.evaluate_if_pending()?;
         let mut moments = vec![self.moment(&world)];
         for _ in 0..LONGEST * steps {

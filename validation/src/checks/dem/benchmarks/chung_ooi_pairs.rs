@@ -3,14 +3,16 @@
 use super::literature;
 use super::plane::{Material, linear, material, tangential};
 use super::sweep::{Laws, SPINNING_SOLIDS, spins, step_errors};
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::impact::{
     Impact, Moment, Motion, Normal, Tangential, damping_ratio, dissipative_constant,
 };
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
 use std::f64::consts::PI;
 
 /// The checks.
@@ -59,9 +61,9 @@ const COPPER: Material = material("copper", [1.2e11, 0.35], 8900.0);
 
 fn opposite_spins() -> Outcome {
     let laws = [
-        "law = \"haff-werner\"\nfriction = 0.4\ndamping = 1e6\n",
-        "law = \"cundall-strack\"\nfriction = 0.4\nstiffness = 1e8\n",
-        "law = \"cundall-strack-truncated\"\nfriction = 0.4\nstiffness = 1e8\n",
+        ("haff-werner", 1e6),
+        ("cundall-strack", 1e8),
+        ("cundall-strack-truncated", 1e8),
     ];
     let mut changed = 0;
     for solid in [SPINNING_SOLIDS[0], COPPER] {
@@ -75,14 +77,13 @@ fn opposite_spins() -> Outcome {
         ];
         for (_, spin) in spins(0.2, 0.1) {
             for normal in &normals {
-                for law in laws {
-                    let text = head("velocity-verlet", duration / 100.0)
-                        + &sphere(solid, -1.0, spin)
-                        + &sphere(solid, 1.0, spin)
-                        + normal
-                        + "[contact.tangential]\n"
-                        + law;
-                    let mut world = world(&text)?;
+                for (law, constant) in laws {
+                    let draft = Draft::open_box(Integrator::VelocityVerlet, duration / 100.0)
+                        .grain(sphere(solid, -1.0, spin))
+                        .grain(sphere(solid, 1.0, spin))
+                        .and(normal)
+                        .friction(law, 0.4, constant);
+                    let mut world = draft.world()?;
                     advance(&mut world, 150)?;
                     changed += usize::from(!rolls(&world, spin));
                 }
@@ -93,10 +94,12 @@ fn opposite_spins() -> Outcome {
 }
 
 /// A sphere of test 7 on one side, in contact and approaching.
-fn sphere(solid: Material, side: f64, spin: f64) -> String {
+fn sphere(solid: Material, side: f64, spin: f64) -> Grain {
     let motion = [-0.2 * side, 0.0];
-    particle([0.1 * side, 0.0], motion, -side * spin, 0.1)
-        + &format!("density = {:e}\n", solid.density)
+    Grain::at([0.1 * side, 0.0], 0.1)
+        .moving(motion)
+        .spinning(-side * spin)
+        .of_density(solid.density)
 }
 
 /// Whether the spins are unchanged, the velocities lie on the line of centres and are opposite, and the
@@ -175,14 +178,17 @@ impl Unequal {
         };
         let density = self.solid.density;
         let height = (RADII[0] + RADII[1]).next_down();
-        let text = head("velocity-verlet", self.step(steps))
-            + &particle([0.0, height], [0.0, -SPEED], spin, RADII[0])
-            + &format!("density = {density:e}\n")
-            + &particle([0.0, 0.0], [0.0, 0.0], 0.0, RADII[1])
-            + &format!("density = {:e}\n", HEAVIER * density)
-            + &law
-            + &tangential(self.impact.tangential);
-        world(&text)
+        let draft = Draft::open_box(Integrator::VelocityVerlet, self.step(steps))
+            .grain(
+                Grain::at([0.0, height], RADII[0])
+                    .moving([0.0, -SPEED])
+                    .spinning(spin)
+                    .of_density(density),
+            )
+            .grain(Grain::at([0.0, 0.0], RADII[1]).of_density(HEAVIER * density))
+            .and(&law)
+            .and(&tangential(self.impact.tangential));
+        Ok(draft.world()?)
     }
 
     /// The world after the collision.

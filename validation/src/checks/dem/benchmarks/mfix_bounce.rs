@@ -1,13 +1,14 @@
 //! MFiX DEM01 and DEM02: a sphere bounces under gravity.
 
-use super::plane::{fixed, linear};
-use crate::checks::dem::scenes::{head, particle, world};
+use super::plane::linear;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::bounce::{Release, Spring, apex};
 use crate::oracles::impact::damping_ratio;
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
 use std::f64::consts::PI;
 
 /// The checks.
@@ -77,13 +78,16 @@ fn half_period(spring: &Spring) -> f64 {
 }
 
 fn scene(spring: &Spring, height: f64, speed: f64, step: f64) -> Result<World, Failure> {
-    let text = head("velocity-verlet", step)
-        + &particle([0.0, height], [0.0, -speed], 0.0, RADIUS)
-        + &format!("density = {DENSITY:e}\n")
-        + &fixed([0.0; 2], RADIUS)
-        + &linear(spring.stiffness * mass(), spring.damping * mass())
-        + &format!("[external]\nlaw = \"gravity\"\nacceleration = {GRAVITY:e}\n");
-    world(&text)
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .grain(
+            Grain::at([0.0, height], RADIUS)
+                .moving([0.0, -speed])
+                .of_density(DENSITY),
+        )
+        .grain(Grain::at([0.0; 2], RADIUS).fixed())
+        .and(&linear(spring.stiffness * mass(), spring.damping * mass()))
+        .gravity(GRAVITY);
+    Ok(draft.world()?)
 }
 
 /// Speed of impact in m/s.

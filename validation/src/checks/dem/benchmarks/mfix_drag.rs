@@ -1,12 +1,14 @@
 //! MFiX DEM06: a sphere falls at its terminal speed.
 
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::settling::Settling;
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
 
 /// The checks.
 pub fn checks() -> Vec<Check> {
@@ -62,26 +64,28 @@ const EVERY: f64 = 0.05;
 const SAMPLES: u64 = 7;
 
 /// The sphere with the given number of steps per twentieth of a second.
-fn settling(ambient: &str, reading: &str, steps: u64) -> Result<World, Failure> {
-    let text = format!("reading = \"{reading}\"\n")
-        + &head("velocity-verlet", EVERY / steps as f64)
-        + &particle([0.0; 2], [0.0; 2], SPIN, SPHERE.radius)
-        + &format!("density = {:e}\n[ambient]\n{ambient}", SPHERE.density)
-        + &format!(
-            "viscosity = {:e}\n[external]\nlaw = \"gravity\"\nacceleration = {:e}\n",
-            SPHERE.viscosity, SPHERE.gravity
-        );
-    world(&text)
+fn settling(ambient: &Draft, reading: &str, steps: u64) -> Result<World, Failure> {
+    let draft = Draft::open_box(Integrator::VelocityVerlet, EVERY / steps as f64)
+        .reading(reading)
+        .grain(
+            Grain::at([0.0; 2], SPHERE.radius)
+                .spinning(SPIN)
+                .of_density(SPHERE.density),
+        )
+        .and(ambient)
+        .gravity(SPHERE.gravity);
+    Ok(draft.world()?)
 }
 
 fn correlation(reading: &str, steps: u64) -> Result<World, Failure> {
-    let law = format!("law = \"correlation\"\ndensity = {:e}\n", SPHERE.medium);
+    let law = Draft::empty().correlation_drag(SPHERE.viscosity, SPHERE.medium);
     settling(&law, reading, steps)
 }
 
 /// Distance, speed and spin at every sample.
 fn course(steps: u64) -> Result<Vec<[f64; 3]>, Failure> {
-    let mut world = settling("law = \"creeping\"\n", "corrected", steps)?;
+    let law = Draft::empty().creeping_drag(SPHERE.viscosity);
+    let mut world = settling(&law, "corrected", steps)?;
     let mut rows = Vec::new();
     for _ in 0..SAMPLES {
         advance(&mut world, steps)?;

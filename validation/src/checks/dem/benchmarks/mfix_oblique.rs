@@ -3,7 +3,7 @@
 use super::literature;
 use super::plane::{Flight, OnPlane, material};
 use super::sweep::step_errors;
-use crate::checks::dem::scenes::{advance, world_in};
+use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
@@ -65,7 +65,9 @@ fn stuck(ratio: f64, steps: u64) -> Result<f64, Failure> {
     };
     let phase = 2.0 * (0.5 * PI / steps as f64).sin();
     let step = phase * (contact.mass() / NORMAL).sqrt() * (1.0 - 1e-13);
-    let mut world = world_in::<DoubleDouble>(&contact.scene_with_step(before, step))?;
+    let mut world = contact
+        .scene_with_step(before, step)
+        .world_in::<DoubleDouble>()?;
     advance(&mut world, steps)?;
     let p = world.particles();
     let slip = p.velocity[0].x.to_f64() + contact.radius * p.angular_velocity[0].to_f64();

@@ -1,14 +1,16 @@
 //! MFiX DEM04: a sphere slides until it rolls.
 
-use super::plane::{FLATNESS, fixed, linear};
-use crate::checks::dem::scenes::{advance, head, particle, world_in};
+use super::plane::{FLATNESS, linear};
+use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::scalars::DoubleDouble;
+use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
 use std::f64::consts::PI;
 
 /// The checks.
@@ -82,13 +84,12 @@ impl Law {
             Self::Truncated => "cundall-strack-truncated",
         }
     }
-    fn text(self, friction: f64) -> String {
-        let constant = match self {
-            Self::Viscous => format!("damping = {DAMPING:e}"),
-            _ => format!("stiffness = {STIFFNESS:e}"),
-        };
-        let name = self.name();
-        format!("[contact.tangential]\nlaw = \"{name}\"\nfriction = {friction:e}\n{constant}\n")
+    /// Damping in kg/s or stiffness in kg/s^2.
+    fn constant(self) -> f64 {
+        match self {
+            Self::Viscous => DAMPING,
+            _ => STIFFNESS,
+        }
     }
     /// Slip in m/s at which uniform sliding ends.
     fn least_slip(self, friction: f64) -> f64 {
@@ -114,14 +115,17 @@ impl Law {
 
 fn resting(law: Law, friction: f64, step: f64) -> Result<World<DoubleDouble>, Failure> {
     let height = RADIUS - mass() * GRAVITY / STIFFNESS;
-    let text = head("velocity-verlet", step)
-        + &particle([0.0, height], [SPEED, 0.0], 0.0, RADIUS)
-        + "density = 1e4\n"
-        + &fixed([0.0, -FLATNESS * RADIUS], FLATNESS * RADIUS)
-        + &linear(STIFFNESS, 0.0)
-        + &law.text(friction)
-        + &format!("[external]\nlaw = \"gravity\"\nacceleration = {GRAVITY:e}\n");
-    world_in(&text)
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .grain(
+            Grain::at([0.0, height], RADIUS)
+                .moving([SPEED, 0.0])
+                .of_density(1e4),
+        )
+        .grain(Grain::at([0.0, -FLATNESS * RADIUS], FLATNESS * RADIUS).fixed())
+        .and(&linear(STIFFNESS, 0.0))
+        .friction(law.name(), friction, law.constant())
+        .gravity(GRAVITY);
+    Ok(draft.world_in()?)
 }
 
 /// A moment of sliding: time, position, velocity, surface speed.

@@ -1,13 +1,15 @@
 //! MFiX DEM03: two spheres compressed between walls.
 
-use super::plane::{fixed, linear};
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use super::plane::linear;
+use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::bounce::Stack;
 use crate::oracles::impact::damping_ratio;
+use crate::scenes::{Draft, Grain};
+use gouge_dem::integrators::Integrator;
 use std::f64::consts::PI;
 
 /// The checks.
@@ -125,16 +127,14 @@ fn pressed(e: f64) -> Stack {
 /// The kernel's heights at every comparison time, with the given number of steps in between.
 fn stacked(stack: &Stack, steps: u64) -> Result<Vec<[f64; 2]>, Failure> {
     let r = stack.radius;
-    let text = head("velocity-verlet", 1e-3 / (MOMENTS * steps) as f64)
-        + &particle([0.0, HEIGHTS[0]], [0.0; 2], 0.0, r)
-        + "density = 2e4\n"
-        + &particle([0.0, HEIGHTS[1]], [0.0; 2], 0.0, r)
-        + "density = 1e4\n"
-        + &fixed([0.0, -r], r)
-        + &fixed([0.0, stack.height + r], r)
-        + &linear(stack.stiffness, stack.damping)
-        + &format!("[external]\nlaw = \"gravity\"\nacceleration = {GRAVITY:e}\n");
-    let mut world = world(&text)?;
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-3 / (MOMENTS * steps) as f64)
+        .grain(Grain::at([0.0, HEIGHTS[0]], r).of_density(2e4))
+        .grain(Grain::at([0.0, HEIGHTS[1]], r).of_density(1e4))
+        .grain(Grain::at([0.0, -r], r).fixed())
+        .grain(Grain::at([0.0, stack.height + r], r).fixed())
+        .and(&linear(stack.stiffness, stack.damping))
+        .gravity(GRAVITY);
+    let mut world = draft.world()?;
     let mut rows = Vec::new();
     for _ in 0..MOMENTS {
         advance(&mut world, steps)?;

@@ -1,11 +1,13 @@
 //! A sphere against a rigid plane: the scene and the kernel's result.
 
 use crate::checks::Failure;
-use crate::checks::dem::scenes::{head, particle, world_in};
 use crate::oracles::impact::{Impact, Motion, Normal, Tangential};
 use crate::scalars::DoubleDouble;
+use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{Bshp, KelvinVoigt};
 use std::f64::consts::PI;
 
 /// An isotropic solid of a benchmark.
@@ -49,35 +51,27 @@ impl Material {
     /// The law describes two deformable spheres of the same material. If one is rigid, or of another
     /// size than in the scene, only the product of the modulus and the square root of the reduced
     /// radius matters, and the factor restores it.
-    pub fn hertzian(&self, factor: f64, dissipation: f64) -> String {
-        format!(
-            "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {:e}\npoissons_ratio = {:e}\n\
-             dissipative_constant = {dissipation:e}\n",
-            factor * self.youngs_modulus,
-            self.poissons_ratio
-        )
+    pub fn hertzian(&self, factor: f64, dissipation: f64) -> Draft {
+        Draft::empty().law(Bshp {
+            youngs_modulus: factor * self.youngs_modulus,
+            poissons_ratio: self.poissons_ratio,
+            dissipative_constant: dissipation,
+        })
     }
 }
 
 /// The scene's linear normal law.
-pub fn linear(stiffness: f64, damping: f64) -> String {
-    format!(
-        "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {stiffness:e}\ndamping = {damping:e}\n"
-    )
+pub fn linear(stiffness: f64, damping: f64) -> Draft {
+    Draft::empty().law(KelvinVoigt { stiffness, damping })
 }
 
 /// The scene's tangential law.
-pub fn tangential(law: Tangential) -> String {
-    let (name, friction, key, value) = match law {
-        Tangential::Viscous([mu, gamma]) => ("haff-werner", mu, "damping", gamma),
-        Tangential::Spring([mu, k]) => ("cundall-strack-truncated", mu, "stiffness", k),
+pub fn tangential(law: Tangential) -> Draft {
+    let (name, friction, value) = match law {
+        Tangential::Viscous([mu, gamma]) => ("haff-werner", mu, gamma),
+        Tangential::Spring([mu, k]) => ("cundall-strack-truncated", mu, k),
     };
-    format!("[contact.tangential]\nlaw = \"{name}\"\nfriction = {friction:e}\n{key} = {value:e}\n")
-}
-
-/// A fixed sphere.
-pub fn fixed(position: [f64; 2], radius: f64) -> String {
-    particle(position, [0.0; 2], 0.0, radius) + "role = \"fixed\"\n"
+    Draft::empty().friction(name, friction, value)
 }
 
 /// Radius of the fixed sphere in radii of the moving one. The normal rotates by the path along it over
@@ -151,11 +145,11 @@ impl OnPlane {
         })
     }
     /// The scene, with the given number of steps in the duration without dissipation.
-    pub fn scene(&self, before: Flight, steps: u64) -> String {
+    pub fn scene(&self, before: Flight, steps: u64) -> Draft {
         self.scene_with_step(before, self.duration(before.normal) / steps as f64)
     }
     /// The scene with a time step in s.
-    pub fn scene_with_step(&self, before: Flight, step: f64) -> String {
+    pub fn scene_with_step(&self, before: Flight, step: f64) -> Draft {
         let radius = self.radius;
         let law = match self.normal {
             Normal::Linear([stiffness, damping]) => linear(stiffness, damping),
@@ -163,12 +157,16 @@ impl OnPlane {
             Normal::Hertzian([_, dissipation]) => self.material.hertzian(2.0, dissipation),
         };
         let velocity = [before.along, -before.normal];
-        head("velocity-verlet", step)
-            + &particle([0.0, radius.next_down()], velocity, before.spin, radius)
-            + &format!("density = {:e}\n", self.material.density)
-            + &fixed([0.0, -FLATNESS * radius], FLATNESS * radius)
-            + &law
-            + &tangential(self.tangential)
+        Draft::open_box(Integrator::VelocityVerlet, step)
+            .grain(
+                Grain::at([0.0, radius.next_down()], radius)
+                    .moving(velocity)
+                    .spinning(before.spin)
+                    .of_density(self.material.density),
+            )
+            .grain(Grain::at([0.0, -FLATNESS * radius], FLATNESS * radius).fixed())
+            .and(&law)
+            .and(&tangential(self.tangential))
     }
     /// The motion after the collision, from the kernel; `watch` is called after every step.
     ///
@@ -180,7 +178,7 @@ impl OnPlane {
         steps: u64,
         mut watch: impl FnMut(&World<DoubleDouble>),
     ) -> Result<Flight, Failure> {
-        let mut world = world_in::<DoubleDouble>(&self.scene(before, steps))?;
+        let mut world = self.scene(before, steps).world_in::<DoubleDouble>()?;
         let radius = DoubleDouble::from_f64(self.radius);
         for _ in 0..LONGEST * steps {
             world.step()?;

@@ -2,12 +2,14 @@
 //! theory.
 
 use super::heat::{FRICTION, HELD, SPIN, SPRING, SQUEEZE, STIFFNESS, held_at};
-use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use super::spheres::{RADIUS, inertia, mass};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::sliding::Rubbing;
+use crate::scenes::{Draft, Grain, events};
+use gouge_dem::laws::{AdjustedKelvinVoigt, KelvinVoigt, ZhangEckert};
 use gouge_runner::scene::INTEGRATORS;
 use std::f64::consts::PI;
 
@@ -103,15 +105,19 @@ fn breaking() -> Outcome {
     let time = (force / k * rate / (2.0 * speed)).asin() / rate;
     let (jump, growth) = (0.5 * force * left, rate * rate * energy * time);
     let run = |integrator: &str, step: f64| {
-        let text = head(integrator, step)
-            + &format!(
-                "[bond.normal]\nstiffness = {k:e}\ndamping = 0.0\n[bond.yielding]\n\
-                 law = \"zhang-eckert\"\nnormal_strength = 280e6\ntangential_strength = 168e6\n"
-            )
-            + &particle([-RADIUS, 0.0], [-speed, 0.0], 0.0, RADIUS)
-            + &particle([RADIUS, 0.0], [speed, 0.0], 0.0, RADIUS)
-            + "[[bonds]]\nbetween = [0, 1]\n";
-        let mut world = world(&text)?;
+        let draft = Draft::open_box(integrator, step)
+            .law(AdjustedKelvinVoigt {
+                stiffness: k,
+                damping: 0.0,
+            })
+            .law(ZhangEckert {
+                normal_strength: 280e6,
+                tangential_strength: 168e6,
+            })
+            .grain(Grain::at([-RADIUS, 0.0], RADIUS).moving([-speed, 0.0]))
+            .grain(Grain::at([RADIUS, 0.0], RADIUS).moving([speed, 0.0]))
+            .bonded(0, 1);
+        let mut world = draft.world()?;
         advance(&mut world, (2.0 * time / step) as u64)?;
         Ok(world.energy().residual)
     };
@@ -134,13 +140,13 @@ fn breaking() -> Outcome {
 }
 
 /// Two spheres with equal spins that collide head on.
-fn rubbing(of: &Rubbing, law: &str, integrator: &str, step: f64) -> String {
-    let just = RADIUS.next_down();
-    head(integrator, step)
-        + &kelvin_voigt(of.stiffness, 0.0)
-        + &friction(law, of.friction, of.spring)
-        + &particle([-just, 0.0], [of.speed, 0.0], of.spin, RADIUS)
-        + &particle([just, 0.0], [-of.speed, 0.0], of.spin, RADIUS)
+fn rubbing(of: &Rubbing, law: &str, integrator: &str, step: f64) -> Draft {
+    events::rubbing(integrator, step, of.speed, [of.spin; 2])
+        .law(KelvinVoigt {
+            stiffness: of.stiffness,
+            damping: 0.0,
+        })
+        .friction(law, of.friction, of.spring)
 }
 
 const RUBBING: Rubbing = Rubbing {
@@ -161,12 +167,8 @@ fn sliding() -> Outcome {
     let steps = [1e-2, 3e-3, 1e-3, 3e-4].map(|h| h / rate);
     for integrator in ["velocity-verlet", "beeman"] {
         let run = |step: f64| {
-            let mut world = world(&rubbing(
-                &RUBBING,
-                "cundall-strack-truncated",
-                integrator,
-                step,
-            ))?;
+            let mut world =
+                rubbing(&RUBBING, "cundall-strack-truncated", integrator, step).world()?;
             while world.number_of_contacts() > 0 {
                 advance(&mut world, 1)?;
             }
@@ -191,7 +193,7 @@ fn letting_go() -> Outcome {
     let mut all = Vec::new();
     for integrator in ["velocity-verlet", "beeman"] {
         let run = |step: f64| {
-            let mut world = world(&held_at("cundall-strack", 0, integrator, step))?;
+            let mut world = held_at("cundall-strack", 0, integrator, step).world()?;
             advance(&mut world, (2e-5 / step) as u64)?;
             Ok(world.energy().residual)
         };
@@ -210,8 +212,8 @@ fn negative() -> Outcome {
     let (stop, slide) = caught.stop();
     let rate = f64::sqrt(2.0 * caught.stiffness / mass(RADIUS));
     let step = 1e-4 / rate;
-    let text = rubbing(&caught, "cundall-strack", "velocity-verlet", step);
-    let mut world = world(&text)?;
+    let draft = rubbing(&caught, "cundall-strack", "velocity-verlet", step);
+    let mut world = draft.world()?;
     let (mut before, mut lowest, mut heat) = (0.0, 0.0_f64, Vec::new());
     while world.number_of_contacts() > 0 {
         advance(&mut world, 1)?;

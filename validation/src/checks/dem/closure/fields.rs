@@ -1,10 +1,14 @@
 //! Heat of the ambient medium and work of driving.
 
-use super::text::{RADIUS, inertia, mass};
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use super::spheres::{RADIUS, inertia, mass};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::dissipation::slowed;
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::Controller;
+use gouge_runner::scene::DrivingTable;
 use std::f64::consts::PI;
 
 pub(super) fn checks() -> Vec<Check> {
@@ -43,14 +47,18 @@ const FLUID: f64 = 50.0;
 
 /// Compares the heat of the medium with the loss of kinetic energy eight times; the oracle gives the
 /// remaining kinetic energy at a time.
-fn decay(medium: &str, time: f64, left: impl Fn(f64) -> f64) -> Result<Measurement, Failure> {
+fn decay(medium: &Draft, time: f64, left: impl Fn(f64) -> f64) -> Result<Measurement, Failure> {
     const STEPS: u32 = 20_000;
     let h = 2.0 / f64::from(STEPS);
     let step = h * time;
-    let text = head("velocity-verlet", step)
-        + &format!("[ambient]\n{medium}viscosity = {VISCOSITY:e}\n")
-        + &particle([0.0; 2], [0.6 * SPEED, 0.8 * SPEED], SPIN, RADIUS);
-    let mut world = world(&text)?;
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .and(medium)
+        .grain(
+            Grain::at([0.0; 2], RADIUS)
+                .moving([0.6 * SPEED, 0.8 * SPEED])
+                .spinning(SPIN),
+        );
+    let mut world = draft.world()?;
     let whole = left(0.0);
     let mut all = Vec::new();
     for look in 1..=8 {
@@ -79,21 +87,21 @@ fn drag() -> Outcome {
     let correlation = |t: f64| 0.5 * m * slowed(SPEED, t, terms).powi(2) + spin(t);
     // The shortest time constants: spin decays 10/3 times as fast as velocity under creeping drag.
     let fastest = turning.max(terms[0] + terms[1] * SPEED.sqrt() + terms[2] * SPEED);
-    let fluid = format!("law = \"correlation\"\ndensity = {FLUID:e}\n");
+    let viscous = Draft::empty().creeping_drag(VISCOSITY);
+    let fluid = Draft::empty().correlation_drag(VISCOSITY, FLUID);
     Ok(Measurement::worst([
-        decay("law = \"creeping\"\n", 1.0 / turning, creeping)?,
+        decay(&viscous, 1.0 / turning, creeping)?,
         decay(&fluid, 1.0 / fastest, correlation)?,
     ])
     .into())
 }
 
 /// A driven sphere with the given velocity.
-fn driven(step: f64, law: &str, speed: f64) -> Result<World, Failure> {
-    let text = head("velocity-verlet", step)
-        + law
-        + &particle([0.0; 2], [speed, 0.0], 0.0, RADIUS)
-        + "role = \"driven\"\n";
-    world(&text)
+fn driven(step: f64, law: &Draft, speed: f64) -> Result<World, Failure> {
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .and(law)
+        .grain(Grain::at([0.0; 2], RADIUS).moving([speed, 0.0]).driven());
+    Ok(draft.world()?)
 }
 
 fn driving() -> Outcome {
@@ -101,30 +109,42 @@ fn driving() -> Outcome {
     let (step, m, n) = (1e-6, mass(RADIUS), f64::from(STEPS));
     let time = n * step;
     let exact = 4.0 * n * 0.5 * f64::EPSILON;
-    let work = |law: &str, speed: f64| -> Result<f64, Failure> {
+    let work = |law: &Draft, speed: f64| -> Result<f64, Failure> {
         let mut world = driven(step, law, speed)?;
         advance(&mut world, u64::from(STEPS))?;
         Ok(world.energy().driving)
     };
     let (force, rate) = (0.75, 40.0);
     let pressed = work(
-        &format!(
-            "[driving]\ncontroller = \"exact\"\nspeed = 0.0\npressure = {force}\narea = 1.0\n"
-        ),
+        &Draft::empty().driving(DrivingTable {
+            controller: Controller::Exact,
+            speed: 0.0,
+            pressure: force,
+            area: Some(1.0),
+            initial_force: [0.0; 2],
+        }),
         0.0,
     )?;
     let dragged = work(
-        &format!(
-            "[ambient]\nlaw = \"creeping\"\nviscosity = {VISCOSITY:e}\n\
-             [driving]\ncontroller = \"exact\"\nspeed = {SPEED:e}\npressure = 0.0\narea = 1.0\n"
-        ),
+        &Draft::empty()
+            .creeping_drag(VISCOSITY)
+            .driving(DrivingTable {
+                controller: Controller::Exact,
+                speed: SPEED,
+                pressure: 0.0,
+                area: Some(1.0),
+                initial_force: [0.0; 2],
+            }),
         SPEED,
     )?;
     let pulled = work(
-        &format!(
-            "[driving]\ncontroller = \"rate-limited\"\nspeed = 1e9\npressure = -1e9\narea = 1.0\n\
-             force_rate = {rate:e}\n"
-        ),
+        &Draft::empty().driving(DrivingTable {
+            controller: Controller::RateLimited { force_rate: rate },
+            speed: 1e9,
+            pressure: -1e9,
+            area: Some(1.0),
+            initial_force: [0.0; 2],
+        }),
         0.0,
     )?;
     let viscous = 6.0 * PI * VISCOSITY * RADIUS * SPEED * SPEED * time;

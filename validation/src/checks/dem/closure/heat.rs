@@ -1,12 +1,15 @@
 //! Heat of contacts.
 
-use super::text::{RADIUS, fixed, friction, head_on, inertia, kelvin_voigt, mass};
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use super::spheres::{RADIUS, inertia, mass};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::dissipation::viscoelastic_restitution;
 use crate::oracles::oscillator::truncated_restitution;
+use crate::scenes::{Draft, Grain, events};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{Bshp, KelvinVoigt};
 
 pub(super) fn checks() -> Vec<Check> {
     vec![
@@ -50,8 +53,10 @@ pub(super) fn checks() -> Vec<Check> {
 }
 
 /// Heat of a collision over its kinetic energy, with the given time step.
-fn heat_share(contact: &str, step: f64, speed: f64) -> Result<f64, Failure> {
-    let mut world = world(&head_on("velocity-verlet", step, contact, speed))?;
+fn heat_share(contact: &Draft, step: f64, speed: f64) -> Result<f64, Failure> {
+    let mut world = events::head_on(Integrator::VelocityVerlet, step, speed)
+        .and(contact)
+        .world()?;
     while world.number_of_contacts() > 0 {
         advance(&mut world, 64)?;
     }
@@ -67,7 +72,11 @@ fn collision() -> Outcome {
     ] {
         let damping = zeta * (2.0 * stiffness * mass(RADIUS)).sqrt();
         let fastest = rate * (1.0_f64).max(2.0 * zeta);
-        let share = heat_share(&kelvin_voigt(stiffness, damping), h / fastest, 0.5)?;
+        let share = heat_share(
+            &Draft::empty().law(KelvinVoigt { stiffness, damping }),
+            h / fastest,
+            0.5,
+        )?;
         let e = truncated_restitution(zeta);
         all.push(Measurement::absolute(1.0 - e * e, share, h * h));
         marks.push([zeta, share]);
@@ -96,11 +105,11 @@ fn viscoelastic() -> Outcome {
     let time = kappa.powf(-0.4) * f64::powf(2.0 * speed, -0.2);
     let mut all = Vec::new();
     for b in [0.01, 0.05, 0.17, 0.5, 1.0, 2.0] {
-        let contact = format!(
-            "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {modulus:e}\npoissons_ratio = {ratio}\n\
-             dissipative_constant = {:e}\n",
-            b * time
-        );
+        let contact = Draft::empty().law(Bshp {
+            youngs_modulus: modulus,
+            poissons_ratio: ratio,
+            dissipative_constant: b * time,
+        });
         let share = heat_share(&contact, h * time, speed)?;
         let e = viscoelastic_restitution(b);
         let tolerance = 2.0 * 0.207886 * b * h.powf(1.5) + h * h;
@@ -121,20 +130,26 @@ const STEP: f64 = 1e-7;
 pub(super) const SPRING: f64 = 1e3;
 
 /// A sphere that spins between two fixed ones; `place` is its position in the list of particles.
-pub(super) fn held(law: &str, place: usize) -> String {
+pub(super) fn held(law: &str, place: usize) -> Draft {
     held_at(law, place, "velocity-verlet", STEP)
 }
 
 /// The same with a given integrator and time step.
-pub(super) fn held_at(law: &str, place: usize, integrator: &str, step: f64) -> String {
+pub(super) fn held_at(law: &str, place: usize, integrator: &str, step: f64) -> Draft {
     let reach = 2.0 * HELD - SQUEEZE;
     let parameter = if law == "haff-werner" { 1e3 } else { SPRING };
-    let mut spheres = vec![fixed([-reach, 0.0], HELD), fixed([reach, 0.0], HELD)];
-    spheres.insert(place, particle([0.0; 2], [0.0; 2], SPIN, HELD));
-    head(integrator, step)
-        + &kelvin_voigt(STIFFNESS, 0.0)
-        + &friction(law, FRICTION, parameter)
-        + &spheres.concat()
+    let mut spheres = vec![
+        Grain::at([-reach, 0.0], HELD).fixed(),
+        Grain::at([reach, 0.0], HELD).fixed(),
+    ];
+    spheres.insert(place, Grain::at([0.0; 2], HELD).spinning(SPIN));
+    Draft::open_box(integrator, step)
+        .law(KelvinVoigt {
+            stiffness: STIFFNESS,
+            damping: 0.0,
+        })
+        .friction(law, FRICTION, parameter)
+        .grains(spheres)
 }
 
 fn sliding() -> Outcome {
@@ -143,7 +158,7 @@ fn sliding() -> Outcome {
     let rounding = 2.0 * f64::from(STEPS) * 0.5 * f64::EPSILON;
     let mut all = Vec::new();
     for law in ["haff-werner", "cundall-strack-truncated", "cundall-strack"] {
-        let mut world = world(&held(law, 0))?;
+        let mut world = held(law, 0).world()?;
         advance(&mut world, u64::from(STEPS))?;
         let time = f64::from(STEPS) * STEP;
         let deceleration = 2.0 * limit * HELD / inertia(HELD);

@@ -1,10 +1,12 @@
 //! Energy lost with bonds that break, and energy of the contacts that replace them.
 
-use super::text::{RADIUS, kelvin_voigt};
-use crate::checks::dem::scenes::{head, particle, world};
+use super::spheres::RADIUS;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, Table};
 use crate::checks::{Exhibit, thesis};
+use crate::scenes::{Bond, Draft, Grain};
 use gouge_dem::balance::Energy;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, Bshp, EulerBernoulli, KelvinVoigt, ZhangEckert};
 use std::f64::consts::{PI, TAU};
 
 pub(super) fn checks() -> Vec<Check> {
@@ -41,23 +43,28 @@ const BOND: f64 = 1e7;
 /// The balance after one evaluation of two bonded spheres of equal radius, stretched by a length and
 /// with both ends turned by an angle.
 fn strained(stretch: f64, turned: f64, factor: f64) -> Result<Energy, Failure> {
-    let text = head("euler", 1e-9)
-        + &format!(
-            "[bond.normal]\nstiffness = {BOND:e}\ndamping = 0.0\n\
-             [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = {BOND:e}\ndamping = 0.0\n\
-             [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 280e6\n\
-             tangential_strength = 168e6\n"
-        )
-        + &particle([-RADIUS, 0.0], [0.0; 2], 0.0, RADIUS)
-        + &particle([RADIUS, 0.0], [0.0; 2], 0.0, RADIUS)
-        + &format!(
-            "[[bonds]]\nbetween = [0, 1]\nstrength_factor = {factor:e}\n\
-             initial_distance = {:e}\ninitial_angles = [{:e}, {:e}]\n",
-            2.0 * RADIUS - stretch,
-            -turned,
-            -turned - PI
+    let draft = Draft::open_box(Integrator::Euler, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: BOND,
+            damping: 0.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: BOND,
+            damping: 0.0,
+        })
+        .law(ZhangEckert {
+            normal_strength: 280e6,
+            tangential_strength: 168e6,
+        })
+        .grain(Grain::at([-RADIUS, 0.0], RADIUS))
+        .grain(Grain::at([RADIUS, 0.0], RADIUS))
+        .bond(
+            Bond::between(0, 1)
+                .of_strength(factor)
+                .of_length(2.0 * RADIUS - stretch)
+                .since([-turned, -turned - PI]),
         );
-    let mut world = world(&text)?;
+    let mut world = draft.world()?;
     world.evaluate_if_pending()?;
     Ok(world.energy())
 }
@@ -115,32 +122,40 @@ fn breaking() -> Outcome {
 fn bonding() -> Outcome {
     let (small, large, overlap, longer, bond) = (1e-3, 1.5e-3, 37e-6, 90e-6, 3e7);
     let (modulus, ratio) = (50e9, 0.22);
-    let viscoelastic = format!(
-        "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {modulus:e}\npoissons_ratio = {ratio}\n\
-         dissipative_constant = 1e-7\n"
-    );
+    let viscoelastic = Draft::empty().law(Bshp {
+        youngs_modulus: modulus,
+        poissons_ratio: ratio,
+        dissipative_constant: 1e-7,
+    });
     let effective = modulus / (2.0 * (1.0 - ratio * ratio));
     let reduced: f64 = small * large / (small + large);
     let hertz = 0.4 * 4.0 / 3.0 * effective * reduced.sqrt() * f64::powf(overlap, 2.5);
     let mut all = Vec::new();
     for (contact, gained) in [
-        (kelvin_voigt(2e6, 3.0), 0.5 * 2e6 * overlap * overlap),
+        (
+            Draft::empty().law(KelvinVoigt {
+                stiffness: 2e6,
+                damping: 3.0,
+            }),
+            0.5 * 2e6 * overlap * overlap,
+        ),
         (viscoelastic, hertz),
     ] {
         let distance = small + large - overlap;
-        let text = head("euler", 1e-9)
-            + &contact
-            + &format!(
-                "[bond.normal]\nstiffness = {bond:e}\ndamping = 2.0\n[bond.yielding]\n\
-                 law = \"zhang-eckert\"\nnormal_strength = 28e6\ntangential_strength = 16.8e6\n"
-            )
-            + &particle([0.0, 0.0], [0.0; 2], 0.0, small)
-            + &particle([0.6 * distance, 0.8 * distance], [0.0; 2], 0.0, large)
-            + &format!(
-                "[[bonds]]\nbetween = [0, 1]\ninitial_distance = {:e}\n",
-                distance + longer
-            );
-        let mut world = world(&text)?;
+        let draft = Draft::open_box(Integrator::Euler, 1e-9)
+            .and(&contact)
+            .law(AdjustedKelvinVoigt {
+                stiffness: bond,
+                damping: 2.0,
+            })
+            .law(ZhangEckert {
+                normal_strength: 28e6,
+                tangential_strength: 16.8e6,
+            })
+            .grain(Grain::at([0.0, 0.0], small))
+            .grain(Grain::at([0.6 * distance, 0.8 * distance], large))
+            .bond(Bond::between(0, 1).of_length(distance + longer));
+        let mut world = draft.world()?;
         world.evaluate_if_pending()?;
         let energy = world.energy();
         let lost = 0.5 * bond * longer * longer;

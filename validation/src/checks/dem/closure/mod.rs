@@ -8,7 +8,7 @@ mod many;
 mod momenta;
 mod printed;
 mod residual;
-mod text;
+mod spheres;
 
 use crate::checks::Topic;
 

@@ -1,9 +1,11 @@
 //! Momentum and angular momentum.
 
-use super::text::{RADIUS, friction, kelvin_voigt};
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use super::spheres::RADIUS;
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt};
 use gouge_runner::scene::INTEGRATORS;
 use std::f64::consts::PI;
 
@@ -37,20 +39,37 @@ pub(super) fn checks() -> Vec<Check> {
 }
 
 /// A ring of six bonded grains around a smaller one that rattles inside.
-fn ring(integrator: &str) -> String {
-    let mut text = head(integrator, 1e-8)
-        + &kelvin_voigt(1e6, 0.0)
-        + &friction("cundall-strack-truncated", 0.5, 1e6)
-        + "[bond.normal]\nstiffness = 1e6\ndamping = 0.0\n[bond.tangential]\n\
-           law = \"euler-bernoulli\"\nstiffness = 1e6\ndamping = 0.0\n";
+fn ring(integrator: &str) -> Draft {
+    let mut draft = Draft::open_box(integrator, 1e-8)
+        .law(KelvinVoigt {
+            stiffness: 1e6,
+            damping: 0.0,
+        })
+        .friction("cundall-strack-truncated", 0.5, 1e6)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e6,
+            damping: 0.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: 1e6,
+            damping: 0.0,
+        });
     for i in 0..6 {
         let (sine, cosine) = (PI / 3.0 * f64::from(i)).sin_cos();
         let place = [2.0 * RADIUS * cosine, 2.0 * RADIUS * sine];
         let velocity = [-0.4 * sine + 0.3, 0.4 * cosine + 0.1 * f64::from(i % 3)];
-        text += &particle(place, velocity, 40.0 * f64::from(i), RADIUS);
-        text += &format!("[[bonds]]\nbetween = [{i}, {}]\n", (i + 1) % 6);
+        draft = draft.grain(
+            Grain::at(place, RADIUS)
+                .moving(velocity)
+                .spinning(40.0 * f64::from(i)),
+        );
+        draft = draft.bonded(i as usize, (i as usize + 1) % 6);
     }
-    text + &particle([1e-4, -5e-5], [2.0, 0.7], -300.0, 0.7 * RADIUS)
+    draft.grain(
+        Grain::at([1e-4, -5e-5], 0.7 * RADIUS)
+            .moving([2.0, 0.7])
+            .spinning(-300.0),
+    )
 }
 
 /// Momentum and angular momentum, and the sums of the absolute contributions.
@@ -77,7 +96,7 @@ fn momenta(world: &World) -> ([f64; 3], [f64; 3]) {
 
 /// Largest drifts of momentum and of angular momentum over their scales.
 fn drifts(integrator: &str, steps: u64) -> Result<[f64; 2], Failure> {
-    let mut world = world(&ring(integrator))?;
+    let mut world = ring(integrator).world()?;
     let (first, scales) = momenta(&world);
     let mut worst = [0.0_f64; 2];
     for _ in 0..10 {

@@ -1,14 +1,16 @@
 //! Errors of the printed estimators (76), (78) and (79), and the estimators that close the balance.
 
 use super::heat::{FRICTION, HELD, SPIN, SQUEEZE, STIFFNESS, held};
-use super::text::{RADIUS, friction, inertia, kelvin_voigt, mass};
-use crate::checks::dem::scenes::{head, particle, world};
+use super::spheres::{RADIUS, inertia, mass};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::printed::{Link, Printed};
-use crate::scenes::Draft;
 use crate::scenes::fault::weak;
+use crate::scenes::{Draft, Grain, events};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{Controller, KelvinVoigt};
 use gouge_dem::particles::Role;
+use gouge_runner::scene::DrivingTable;
 
 pub(super) fn checks() -> Vec<Check> {
     vec![
@@ -110,7 +112,7 @@ fn follow(world: &mut World, steps: u64) -> Result<Printed, Failure> {
 }
 
 /// In this reading the tangential force is the law's force, as printed.
-const READING: &str = "reading = \"thesis\"\n";
+const READING: &str = "thesis";
 /// Moment of inertia in that reading, in m r^2.
 const COMPUTED: f64 = 3.0 / 5.0;
 
@@ -133,7 +135,7 @@ fn numbered() -> Outcome {
         ],
     );
     for (place, share) in [(0, 1.0), (1, 0.5), (2, 0.0)] {
-        let mut world = world(&(READING.to_owned() + &held("haff-werner", place)))?;
+        let mut world = held("haff-werner", place).reading(READING).world()?;
         let printed = follow(&mut world, u64::from(STEPS))?;
         let heats = [
             printed.links_as_printed(),
@@ -152,12 +154,13 @@ fn numbered() -> Outcome {
 fn gears() -> Outcome {
     const STEPS: u32 = 500;
     let (spin, spring, step) = (3000.0, 1e6, 1e-9);
-    let text = head("velocity-verlet", step)
-        + &kelvin_voigt(1e6, 0.0)
-        + &friction("cundall-strack-truncated", 0.5, spring)
-        + &particle([-RADIUS.next_down(), 0.0], [0.5, 0.0], spin, RADIUS)
-        + &particle([RADIUS.next_down(), 0.0], [-0.5, 0.0], -spin, RADIUS);
-    let mut world = world(&text)?;
+    let draft = events::rubbing(Integrator::VelocityVerlet, step, 0.5, [spin, -spin])
+        .law(KelvinVoigt {
+            stiffness: 1e6,
+            damping: 0.0,
+        })
+        .friction("cundall-strack-truncated", 0.5, spring);
+    let mut world = draft.world()?;
     let printed = follow(&mut world, u64::from(STEPS))?;
     let links = world.interactions();
     let [zeta, other] = links
@@ -182,15 +185,25 @@ fn apart() -> Outcome {
     const STEPS: u32 = 1000;
     let (force, step, m) = (0.002, 1e-6, mass(RADIUS));
     let speeds = [0.5, -0.4];
-    let text = head("velocity-verlet", step)
-        + &format!(
-            "[driving]\ncontroller = \"exact\"\nspeed = 0.0\npressure = {force}\narea = 1.0\n"
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .driving(DrivingTable {
+            controller: Controller::Exact,
+            speed: 0.0,
+            pressure: force,
+            area: Some(1.0),
+            initial_force: [0.0; 2],
+        })
+        .grain(
+            Grain::at([0.0; 2], RADIUS)
+                .moving([0.0, speeds[0]])
+                .driven(),
         )
-        + &particle([0.0; 2], [0.0, speeds[0]], 0.0, RADIUS)
-        + "role = \"driven\"\n"
-        + &particle([1.0, 0.0], [0.0, speeds[1]], 0.0, RADIUS)
-        + "role = \"driven\"\n";
-    let mut world = world(&text)?;
+        .grain(
+            Grain::at([1.0, 0.0], RADIUS)
+                .moving([0.0, speeds[1]])
+                .driven(),
+        );
+    let mut world = draft.world()?;
     let printed = follow(&mut world, u64::from(STEPS))?;
     let (time, share) = (f64::from(STEPS) * step, -0.5 * force);
     let works = speeds.map(|v| share * (v * time + 0.5 * share / m * time * time));

@@ -1,12 +1,14 @@
 //! The residual of the balance against the order of the method.
 
-use super::text::{RADIUS, fixed, friction, kelvin_voigt, mass};
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use super::spheres::{RADIUS, mass};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, largest,
     thesis,
 };
-use gouge_runner::scene::INTEGRATORS;
+use crate::scenes::{Draft, Grain};
+use gouge_dem::laws::{AdjustedKelvinVoigt, Bshp, Controller, EulerBernoulli, KelvinVoigt};
+use gouge_runner::scene::{DrivingTable, INTEGRATORS};
 
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {
@@ -24,8 +26,8 @@ pub(super) fn checks() -> Vec<Check> {
 }
 
 /// Largest residual of a run over its largest kinetic energy, sampled a hundred times.
-pub(super) fn largest_residual(text: &str, steps: u64) -> Result<f64, Failure> {
-    let mut world = world(text)?;
+pub(super) fn largest_residual(draft: &Draft, steps: u64) -> Result<f64, Failure> {
+    let mut world = draft.world()?;
     let (mut residual, mut scale) = (0.0_f64, 0.0_f64);
     for _ in 0..100 {
         advance(&mut world, steps / 100)?;
@@ -37,51 +39,77 @@ pub(super) fn largest_residual(text: &str, steps: u64) -> Result<f64, Failure> {
 }
 
 /// Laws of bonds.
-pub(super) const BONDS: &str = "[bond.normal]\nstiffness = 1e6\ndamping = 1.0\n\
-    [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e6\ndamping = 1.0\n";
+pub(super) fn bonds() -> Draft {
+    let (stiffness, damping) = (1e6, 1.0);
+    Draft::empty()
+        .law(AdjustedKelvinVoigt { stiffness, damping })
+        .law(EulerBernoulli { stiffness, damping })
+}
 
-fn beam() -> String {
-    let mut text = format!(
-        "{BONDS}[ambient]\nlaw = \"creeping\"\nviscosity = 0.1\n\
-         [external]\nlaw = \"gravity\"\nacceleration = 1e4\n"
-    ) + &fixed([0.0; 2], RADIUS);
+fn beam() -> Draft {
+    let mut draft = bonds()
+        .creeping_drag(0.1)
+        .gravity(1e4)
+        .grain(Grain::at([0.0; 2], RADIUS).fixed());
     for i in 1..5 {
-        let x = f64::from(i);
-        text += &particle([2e-3 * x, 0.0], [0.0; 2], 0.0, 1e-3 - 1e-4 * x);
-        text += &format!("[[bonds]]\nbetween = [{}, {i}]\n", i - 1);
+        let x = i as f64;
+        draft = draft.grain(Grain::at([2e-3 * x, 0.0], 1e-3 - 1e-4 * x));
+        draft = draft.bonded(i - 1, i);
     }
-    text
+    draft
 }
 
 /// A sphere that bounces on a fixed one without losing contact, pressed by a strong field.
-fn bouncing(contact: &str, viscosity: f64) -> String {
-    contact.to_owned()
-        + &format!(
-            "[external]\nlaw = \"gravity\"\nacceleration = 1e6\n\
-             [ambient]\nlaw = \"correlation\"\ndensity = 100.0\nviscosity = {viscosity:e}\n"
+fn bouncing(contact: &Draft, viscosity: f64) -> Draft {
+    contact
+        .clone()
+        .gravity(1e6)
+        .correlation_drag(viscosity, 100.0)
+        .grain(Grain::at([0.0; 2], 1.2e-3).fixed())
+        .grain(
+            Grain::at([1e-4, 2.19e-3], RADIUS)
+                .moving([0.05, -1.0])
+                .spinning(30.0),
         )
-        + &fixed([0.0; 2], 1.2e-3)
-        + &particle([1e-4, 2.19e-3], [0.05, -1.0], 30.0, RADIUS)
 }
 
-fn driven() -> String {
-    format!(
-        "{BONDS}[external]\nlaw = \"harmonic-well\"\nstiffness = 1e5\n[box]\nheight = 1e-3\n\
-         [ambient]\nlaw = \"creeping\"\nviscosity = 1.0\n\
-         [driving]\ncontroller = \"exact\"\nspeed = 1.0\npressure = 40.0\narea = 1.0\n"
-    ) + &particle([0.0, 0.0], [1.0, 0.0], 0.0, RADIUS)
-        + "role = \"driven\"\n"
-        + &particle([1.9e-3, 2e-4], [-1.0, 0.5], 200.0, 0.8e-3)
-        + "[[bonds]]\nbetween = [0, 1]\n"
+fn driven() -> Draft {
+    bonds()
+        .harmonic_well(1e5)
+        .with("box.height", 1e-3)
+        .creeping_drag(1.0)
+        .driving(DrivingTable {
+            controller: Controller::Exact,
+            speed: 1.0,
+            pressure: 40.0,
+            area: Some(1.0),
+            initial_force: [0.0; 2],
+        })
+        .grain(Grain::at([0.0, 0.0], RADIUS).moving([1.0, 0.0]).driven())
+        .grain(
+            Grain::at([1.9e-3, 2e-4], 0.8e-3)
+                .moving([-1.0, 0.5])
+                .spinning(200.0),
+        )
+        .bonded(0, 1)
 }
 
 /// Name, laws and particles, and unit of time in s.
-fn scenes() -> [(&'static str, String, f64); 4] {
+fn scenes() -> [(&'static str, Draft, f64); 4] {
     let unit = (mass(RADIUS) / 1e6_f64).sqrt();
-    let viscous = kelvin_voigt(1e6, 1.0) + &friction("haff-werner", 0.9, 0.5);
-    let sticking = "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 5e8\npoissons_ratio = 0.22\n\
-        dissipative_constant = 1e-7\n"
-        .to_owned() + &friction("cundall-strack-truncated", 5.0, 2e5);
+    let viscous = Draft::empty()
+        .law(KelvinVoigt {
+            stiffness: 1e6,
+            damping: 1.0,
+        })
+        .friction("haff-werner", 0.9, 0.5);
+    let sticking = Draft::empty()
+        .law(Bshp {
+            youngs_modulus: 5e8,
+            poissons_ratio: 0.22,
+            dissipative_constant: 1e-7,
+        })
+        .friction("cundall-strack-truncated", 5.0, 2e5);
     [
         ("beam", beam(), unit),
         ("Kelvin-Voigt, Haff-Werner", bouncing(&viscous, 0.5), unit),
@@ -95,12 +123,12 @@ fn smooth() -> Outcome {
     let (mut orders, mut exhibits) = (Vec::new(), Vec::new());
     for (name, scene, unit) in scenes() {
         let mut curves = Vec::new();
-        for ((integrator, _), order) in INTEGRATORS.iter().zip([1.0, 1.0, 1.0, 2.0, 2.0]) {
+        for ((integrator, _), order) in INTEGRATORS.into_iter().zip([1.0, 1.0, 1.0, 2.0, 2.0]) {
             let run = |n: u64| {
                 let step = 5.0 * unit / n as f64;
                 Ok([
                     step / unit,
-                    largest_residual(&(head(integrator, step) + &scene), n)?,
+                    largest_residual(&Draft::open_box(integrator, step).and(&scene), n)?,
                 ])
             };
             let points = steps

@@ -1,8 +1,11 @@
 //! Beginning and end of contacts.
 
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{CundallStrackTruncated, KelvinVoigt};
 
 pub fn checks() -> Vec<Check> {
     vec![begin(), end(), given()]
@@ -13,20 +16,25 @@ const RADII: [f64; 2] = [1e-3, 0.7e-3];
 /// Relative distance from touch, small enough to detect a wrong radius.
 const NEAR: f64 = 2e-7;
 
-fn laws() -> String {
-    head("euler", 1e-9)
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n\
-           [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 1e9\n\
-           stiffness = 1e7\n"
+fn laws() -> Draft {
+    Draft::open_box(Integrator::Euler, 1e-9)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .law(CundallStrackTruncated {
+            friction: 1e9,
+            stiffness: 1e7,
+        })
 }
 
 /// Two grains side by side at a given distance; the second one has a horizontal velocity.
-fn pair(radii: [f64; 2], distance: f64, velocity: f64, more: &str) -> Result<World, Failure> {
-    let text = laws()
-        + &particle([0.0, 0.0], [0.0, 0.0], 0.0, radii[0])
-        + &particle([distance, 0.0], [velocity, 0.0], 0.0, radii[1])
-        + more;
-    world(&text)
+fn pair(radii: [f64; 2], distance: f64, velocity: f64, more: &Draft) -> Result<World, Failure> {
+    let draft = laws()
+        .grain(Grain::at([0.0, 0.0], radii[0]))
+        .grain(Grain::at([distance, 0.0], radii[1]).moving([velocity, 0.0]))
+        .and(more);
+    Ok(draft.world()?)
 }
 
 fn begin() -> Check {
@@ -48,7 +56,7 @@ fn measure_begin() -> Outcome {
     let mut all = Vec::new();
     for radii in [RADII, [RADII[1], RADII[0]]] {
         for (factor, expected) in [(1.0 - NEAR, 1), (1.0 + NEAR, 0)] {
-            let mut world = pair(radii, factor * (radii[0] + radii[1]), 0.0, "")?;
+            let mut world = pair(radii, factor * (radii[0] + radii[1]), 0.0, &Draft::empty())?;
             world.evaluate_if_pending()?;
             let remembered = world.contacts().map_or(0, |weak| weak.remembered().count());
             for found in [
@@ -88,10 +96,7 @@ fn measure_end() -> Outcome {
         // negligible.
         let turned = [0.02, 0.03];
         let angles = [-turned[0], std::f64::consts::PI - turned[1]];
-        let memory = format!(
-            "[[contacts]]\nbetween = [0, 1]\ninitial_angles = [{:e}, {:e}]\n",
-            angles[0], angles[1]
-        );
+        let memory = Draft::empty().touching_since(0, 1, [angles[0], angles[1]]);
         let overlap = 1e-12;
         let speed = (NEAR * touch + overlap) / 1e-9;
         let mut world = pair(radii, touch - overlap, speed, &memory)?;
@@ -102,7 +107,10 @@ fn measure_end() -> Outcome {
         all.push(Measurement::absolute(0.0, world.energy().contact, 0.0));
         // Overlapping grains, one of them rotated, before any force has been evaluated.
         let depth = 1e-5;
-        let fresh = pair(radii, touch - depth, 0.0, "angle = 0.3\n")?;
+        let fresh = laws()
+            .grain(Grain::at([0.0, 0.0], radii[0]))
+            .grain(Grain::at([touch - depth, 0.0], radii[1]).turned(0.3))
+            .world()?;
         let pressed = 0.5 * 1e7 * depth * depth;
         all.push(Measurement::relative(
             pressed,
@@ -129,11 +137,11 @@ fn given() -> Check {
 }
 
 fn measure_given() -> Outcome {
-    let memory = "[[contacts]]\nbetween = [0, 1]\ninitial_angles = [0.0, 0.0]\n";
+    let memory = Draft::empty().touching_since(0, 1, [0.0, 0.0]);
     let mut wrong = 0;
     for radii in [RADII, [RADII[1], RADII[0]]] {
         for (factor, expected) in [(1.0 - NEAR, true), (1.0 + NEAR, false)] {
-            let taken = pair(radii, factor * (radii[0] + radii[1]), 0.0, memory).is_ok();
+            let taken = pair(radii, factor * (radii[0] + radii[1]), 0.0, &memory).is_ok();
             wrong += usize::from(taken != expected);
         }
     }

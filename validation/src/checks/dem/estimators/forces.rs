@@ -1,10 +1,14 @@
 //! Friction, stress, packing and coordination.
 
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
+use crate::scenes::events::stretched_chain;
+use crate::scenes::{Draft, Grain};
 use gouge_common::estimators::packing_fraction;
 use gouge_dem::World;
 use gouge_dem::estimators::{friction_feedback, friction_load};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, Controller, EulerBernoulli, HaffWerner, KelvinVoigt};
+use gouge_runner::scene::DrivingTable;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use std::f64::consts::PI;
@@ -31,18 +35,29 @@ fn block() -> Check {
 fn measure_block() -> Outcome {
     const MU: f64 = 0.7;
     let (large, small, overlap) = (1.0, 1e-3, 0.5e-6);
-    let text = head("velocity-verlet", 1e-9)
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n"
-        + &format!("[contact.tangential]\nlaw = \"haff-werner\"\nfriction = {MU}\ndamping = 1e6\n")
-        + "[driving]\ncontroller = \"exact\"\nspeed = 1.0\npressure = 2.5\narea = 2.0\n"
-        + &format!(
-            "[[particles]]\nposition = [0.0, {:e}]\nradius = {large:e}\nrole = \"fixed\"\n\
-             [[particles]]\nposition = [0.0, {:e}]\nvelocity = [1.0, 0.0]\nradius = {small:e}\n\
-             role = \"driven\"\n",
-            -large,
-            small - overlap
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .law(HaffWerner {
+            friction: MU,
+            damping: 1e6,
+        })
+        .driving(DrivingTable {
+            controller: Controller::Exact,
+            speed: 1.0,
+            pressure: 2.5,
+            area: Some(2.0),
+            initial_force: [0.0; 2],
+        })
+        .grain(Grain::at([0.0, -large], large).fixed())
+        .grain(
+            Grain::at([0.0, small - overlap], small)
+                .moving([1.0, 0.0])
+                .driven(),
         );
-    let mut world = world(&text)?;
+    let mut world = draft.world()?;
     world.evaluate_if_pending()?;
     let expected = MU * (large + small) / (large + small - overlap);
     Ok(Measurement::worst([
@@ -69,19 +84,8 @@ fn chain() -> Check {
 
 fn measure_chain() -> Outcome {
     let direction = [0.75_f64.sqrt(), 0.5];
-    let mut text =
-        head("velocity-verlet", 1e-9) + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n";
-    for i in 0..10 {
-        let at = direction.map(|d| f64::from(i) * 2.002e-3 * d);
-        text += &particle(at, [0.0; 2], 0.0, 1e-3);
-    }
-    for i in 1..10 {
-        text += &format!(
-            "[[bonds]]\nbetween = [{}, {i}]\ninitial_distance = 2e-3\n",
-            i - 1
-        );
-    }
-    let stress = world(&text)?
+    let stress = stretched_chain(direction, 2.002e-3)
+        .world()?
         .contact_network()
         .mean_stress(9.0 * 2.002e-3 * 1e-6);
     let tension = 1e7 * 2e-6 / 1e-6;
@@ -112,19 +116,35 @@ const BONDS: [[usize; 2]; 10] = [
 fn frame() -> Result<World, Failure> {
     let mut random = Pcg64::new(7, 7);
     let mut noise = |scale: f64| scale * (random.random::<f64>() - 0.5);
-    let mut text = head("symplectic-euler", 1e-9)
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
-           [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n\
-           [contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
-           [contact.tangential]\nlaw = \"haff-werner\"\ndamping = 3.0\nfriction = 0.7\n";
+    let mut draft = Draft::open_box(Integrator::SymplecticEuler, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .law(EulerBernoulli {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .law(HaffWerner {
+            friction: 0.7,
+            damping: 3.0,
+        });
     for k in 0..25 {
         let at = [k % 5, k / 5].map(|n| f64::from(n) * 1.9e-3 + noise(1e-4));
-        text += &particle(at, [noise(1.0), noise(1.0)], noise(500.0), 1e-3);
+        draft = draft.grain(
+            Grain::at(at, 1e-3)
+                .moving([noise(1.0), noise(1.0)])
+                .spinning(noise(500.0)),
+        );
     }
     for [i, j] in BONDS {
-        text += &format!("[[bonds]]\nbetween = [{i}, {j}]\n");
+        draft = draft.bonded(i, j);
     }
-    let mut world = world(&text)?;
+    let mut world = draft.world()?;
     world.evaluate_if_pending()?;
     Ok(world)
 }

@@ -1,10 +1,13 @@
 //! Fragments.
 
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Check, Effort, Measurement, Origin, Outcome, thesis};
 use crate::oracles::components::first_nodes;
+use crate::scenes::{Bond, Draft, Grain};
 use gouge_common::estimators::{Fragments, connected};
 use gouge_dem::estimators::fragments;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, ZhangEckert};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -77,22 +80,24 @@ fn broken() -> Check {
 fn measure_broken() -> Outcome {
     const BROKEN: [usize; 4] = [7, 19, 20, 33];
     // The strength allows an extension of 280 MPa times pi mm^2 over 1e7 kg/s^2, 88 um.
-    let mut text = head("velocity-verlet", 1e-9)
-        + "[bond.normal]\nstiffness = 1e7\ndamping = 0.0\n\
-           [bond.yielding]\nlaw = \"zhang-eckert\"\nnormal_strength = 280e6\n\
-           tangential_strength = 168e6\n";
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .law(ZhangEckert {
+            normal_strength: 280e6,
+            tangential_strength: 168e6,
+        });
     let mut x = 0.0;
     for i in 0..40 {
-        text += &particle([x, 0.0], [0.0; 2], 0.0, 1e-3);
+        draft = draft.grain(Grain::at([x, 0.0], 1e-3));
         x += if BROKEN.contains(&i) { 2.1e-3 } else { 2.05e-3 };
     }
     for i in 0..39 {
-        text += &format!(
-            "[[bonds]]\nbetween = [{i}, {}]\ninitial_distance = 2e-3\n",
-            i + 1
-        );
+        draft = draft.bond(Bond::between(i, i + 1).of_length(2e-3));
     }
-    let mut world = world(&text)?;
+    let mut world = draft.world()?;
     advance(&mut world, 1)?;
     let edges: Vec<(usize, usize)> = (0..39)
         .filter(|i| !BROKEN.contains(i))

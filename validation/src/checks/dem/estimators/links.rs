@@ -1,8 +1,10 @@
 //! The reported state of a contact or bond.
 
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
+use crate::scenes::{Bond, Draft, Grain};
 use gouge_dem::forces::{Interaction, InteractionKind};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, CundallStrackTruncated, EulerBernoulli, KelvinVoigt};
 
 pub fn checks() -> Vec<Check> {
     vec![state()]
@@ -35,7 +37,7 @@ const STIFFNESS: [f64; 2] = [1e7, 4e6];
 const DAMPING: [f64; 2] = [3.0, 2.0];
 
 /// The only interaction of the pair under the given laws.
-fn link(laws: &str, list: &str) -> Result<Interaction, Failure> {
+fn link(laws: &Draft, begun: impl Fn([f64; 2]) -> Draft) -> Result<Interaction, Failure> {
     let (sine, cosine) = std::f64::consts::FRAC_PI_6.sin_cos();
     let [along, across] = MOTION;
     let velocity = [
@@ -47,20 +49,16 @@ fn link(laws: &str, list: &str) -> Result<Interaction, Failure> {
         -std::f64::consts::FRAC_PI_6 - TURNS[0],
         std::f64::consts::PI - std::f64::consts::FRAC_PI_6 - TURNS[1],
     ];
-    let text = head("euler", 1e-9)
-        + laws
-        + &particle([0.0, 0.0], [0.0, 0.0], SPINS[0], RADII[0])
-        + &particle(
-            [DISTANCE * cosine, DISTANCE * sine],
-            velocity,
-            SPINS[1],
-            RADII[1],
+    let draft = Draft::open_box(Integrator::Euler, 1e-9)
+        .and(laws)
+        .grain(Grain::at([0.0, 0.0], RADII[0]).spinning(SPINS[0]))
+        .grain(
+            Grain::at([DISTANCE * cosine, DISTANCE * sine], RADII[1])
+                .moving(velocity)
+                .spinning(SPINS[1]),
         )
-        + &format!(
-            "{list}\nbetween = [0, 1]\ninitial_angles = [{:e}, {:e}]\n",
-            initial[0], initial[1]
-        );
-    let links = world(&text)?.interactions();
+        .and(&begun(initial));
+    let links = draft.world()?.interactions();
     let only = links.first().filter(|_| links.len() == 1).copied();
     only.ok_or_else(|| Failure::Oracle("the pair does not have exactly one interaction".to_owned()))
 }
@@ -130,22 +128,24 @@ fn measure_state() -> Outcome {
 
 /// The pair as a bond and as a contact.
 fn both() -> Result<(Interaction, Interaction), Failure> {
-    let [normal, tangential] = [0, 1].map(|k| {
-        format!(
-            "stiffness = {:e}\ndamping = {:e}\n",
-            STIFFNESS[k], DAMPING[k]
-        )
-    });
-    let bond = format!(
-        "[bond.normal]\n{normal}[bond.tangential]\nlaw = \"euler-bernoulli\"\n{tangential}"
-    );
-    let contact = format!(
-        "[contact.normal]\nlaw = \"kelvin-voigt\"\n{normal}[contact.tangential]\n\
-         law = \"cundall-strack-truncated\"\nfriction = 1e3\nstiffness = {:e}\n",
-        STIFFNESS[1]
-    );
-    let bonds = format!("[[bonds]]\ninitial_distance = {LENGTH:e}");
-    Ok((link(&bond, &bonds)?, link(&contact, "[[contacts]]")?))
+    let [stiffness, bending] = STIFFNESS;
+    let [damping, creaking] = DAMPING;
+    let bond = Draft::empty()
+        .law(AdjustedKelvinVoigt { stiffness, damping })
+        .law(EulerBernoulli {
+            stiffness: bending,
+            damping: creaking,
+        });
+    let contact =
+        Draft::empty()
+            .law(KelvinVoigt { stiffness, damping })
+            .law(CundallStrackTruncated {
+                friction: 1e3,
+                stiffness: bending,
+            });
+    let bonded = |angles| Draft::empty().bond(Bond::between(0, 1).of_length(LENGTH).since(angles));
+    let touching = |angles| Draft::empty().touching_since(0, 1, angles);
+    Ok((link(&bond, bonded)?, link(&contact, touching)?))
 }
 
 /// Compares displacements from rest, forces and torques.

@@ -1,10 +1,11 @@
 //! Spheres, the solid, and the decay of friction.
 
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::matter::{moduli, sphere};
+use crate::scenes::{Draft, Grain};
 use gouge_common::geometry::Vec2;
 use gouge_dem::calibration::FrictionDecay;
+use gouge_dem::integrators::Integrator;
 use gouge_dem::material::{Elastic, GRANITE, Measured};
 use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 
@@ -89,19 +90,19 @@ fn measure_energy() -> Outcome {
         ([1.0, 0.9], [-0.1, 0.3], -700.0, 2e-3),
     ];
     let [mut kinetic, mut lifted, mut stretched] = [0.0; 3];
-    let mut text = head("euler", 1e-9);
+    let mut draft = Draft::open_box(Integrator::Euler, 1e-9);
     for (x, v, spin, radius) in grains {
         let [mass, inertia] = sphere(2700.0, radius);
         kinetic += 0.5 * (mass * (v[0] * v[0] + v[1] * v[1]) + inertia * spin * spin);
         lifted += 9.81 * mass * x[1];
         stretched += 0.5 * 7.0 * (x[1] - 0.1) * (x[1] - 0.1);
-        text += &particle(x, v, spin, radius);
+        draft = draft.grain(Grain::at(x, radius).moving(v).spinning(spin));
     }
-    let gravity = "[external]\nlaw = \"gravity\"\nacceleration = 9.81\n";
-    let well = "[box]\nheight = 0.2\n[external]\nlaw = \"harmonic-well\"\nstiffness = 7.0\n";
+    let gravity = Draft::empty().gravity(9.81);
+    let well = Draft::empty().with("box.height", 0.2).harmonic_well(7.0);
     let mut all = Vec::new();
     for (law, potential) in [(gravity, lifted), (well, stretched)] {
-        let found = world(&(text.clone() + law))?.energy();
+        let found = draft.clone().and(&law).world()?.energy();
         all.push(Measurement::relative(kinetic, found.kinetic, 5e-15));
         all.push(Measurement::relative(potential, found.external, 5e-15));
         all.push(Measurement::relative(

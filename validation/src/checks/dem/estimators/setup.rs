@@ -1,9 +1,11 @@
 //! Sizes, lattices, bonds and faults.
 
-use crate::checks::dem::scenes::{head, scene};
 use crate::checks::{Check, Effort, Evidence, Failure, Measurement, Origin, Outcome, thesis};
+use crate::scenes::Draft;
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::AdjustedKelvinVoigt;
 use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::setup::{
     Arrangement, Fault, Lattice, REACH, SizeRange, bonds_within, draw_radii, is_above,
@@ -254,11 +256,18 @@ fn measure_reach() -> Outcome {
 
 /// The reach used if a scene does not state one.
 fn default_reach() -> Result<f64, Failure> {
-    let text = head("velocity-verlet", 1e-7)
-        + "[box]\nwidth = 20e-3\nheight = 20e-3\n[setup]\nseed = 1\n\
-           [bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
-           [setup.sizes]\nmean = 1e-3\n[setup.lattice]\nrows = 3\n[setup.bonding]\n";
-    let scene = scene(&text)?;
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-7)
+        .with("box.width", 20e-3)
+        .with("box.height", 20e-3)
+        .with("setup.seed", 1)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .with("setup.sizes.mean", 1e-3)
+        .with("setup.lattice.rows", 3)
+        .with_table("setup.bonding");
+    let scene = draft.scene()?;
     let bonding = scene.setup.and_then(|setup| setup.bonding);
     bonding
         .map(|bonding| bonding.reach)

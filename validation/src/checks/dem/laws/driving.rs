@@ -1,8 +1,11 @@
 //! The exact controller of the driving force.
 
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::laws::Controller;
+use gouge_runner::scene::DrivingTable;
 
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {
@@ -24,13 +27,18 @@ const BEGIN: f64 = 0.4;
 
 /// Mean speed after each step.
 fn speeds(integrator: &str) -> Result<[f64; STEPS], Failure> {
-    let grain =
-        |x: f64, radius: f64| particle([x, 0.0], [BEGIN, 0.0], 0.0, radius) + "role = \"driven\"\n";
-    let text = head(integrator, 1e-6)
-        + "[driving]\ncontroller = \"exact\"\nspeed = 1.0\npressure = 3.0\narea = 2.0\n"
-        + &grain(0.0, 1e-3)
-        + &grain(1.0, 1.7e-3);
-    let mut world: World = world(&text)?;
+    let grain = |x: f64, radius: f64| Grain::at([x, 0.0], radius).moving([BEGIN, 0.0]).driven();
+    let draft = Draft::open_box(integrator, 1e-6)
+        .driving(DrivingTable {
+            controller: Controller::Exact,
+            speed: 1.0,
+            pressure: 3.0,
+            area: Some(2.0),
+            initial_force: [0.0; 2],
+        })
+        .grain(grain(0.0, 1e-3))
+        .grain(grain(1.0, 1.7e-3));
+    let mut world: World = draft.world()?;
     let mut speeds = [0.0; STEPS];
     for speed in &mut speeds {
         advance(&mut world, 1)?;

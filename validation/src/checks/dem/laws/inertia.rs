@@ -1,9 +1,11 @@
 //! The moment of inertia, measured by the spin that friction causes.
 
-use crate::checks::dem::scenes::{head, particle, world_in};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::scalars::DoubleDouble;
+use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::KelvinVoigt;
 use std::f64::consts::PI;
 
 pub(super) fn checks() -> Vec<Check> {
@@ -31,11 +33,13 @@ const FLATNESS: f64 = 1e12;
 struct Impact {
     /// Lines of the scene that set the reading and the inertia factor.
     reading: &'static str,
-    key: &'static str,
-    /// The inertia factor that these lines imply.
+    given: Option<f64>,
+    /// The inertia factor that these keys imply.
     factor: f64,
     /// Tangential law.
     law: &'static str,
+    /// Its damping in kg/s or stiffness in kg/s^2.
+    constant: f64,
     /// Initial velocity along the plane in m/s; the initial normal speed is 1 m/s.
     along: f64,
 }
@@ -48,18 +52,18 @@ struct After {
 }
 
 /// Lines that set the reading and the inertia factor, and the factor that they imply.
-const BODIES: [(&str, &str, f64); 5] = [
-    ("", "", 2.0 / 5.0),
-    ("", "inertia_factor = 0.4\n", 2.0 / 5.0),
-    ("", "inertia_factor = 0.5\n", 1.0 / 2.0),
-    ("", "inertia_factor = 0.6\n", 3.0 / 5.0),
-    ("reading = \"thesis\"\n", "", 3.0 / 5.0),
+const BODIES: [(&str, Option<f64>, f64); 5] = [
+    ("corrected", None, 2.0 / 5.0),
+    ("corrected", Some(0.4), 2.0 / 5.0),
+    ("corrected", Some(0.5), 1.0 / 2.0),
+    ("corrected", Some(0.6), 3.0 / 5.0),
+    ("thesis", None, 3.0 / 5.0),
 ];
 
 /// Tangential law and velocity along the plane: the first impact slides throughout, the second sticks.
-const MOTIONS: [(&str, f64); 2] = [
-    ("law = \"haff-werner\"\ndamping = 1e3\n", 20.0),
-    ("law = \"cundall-strack-truncated\"\nstiffness = 4e6\n", 0.3),
+const MOTIONS: [(&str, f64, f64); 2] = [
+    ("haff-werner", 1e3, 20.0),
+    ("cundall-strack-truncated", 4e6, 0.3),
 ];
 
 impl Impact {
@@ -67,22 +71,27 @@ impl Impact {
         PI * (2700.0 * 4.0 / 3.0 * PI * RADIUS.powi(3) / STIFFNESS).sqrt()
     }
 
-    fn scene(&self, steps: u32) -> String {
-        self.reading.to_owned()
-            + &head("velocity-verlet", Self::duration() / f64::from(steps))
-            + self.key
-            + &format!(
-                "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {STIFFNESS:e}\ndamping = 10.0\n\
-                 [contact.tangential]\nfriction = {FRICTION}\n{}",
-                self.law
-            )
-            + &particle([0.0, RADIUS.next_down()], [self.along, -1.0], 0.0, RADIUS)
-            + &particle([0.0, -FLATNESS * RADIUS], [0.0; 2], 0.0, FLATNESS * RADIUS)
-            + "role = \"fixed\"\n"
+    fn scene(&self, steps: u32) -> Draft {
+        let draft = Draft::open_box(
+            Integrator::VelocityVerlet,
+            Self::duration() / f64::from(steps),
+        )
+        .reading(self.reading)
+        .law(KelvinVoigt {
+            stiffness: STIFFNESS,
+            damping: 10.0,
+        })
+        .friction(self.law, FRICTION, self.constant)
+        .grain(Grain::at([0.0, RADIUS.next_down()], RADIUS).moving([self.along, -1.0]))
+        .grain(Grain::at([0.0, -FLATNESS * RADIUS], FLATNESS * RADIUS).fixed());
+        match self.given {
+            Some(factor) => draft.with("material.inertia_factor", factor),
+            None => draft,
+        }
     }
 
     fn after(&self, steps: u32) -> Result<After, Failure> {
-        let mut world = world_in::<DoubleDouble>(&self.scene(steps))?;
+        let mut world = self.scene(steps).world_in::<DoubleDouble>()?;
         for _ in 0..4 * steps {
             world.step()?;
         }
@@ -128,13 +137,14 @@ fn measure() -> Outcome {
             "fraction left when rolling, 1 / (1 + c)",
         ],
     );
-    for (reading, key, factor) in BODIES {
-        for (law, along) in MOTIONS {
+    for (reading, given, factor) in BODIES {
+        for (law, constant, along) in MOTIONS {
             let impact = Impact {
                 reading,
-                key,
+                given,
                 factor,
                 law,
+                constant,
                 along,
             };
             let after = impact.after(150)?;
@@ -142,10 +152,11 @@ fn measure() -> Outcome {
             if impact.slides() {
                 let spin = FRICTION * (1.0 + after.away) / (factor * RADIUS);
                 table.push([
-                    (reading.to_owned() + key)
-                        .replace('"', "")
-                        .trim()
-                        .to_owned(),
+                    match given {
+                        Some(factor) => format!("inertia_factor = {factor}"),
+                        None if reading == "thesis" => format!("reading = {reading}"),
+                        None => String::new(),
+                    },
                     factor.to_string(),
                     format!("{spin:.9}"),
                     format!("{:.9}", -after.spin),

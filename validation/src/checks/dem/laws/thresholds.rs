@@ -1,7 +1,8 @@
 //! Thresholds: the state just below and the state just above each.
 
-use crate::checks::dem::scenes::{empty_model, head, particle, sphere, world};
+use crate::checks::dem::scenes::{empty_model, sphere};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
+use crate::scenes::{Draft, Grain};
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
@@ -9,7 +10,8 @@ use gouge_dem::contacts::ContactStart;
 use gouge_dem::geometry::ContactDistance;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{
-    Controller, CundallStrack, Driven, Driving, KelvinVoigt, TangentialLaw, TangentialMotion,
+    AdjustedKelvinVoigt, Controller, CundallStrack, Driven, Driving, KelvinVoigt, TangentialLaw,
+    TangentialMotion,
 };
 use gouge_dem::model::{BondLaws, ContactLaws, ContactNormal, ContactTangential, Model};
 use gouge_dem::particles::Particles;
@@ -253,12 +255,15 @@ fn is_heavy(multiple: f64) -> Result<bool, Failure> {
 /// stopped.
 fn is_too_fast(multiple: f64) -> Result<bool, Failure> {
     let (step, radius) = (1e-6, 1.5e-3);
-    let text = head("euler", step)
-        + "[bond.normal]\nstiffness = 1.0\ndamping = 0.0\n"
-        + &particle([0.0; 2], [2.0 * radius * multiple / step, 0.0], 0.0, 1e-3)
-        + &particle([3e-3, 0.0], [0.0; 2], 0.0, radius)
-        + "[[bonds]]\nbetween = [0, 1]\n";
-    let mut world: World = world(&text)?;
+    let draft = Draft::open_box(Integrator::Euler, step)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1.0,
+            damping: 0.0,
+        })
+        .grain(Grain::at([0.0; 2], 1e-3).moving([2.0 * radius * multiple / step, 0.0]))
+        .grain(Grain::at([3e-3, 0.0], radius))
+        .bonded(0, 1);
+    let mut world: World = draft.world()?;
     match world.step().and_then(|()| world.check()) {
         Ok(()) => Ok(false),
         Err(StepError::TooFast { .. }) => Ok(true),

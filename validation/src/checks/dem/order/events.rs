@@ -1,11 +1,14 @@
 //! Order through events: the effect of a kink or a jump of the force.
 
 use super::slope;
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
 };
 use crate::oracles::events::{Return, bounced, rubbed, slipped};
+use crate::scenes::events::held;
+use crate::scenes::{Draft, Grain};
+use gouge_dem::laws::KelvinVoigt;
 use gouge_runner::scene::INTEGRATORS;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -173,14 +176,15 @@ impl Event {
         let unit = SPEED / w;
         let (half, speed) = (RADIUS - 0.5 * x * unit, 0.5 * v * SPEED);
         let damping = zeta * mass() * w;
-        let text = head(integrator, self.duration() / (w * steps as f64))
-            + &format!(
-                "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {STIFFNESS:e}\n\
-                 damping = {damping:e}\n[output]\nenergy = false\n"
-            )
-            + &particle([-half, 0.0], [speed, 0.0], 0.0, RADIUS)
-            + &particle([half, 0.0], [-speed, 0.0], 0.0, RADIUS);
-        let mut world = world(&text)?;
+        let draft = Draft::open_box(integrator, self.duration() / (w * steps as f64))
+            .law(KelvinVoigt {
+                stiffness: STIFFNESS,
+                damping,
+            })
+            .with("output.energy", false)
+            .grain(Grain::at([-half, 0.0], RADIUS).moving([speed, 0.0]))
+            .grain(Grain::at([half, 0.0], RADIUS).moving([-speed, 0.0]));
+        let mut world = draft.world()?;
         advance(&mut world, steps)?;
         let p = world.particles();
         let overlap = 2.0 * RADIUS - (p.position[1].x - p.position[0].x);
@@ -193,24 +197,20 @@ impl Event {
     /// limit.
     fn spin(self, integrator: &str, steps: u64, speed: f64) -> Result<[[f64; 2]; 2], Failure> {
         let (w, unit) = (spin_rate(self), stretch(self));
-        let law = match self {
-            Self::Easing => {
-                format!("law = \"haff-werner\"\ndamping = {:e}\n", STIFFNESS * 1e-6)
-            }
-            Self::Reversing => format!("law = \"cundall-strack\"\nstiffness = {STIFFNESS:e}\n"),
-            _ => format!("law = \"cundall-strack-truncated\"\nstiffness = {STIFFNESS:e}\n"),
+        let (law, constant) = match self {
+            Self::Easing => ("haff-werner", STIFFNESS * 1e-6),
+            Self::Reversing => ("cundall-strack", STIFFNESS),
+            _ => ("cundall-strack-truncated", STIFFNESS),
         };
-        let fixed = |y: f64| particle([0.0, y], [0.0; 2], 0.0, RADIUS) + "role = \"fixed\"\n";
-        let text = head(integrator, self.duration() / (w * steps as f64))
-            + &format!(
-                "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {STIFFNESS:e}\n\
-                 damping = 0.0\n[contact.tangential]\nfriction = {FRICTION:e}\n{law}\
-                 [output]\nenergy = false\n"
-            )
-            + &particle([0.0; 2], [0.0; 2], speed * unit * w / RADIUS, RADIUS)
-            + &fixed(-GAP)
-            + &fixed(GAP);
-        let mut world = world(&text)?;
+        let step = self.duration() / (w * steps as f64);
+        let draft = held(integrator, step, GAP, speed * unit * w / RADIUS)
+            .law(KelvinVoigt {
+                stiffness: STIFFNESS,
+                damping: 0.0,
+            })
+            .friction(law, FRICTION, constant)
+            .with("output.energy", false);
+        let mut world = draft.world()?;
         advance(&mut world, steps)?;
         let p = world.particles();
         let found = [

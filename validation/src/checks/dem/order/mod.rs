@@ -3,13 +3,13 @@
 mod events;
 mod rotating;
 
-use super::scenes::{advance, head, particle, world};
+use super::scenes::advance;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Topic, thesis,
 };
 use crate::oracles::oscillator::released;
+use crate::scenes::events::oscillator;
 use gouge_runner::scene::INTEGRATORS;
-use std::f64::consts::PI;
 
 /// The topic.
 pub fn topic() -> Topic {
@@ -54,15 +54,7 @@ const ZETA: f64 = 0.3;
 const END: f64 = 3.0;
 
 fn error(integrator: &str, steps: u64) -> Result<f64, Failure> {
-    let radius = (3.0 / (4.0 * PI * 2700.0)).cbrt();
-    let viscosity = 2.0 * ZETA / (6.0 * PI * radius);
-    let text = head(integrator, END / steps as f64)
-        + &particle([0.0, 1.0], [0.0, 0.0], 0.0, radius)
-        + &format!(
-            "[box]\nheight = 1e-300\n[external]\nlaw = \"harmonic-well\"\nstiffness = 1.0\n\
-             [ambient]\nlaw = \"creeping\"\nviscosity = {viscosity:e}\n"
-        );
-    let mut world = world(&text)?;
+    let mut world = oscillator(integrator, END / steps as f64, ZETA).world()?;
     advance(&mut world, steps)?;
     Ok((world.particles().position[0].y - released(END, ZETA)).abs())
 }

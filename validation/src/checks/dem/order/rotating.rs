@@ -1,11 +1,13 @@
 //! Order on a bonded pair that stretches, bends and rotates.
 
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
 };
 use crate::oracles::bonded_pair::{Beam, State};
 use crate::oracles::flow::Flow;
+use crate::scenes::{Bond, Draft, Grain};
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli};
 use gouge_runner::scene::INTEGRATORS;
 use std::f64::consts::PI;
 
@@ -56,18 +58,28 @@ fn end(integrator: &str, beam: Beam, steps: u64) -> Result<[f64; 4], Failure> {
     let place = [RADIUS * cosine, RADIUS * sine];
     let damping = beam.damping * STIFFNESS * time;
     let bending = beam.bending_damping * STIFFNESS * time;
-    let text = head(integrator, END * time / steps as f64)
-        + &format!(
-            "[bond.normal]\nstiffness = {STIFFNESS:e}\ndamping = {damping:e}\n\
-             [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = {:e}\n\
-             damping = {bending:e}\n[[bonds]]\nbetween = [0, 1]\ninitial_distance = {:e}\n\
-             [output]\nenergy = false\n",
-            beam.bending * STIFFNESS,
-            REST * RADIUS
+    let draft = Draft::open_box(integrator, END * time / steps as f64)
+        .law(AdjustedKelvinVoigt {
+            stiffness: STIFFNESS,
+            damping,
+        })
+        .law(EulerBernoulli {
+            stiffness: beam.bending * STIFFNESS,
+            damping: bending,
+        })
+        .bond(Bond::between(0, 1).of_length(REST * RADIUS))
+        .with("output.energy", false)
+        .grain(
+            Grain::at(place.map(|x| -x), RADIUS)
+                .moving(velocity.map(|v| -v))
+                .spinning(spin / time),
         )
-        + &particle(place.map(|x| -x), velocity.map(|v| -v), spin / time, RADIUS)
-        + &particle(place, velocity, other / time, RADIUS);
-    let mut world = world(&text)?;
+        .grain(
+            Grain::at(place, RADIUS)
+                .moving(velocity)
+                .spinning(other / time),
+        );
+    let mut world = draft.world()?;
     advance(&mut world, steps)?;
     let p = world.particles();
     let line = p.position[1] - p.position[0];

@@ -1,9 +1,12 @@
 //! A head-on collision in the kernel, with its events located between the steps.
 
 use crate::checks::Failure;
-use crate::checks::dem::scenes::{advance, head, particle, world};
+use crate::checks::dem::scenes::advance;
 use crate::oracles::quadrature::limit;
+use crate::scenes::{Draft, Grain};
 use gouge_dem::World;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{Bshp, KelvinVoigt};
 use std::f64::consts::PI;
 
 /// Density of all spheres in kg/m^3, as set by [`head`].
@@ -15,8 +18,8 @@ const NODES: usize = 6;
 /// Two spheres about to collide head on, with their centre of mass at rest.
 #[derive(Clone, Debug)]
 pub struct Collision {
-    /// Table `contact.normal` of the scene.
-    pub law: String,
+    /// The normal law, as a part of the scene.
+    pub law: Draft,
     /// Radii in m.
     pub radii: [f64; 2],
     /// Relative speed in m/s.
@@ -67,9 +70,7 @@ impl Collision {
     /// Truncated Kelvin-Voigt spheres.
     pub fn kelvin_voigt(stiffness: f64, damping: f64, radii: [f64; 2], speed: f64) -> Self {
         Self {
-            law: format!(
-                "law = \"kelvin-voigt\"\nstiffness = {stiffness:e}\ndamping = {damping:e}\n"
-            ),
+            law: Draft::empty().law(KelvinVoigt { stiffness, damping }),
             radii,
             speed,
             gap: 0.0,
@@ -79,11 +80,11 @@ impl Collision {
     /// in s.
     pub fn viscoelastic(solid: [f64; 2], constant: f64, radii: [f64; 2], speed: f64) -> Self {
         Self {
-            law: format!(
-                "law = \"bshp\"\nyoungs_modulus = {:e}\npoissons_ratio = {:e}\n\
-                 dissipative_constant = {constant:e}\n",
-                solid[0], solid[1]
-            ),
+            law: Draft::empty().law(Bshp {
+                youngs_modulus: solid[0],
+                poissons_ratio: solid[1],
+                dissipative_constant: constant,
+            }),
             radii,
             speed,
             gap: 0.0,
@@ -109,13 +110,12 @@ impl Collision {
         let shares = [b / (a + b), a / (a + b)].map(|share| share * self.speed);
         let [r, s] = self.radii;
         let start = s + self.gap - (r + s) * 4.0 * f64::EPSILON;
-        let text = head("velocity-verlet", step)
-            + "[contact.normal]\n"
-            + &self.law
-            + "[output]\nenergy = false\n"
-            + &particle([-r, 0.0], [shares[0], 0.0], 0.0, r)
-            + &particle([start, 0.0], [-shares[1], 0.0], 0.0, s);
-        let mut world = world(&text)?;
+        let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+            .and(&self.law)
+            .with("output.energy", false)
+            .grain(Grain::at([-r, 0.0], r).moving([shares[0], 0.0]))
+            .grain(Grain::at([start, 0.0], s).moving([-shares[1], 0.0]));
+        let mut world = draft.world()?;
         world.evaluate_if_pending()?;
         let mut samples = vec![self.sample(&world)];
         for _ in 0..most {

@@ -5,9 +5,9 @@
 //! means beyond the margin M if |mean| + t(1 - a) s < M.
 
 use super::observables::{Course, value};
-use crate::checks::dem::scenes::world;
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table};
 use crate::references::{Case, Control, Observable, RecordedRun, Run};
+use crate::scenes::Draft;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -80,7 +80,7 @@ fn courses(case: &Case, control: Option<&Control>) -> Result<Vec<Course>, Failur
         let series = recorded.series.as_ref();
         let series =
             series.ok_or_else(|| Failure::Oracle("the result has no series".to_owned()))?;
-        Course::beside(&mut world(&text)?, series)
+        Course::beside(&mut Draft::parse(&text).world()?, series)
     };
     runs.map(course).collect()
 }

@@ -2,37 +2,27 @@
 
 use super::distributions::{Laws, preferring};
 use super::sampled::{distance, strength};
-use crate::checks::dem::scenes::scene;
 use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table, largest};
 use crate::oracles::emergent::Strength;
+use crate::scenes::Draft;
+use crate::scenes::packing::settled;
 use gouge_dem::World;
 use gouge_dem::distributions::Distribution;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli};
 use gouge_runner::run::run_setup;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 /// A block of about 670 grains, made like the granite fault up to bonding.
-fn text(seed: u64) -> String {
-    format!(
-        "[time]\nstep = 1e-8\nend = 1e-8\nintegrator = \"velocity-verlet\"\n\
-         [box]\nwidth = 50e-3\nheight = 50e-3\nboundary = \"periodic-x\"\n\
-         [material]\ndensity = 2700.0\n\
-         [contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
-         [bond.normal]\nstiffness = 1e7\ndamping = 10.0\n\
-         [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = 1e7\ndamping = 10.0\n\
-         [output]\nenergy = false\n\
-         [setup]\nseed = {seed}\nclip = true\n\
-         [setup.sizes]\nmean = 1e-3\n\
-         [setup.lattice]\nperturbation = 0.05e-3\nfilling = 0.9069\n\
-         [[setup.settle]]\nduration = 1e-3\nstep = 100e-9\n\
-         ambient = {{ law = \"creeping\", viscosity = 10.0 }}\n\
-         external = {{ law = \"harmonic-well\", stiffness = 4e3 }}\n\
-         [[setup.settle]]\nduration = 1e-3\nstep = 100e-9\n\
-         ambient = {{ law = \"creeping\", viscosity = 10.0 }}\n\
-         external = {{ law = \"harmonic-well\", stiffness = 4e2 }}\n\
-         [setup.bonding]\nreach = 1.224744871391589\nstrength_spread = 0.1\n"
-    )
+fn draft(seed: u64) -> Draft {
+    let (stiffness, damping) = (1e7, 10.0);
+    settled(50e-3, seed)
+        .law(AdjustedKelvinVoigt { stiffness, damping })
+        .law(EulerBernoulli { stiffness, damping })
+        .with("output.energy", false)
+        .with("setup.bonding.reach", 1.224744871391589)
+        .with("setup.bonding.strength_spread", 0.1)
 }
 
 /// Grains and bonds of a packing.
@@ -104,7 +94,7 @@ impl Block {
 }
 
 fn block(seed: u64) -> Result<Block, Failure> {
-    Ok(Block::of(&run_setup(&scene(&text(seed))?)?))
+    Ok(Block::of(&run_setup(&draft(seed).scene()?)?))
 }
 
 /// First seed: the claims were formulated with packings of smaller seeds.

@@ -6,15 +6,14 @@ use super::running::grows;
 use crate::checks::Failure;
 use crate::checks::dem::remembered::start;
 use crate::oracles::amplification::Method;
+use crate::scenes::Draft;
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::model::{BondLaws, Model};
 use gouge_runner::run::{PhaseKind, begin_phase, phases};
-use gouge_runner::scene::{Scene, builtin};
 use rand::RngExt;
 use rand_pcg::Pcg64;
-use std::path::Path;
 
 /// A packing at rest: settled, clipped and bonded, without a fault, with bond forces only.
 pub struct Packing {
@@ -28,8 +27,7 @@ impl Packing {
     /// # Errors
     /// States that the kernel refuses.
     pub fn new(name: &str, part: u64) -> Result<Self, Failure> {
-        let text = builtin::text(name).unwrap_or_default();
-        let mut scene = Scene::parse(name, text.as_bytes(), Path::new("."))?;
+        let mut scene = Draft::builtin(name).scene()?;
         if let Some(setup) = &mut scene.setup {
             setup.fault = None;
         }

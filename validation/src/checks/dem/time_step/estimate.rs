@@ -1,9 +1,10 @@
 //! The estimate of the stable step, on which the program's warning is based.
 
 use super::network::linearise;
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::amplification::Method;
+use crate::scenes::{Draft, Grain};
+use gouge_dem::laws::{AdjustedKelvinVoigt, Bshp, EulerBernoulli, KelvinVoigt};
 use gouge_dem::{World, stable_step_estimate};
 
 pub(super) fn checks() -> Vec<Check> {
@@ -24,7 +25,7 @@ pub(super) fn checks() -> Vec<Check> {
 /// A pair of equal masses.
 struct Case {
     name: &'static str,
-    laws: &'static str,
+    laws: Draft,
     radii: [f64; 2],
     /// Overlap in units of the smaller radius.
     overlap: f64,
@@ -37,7 +38,7 @@ const SPHERE: f64 = 0.4;
 const TOUCH: f64 = 1e-12;
 const SHARP: f64 = 1.2e-7;
 
-fn contact(name: &'static str, laws: &'static str, overlap: f64) -> Case {
+fn contact(name: &'static str, laws: Draft, overlap: f64) -> Case {
     Case {
         name,
         laws,
@@ -49,7 +50,7 @@ fn contact(name: &'static str, laws: &'static str, overlap: f64) -> Case {
     }
 }
 
-fn bond(name: &'static str, laws: &'static str, radii: [f64; 2], tolerance: f64) -> Case {
+fn bond(name: &'static str, laws: Draft, radii: [f64; 2], tolerance: f64) -> Case {
     Case {
         name,
         laws,
@@ -62,50 +63,41 @@ fn bond(name: &'static str, laws: &'static str, radii: [f64; 2], tolerance: f64)
 }
 
 fn cases() -> [Case; 7] {
+    let touching =
+        |stiffness: f64, damping: f64| Draft::empty().law(KelvinVoigt { stiffness, damping });
+    let bars = Draft::empty().law(AdjustedKelvinVoigt {
+        stiffness: 1e7,
+        damping: 3.0,
+    });
+    let beams = bars.clone().law(EulerBernoulli {
+        stiffness: 8e6,
+        damping: 4.0,
+    });
+    let viscoelastic = Draft::empty().law(Bshp {
+        youngs_modulus: 5e10,
+        poissons_ratio: 0.22,
+        dissipative_constant: 1e-6,
+    });
     [
-        contact(
-            "Kelvin-Voigt contact",
-            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 3.0\n",
-            TOUCH,
-        ),
-        contact(
-            "viscoelastic contact",
-            "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = 5e10\npoissons_ratio = 0.22\n\
-             dissipative_constant = 1e-6\n",
-            0.1,
-        ),
+        contact("Kelvin-Voigt contact", touching(1e7, 3.0), TOUCH),
+        contact("viscoelastic contact", viscoelastic, 0.1),
         contact(
             "Cundall-Strack friction",
-            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n\
-             [contact.tangential]\nlaw = \"cundall-strack\"\nfriction = 0.5\nstiffness = 9e6\n",
+            touching(1e7, 0.0).friction("cundall-strack", 0.5, 9e6),
             TOUCH,
         ),
         contact(
             "truncated Cundall-Strack friction",
-            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 0.0\n\
-             [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = 0.5\n\
-             stiffness = 9e6\n",
+            touching(1e7, 0.0).friction("cundall-strack-truncated", 0.5, 9e6),
             TOUCH,
         ),
         contact(
             "Haff-Werner friction",
-            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e-5\ndamping = 0.0\n\
-             [contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.5\ndamping = 10.0\n",
+            touching(1e-5, 0.0).friction("haff-werner", 0.5, 10.0),
             TOUCH,
         ),
-        bond(
-            "stretching bond",
-            "[bond.normal]\nstiffness = 1e7\ndamping = 3.0\n",
-            [1e-3, 1.7e-3],
-            SHARP,
-        ),
-        bond(
-            "beam of unlike radii",
-            "[bond.normal]\nstiffness = 1e7\ndamping = 3.0\n[bond.tangential]\n\
-             law = \"euler-bernoulli\"\nstiffness = 8e6\ndamping = 4.0\n",
-            [1e-8, 1e-1],
-            SHARP + 4.4e-8,
-        ),
+        bond("stretching bond", bars, [1e-3, 1.7e-3], SHARP),
+        bond("beam of unlike radii", beams, [1e-8, 1e-1], SHARP + 4.4e-8),
     ]
 }
 
@@ -115,7 +107,7 @@ fn turning() -> impl Iterator<Item = Case> {
     let with = |inertia_factor: f64| {
         cases()
             .into_iter()
-            .filter(|case| case.laws.contains("tangential"))
+            .filter(|case| case.laws.has("contact.tangential") || case.laws.has("bond.tangential"))
             .map(move |case| Case {
                 inertia_factor,
                 tolerance: SHARP
@@ -138,18 +130,18 @@ impl Case {
         }
         let smaller = radii[0].min(radii[1]);
         let distance = radii[0] + radii[1] - self.overlap * smaller;
-        let mut text = head(integrator, 1e-12);
-        text += &format!("inertia_factor = {:e}\n", self.inertia_factor);
-        text += self.laws;
+        let mut draft = Draft::open_box(integrator, 1e-12)
+            .with("material.inertia_factor", self.inertia_factor)
+            .and(&self.laws);
         // The motion is negligible, but viscous friction has no derivative at rest.
         for (x, speed, radius) in [(0.0, 1e-25, radii[0]), (distance, 0.0, radii[1])] {
-            text += &particle([x, 0.0], [0.0, speed], 0.0, radius);
-            text += &format!("density = {:e}\n", 2.7e-6 / radius.powi(3));
+            let grain = Grain::at([x, 0.0], radius).moving([0.0, speed]);
+            draft = draft.grain(grain.of_density(2.7e-6 / radius.powi(3)));
         }
         if self.bonded {
-            text += "[[bonds]]\nbetween = [0, 1]\n";
+            draft = draft.bonded(0, 1);
         }
-        world(&text)
+        Ok(draft.world()?)
     }
 }
 

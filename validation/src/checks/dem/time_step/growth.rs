@@ -1,9 +1,11 @@
 //! The thesis's modes with its integrator and time step.
 
 use super::modes::{Linearised, Mode, RADIUS, mass};
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::amplification::{Method, boundary, spectral_radius};
+use crate::scenes::{Draft, Grain};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{HaffWerner, KelvinVoigt};
 use std::f64::consts::TAU;
 
 /// The checks of this file.
@@ -138,13 +140,17 @@ fn slowing(contacts: u32) -> Result<f64, Failure> {
         [1.999 * RADIUS * cosine, 1.999 * RADIUS * sine]
     });
     let grains = std::iter::once([0.0, 0.0]).chain(ring);
-    let text = head("euler", STEP)
-        + "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e7\ndamping = 10.0\n\
-           [contact.tangential]\nlaw = \"haff-werner\"\nfriction = 0.7\ndamping = 100.0\n"
-        + &grains
-            .map(|at| particle(at, [0.0; 2], SPIN, RADIUS))
-            .collect::<String>();
-    let mut world = world(&text)?;
+    let draft = Draft::open_box(Integrator::Euler, STEP)
+        .law(KelvinVoigt {
+            stiffness: 1e7,
+            damping: 10.0,
+        })
+        .law(HaffWerner {
+            friction: 0.7,
+            damping: 100.0,
+        })
+        .grains(grains.map(|at| Grain::at(at, RADIUS).spinning(SPIN)));
+    let mut world = draft.world()?;
     world.evaluate_if_pending()?;
     let inertia = 0.4 * mass() * RADIUS * RADIUS;
     Ok(-world.forces().torque[0] / (inertia * SPIN))

@@ -3,12 +3,14 @@
 use super::amplification::geometric;
 use super::modes::{RADIUS, integrator_name, mass};
 use super::running::grows;
-use crate::checks::dem::scenes::{head, particle, world};
 use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Style, Table,
     thesis,
 };
 use crate::oracles::amplification::{Method, crossings, spectral_radius};
+use crate::scenes::events::held;
+use crate::scenes::{Draft, Grain};
+use gouge_dem::laws::{CundallStrackTruncated, KelvinVoigt};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -79,14 +81,13 @@ const LONGEST: f64 = 3.9;
 /// Whether the motion of a grain of unit frequency in a well grows.
 fn runs_away(method: Method, zeta: f64, step: f64) -> Result<bool, Failure> {
     let viscosity = 2.0 * zeta * mass() / (6.0 * PI * RADIUS);
-    let text = head(integrator_name(method), step)
-        + &format!(
-            "[box]\nheight = 1e-300\n[external]\nlaw = \"harmonic-well\"\nstiffness = {:e}\n\
-             [ambient]\nlaw = \"creeping\"\nviscosity = {viscosity:e}\n[output]\nenergy = false\n",
-            mass()
-        )
-        + &particle([0.0, 1.0], [0.0, 0.0], 0.0, RADIUS);
-    let mut world = world(&text)?;
+    let draft = Draft::open_box(integrator_name(method), step)
+        .with("box.height", 1e-300)
+        .harmonic_well(mass())
+        .creeping_drag(viscosity)
+        .with("output.energy", false)
+        .grain(Grain::at([0.0, 1.0], RADIUS));
+    let mut world = draft.world()?;
     grows(|| {
         world.step()?;
         Ok(world.particles().position[0].y)
@@ -200,17 +201,17 @@ fn slip(method: Method, (ratio, friction, scaled): Contact) -> Result<(bool, f64
     let limit = friction * k_n * (2.0 * RADIUS - gap);
     // The initial amplitude of the spring is 1e-6 of the displacement at the limit.
     let spin = 1e-6 * limit / k_t / RADIUS * w;
-    let fixed = |y: f64| particle([0.0, y], [0.0; 2], 0.0, RADIUS) + "role = \"fixed\"\n";
-    let text = head(integrator_name(method), scaled / w)
-        + &format!(
-            "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {k_n:e}\ndamping = 0.0\n\
-             [contact.tangential]\nlaw = \"cundall-strack-truncated\"\n\
-             friction = {friction:e}\nstiffness = {k_t:e}\n[output]\nenergy = false\n"
-        )
-        + &particle([0.0, 0.0], [0.0; 2], spin, RADIUS)
-        + &fixed(-gap)
-        + &fixed(gap);
-    let mut world = world(&text)?;
+    let draft = held(integrator_name(method), scaled / w, gap, spin)
+        .law(KelvinVoigt {
+            stiffness: k_n,
+            damping: 0.0,
+        })
+        .law(CundallStrackTruncated {
+            friction,
+            stiffness: k_t,
+        })
+        .with("output.energy", false);
+    let mut world = draft.world()?;
     let mut most: f64 = 0.0;
     for _ in 0..STEPS {
         world.step()?;

@@ -2,11 +2,14 @@
 //! is the linearised motion, without a finite amplitude.
 
 use crate::checks::Failure;
-use crate::checks::dem::scenes::{head, particle, scene};
 use crate::oracles::amplification::Method;
 use crate::scalars::Dual;
+use crate::scenes::{Draft, Grain};
 use gouge_common::geometry::Vec2;
-use gouge_dem::particles::Particles;
+use gouge_dem::laws::{
+    AdjustedKelvinVoigt, CundallStrackTruncated, EulerBernoulli, HaffWerner, KelvinVoigt,
+};
+use gouge_dem::particles::{Particles, Role};
 use gouge_dem::{Start, World};
 use std::f64::consts::PI;
 
@@ -115,31 +118,30 @@ impl Mode {
         }
     }
 
-    fn laws(self, [k, gamma]: [f64; 2]) -> String {
-        let spring = format!("stiffness = {k:e}\ndamping = {gamma:e}\n");
-        let rub = |law: String| {
-            format!(
-                "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = 1e-8\ndamping = 0.0\n\
-                 [contact.tangential]\nfriction = 0.7\n{law}"
-            )
+    fn laws(self, [stiffness, damping]: [f64; 2]) -> Draft {
+        let draft = Draft::empty();
+        let touching = KelvinVoigt {
+            stiffness: 1e-8,
+            damping: 0.0,
         };
         match self {
-            Self::Well => format!(
-                "[box]\nheight = 1.0\n[external]\nlaw = \"harmonic-well\"\nstiffness = {k:e}\n\
-                 [ambient]\nlaw = \"creeping\"\nviscosity = {:e}\n",
-                gamma / (6.0 * PI * RADIUS)
-            ),
-            Self::Axial | Self::Bending | Self::Shearing => format!(
-                "[bond.normal]\n{spring}[bond.tangential]\nlaw = \"euler-bernoulli\"\n{spring}\
-                 [[bonds]]\nbetween = [0, 1]\n"
-            ),
-            Self::Squeezed => {
-                format!("[contact.normal]\nlaw = \"kelvin-voigt\"\n{spring}")
-            }
-            Self::Sticking => rub(format!(
-                "law = \"cundall-strack-truncated\"\nstiffness = {k:e}\n"
-            )),
-            Self::Viscous => rub(format!("law = \"haff-werner\"\ndamping = {gamma:e}\n")),
+            Self::Well => draft
+                .with("box.height", 1.0)
+                .harmonic_well(stiffness)
+                .creeping_drag(damping / (6.0 * PI * RADIUS)),
+            Self::Axial | Self::Bending | Self::Shearing => draft
+                .law(AdjustedKelvinVoigt { stiffness, damping })
+                .law(EulerBernoulli { stiffness, damping })
+                .bonded(0, 1),
+            Self::Squeezed => draft.law(KelvinVoigt { stiffness, damping }),
+            Self::Sticking => draft.law(touching).law(CundallStrackTruncated {
+                friction: 0.7,
+                stiffness,
+            }),
+            Self::Viscous => draft.law(touching).law(HaffWerner {
+                friction: 0.7,
+                damping,
+            }),
         }
     }
 
@@ -174,16 +176,16 @@ impl Mode {
     }
 
     /// The scene of the mode at rest.
-    fn text(self, method: Method, step: f64, constants: [f64; 2]) -> String {
+    fn draft(self, method: Method, step: f64, constants: [f64; 2]) -> Draft {
         let free = if self == Self::Squeezed { 1 } else { 2 };
         let grains = self.places().into_iter().enumerate().map(|(i, place)| {
-            let role = if i < free { "free" } else { "fixed" };
-            particle(place, [0.0; 2], 0.0, RADIUS) + &format!("role = \"{role}\"\n")
+            let role = if i < free { Role::Free } else { Role::Fixed };
+            Grain::at(place, RADIUS).with_role(role)
         });
-        head(integrator_name(method), step)
-            + &self.laws(constants)
-            + "[output]\nenergy = false\n"
-            + &grains.collect::<String>()
+        Draft::open_box(integrator_name(method), step)
+            .and(&self.laws(constants))
+            .with("output.energy", false)
+            .grains(grains)
     }
 }
 
@@ -220,7 +222,7 @@ impl Linearised {
         step: f64,
         constants: [f64; 2],
     ) -> Result<Self, Failure> {
-        let scene = scene(&mode.text(method, step, constants))?;
+        let scene = mode.draft(method, step, constants).scene()?;
         let mut particles: Particles<Dual> = scene.particles.iter().copied().collect();
         let speck = if mode == Mode::Viscous { SPECK } else { 0.0 };
         for i in 0..particles.len() {

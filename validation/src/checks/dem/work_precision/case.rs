@@ -1,7 +1,7 @@
 //! A case: the scene, its time steps, its orders, and the source of its reference solution.
 
-use crate::checks::dem::scenes::scene;
 use crate::checks::{Failure, largest};
+use crate::scenes::Draft;
 use gouge_common::scalar::Real;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::model::Model;
@@ -60,9 +60,9 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// The origin that a scene's text describes.
-    pub fn read(text: &str) -> Result<Self, Failure> {
-        let scene = scene(text)?;
+    /// The origin that a draft describes.
+    pub fn read(draft: &Draft) -> Result<Self, Failure> {
+        let scene = draft.scene()?;
         let world = scene.initial_world()?;
         Ok(Self {
             model: *world.model(),

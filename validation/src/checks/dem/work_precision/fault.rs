@@ -3,7 +3,7 @@
 use super::case::Origin;
 use crate::checks::Failure;
 use crate::checks::dem::remembered::start;
-use crate::checks::dem::scenes::scene;
+use crate::scenes::Draft;
 use gouge_dem::particles::{Particles, Role};
 use gouge_runner::run::run_setup;
 
@@ -83,7 +83,7 @@ ambient = { law = "creeping", viscosity = 1.0 }
 
 /// The two blocks under pressure.
 pub fn origin() -> Result<Origin, Failure> {
-    let world = run_setup(&scene(TEXT)?)?;
+    let world = run_setup(&Draft::parse(TEXT).scene()?)?;
     let mut particles = world.particles().clone();
     drive_at(
         &mut particles,

@@ -2,10 +2,14 @@
 
 use super::case::{Case, Origin, Truth};
 use super::{extrapolation, fault};
-use crate::checks::dem::scenes::{head, particle};
 use crate::checks::{Failure, largest};
-use crate::oracles::grains::{Grain, Grains, Repulsion};
+use crate::oracles::grains::{self, Grains, Repulsion};
 use crate::oracles::rolling::Rolling;
+use crate::scenes::{Draft, Grain};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{
+    AdjustedKelvinVoigt, Bshp, CundallStrackTruncated, EulerBernoulli, KelvinVoigt,
+};
 use gouge_dem::particles::Role;
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -164,70 +168,76 @@ pub const FAULT: Case = Case {
     truth: |case, origin, finest| extrapolation::limit(case, origin, finest - 3..finest + 1),
 };
 
-fn bonds(damping: f64) -> String {
-    format!(
-        "[bond.normal]\nstiffness = {GRANITE_STIFFNESS:e}\ndamping = {damping:e}\n\
-         [bond.tangential]\nlaw = \"euler-bernoulli\"\nstiffness = {GRANITE_STIFFNESS:e}\n\
-         damping = {damping:e}\n"
-    )
-}
-
-fn bond(i: usize, j: usize) -> String {
-    format!("[[bonds]]\nbetween = [{i}, {j}]\n")
-}
-
-fn fixed(position: [f64; 2], radius: f64) -> String {
-    particle(position, [0.0; 2], 0.0, radius) + "role = \"fixed\"\n"
+fn bonds(damping: f64) -> Draft {
+    Draft::empty()
+        .law(AdjustedKelvinVoigt {
+            stiffness: GRANITE_STIFFNESS,
+            damping,
+        })
+        .law(EulerBernoulli {
+            stiffness: GRANITE_STIFFNESS,
+            damping,
+        })
 }
 
 /// Head of a scene; integrator and time step are set later.
-fn start() -> String {
-    head("velocity-verlet", GRANITE_STEP)
+fn start() -> Draft {
+    Draft::open_box(Integrator::VelocityVerlet, GRANITE_STEP)
 }
 
 fn pair() -> Result<Origin, Failure> {
-    let text = start()
-        + &bonds(1.0)
-        + &particle([0.0, 0.0], [5.0, -20.0], 3e4, 1e-3)
-        + &particle([1.8e-3, 0.0], [-5.0, 20.0], -1e4, 0.8e-3)
-        + &bond(0, 1);
-    Origin::read(&text)
+    let draft = start()
+        .and(&bonds(1.0))
+        .grain(
+            Grain::at([0.0, 0.0], 1e-3)
+                .moving([5.0, -20.0])
+                .spinning(3e4),
+        )
+        .grain(
+            Grain::at([1.8e-3, 0.0], 0.8e-3)
+                .moving([-5.0, 20.0])
+                .spinning(-1e4),
+        )
+        .bonded(0, 1);
+    Origin::read(&draft)
 }
 
 fn beam() -> Result<Origin, Failure> {
     const NUMBER: usize = 8;
-    let mut text = start() + &bonds(10.0) + &fixed([0.0, 0.0], 1e-3);
+    let mut draft = start()
+        .and(&bonds(10.0))
+        .grain(Grain::at([0.0, 0.0], 1e-3).fixed());
     for i in 1..NUMBER {
         let along = i as f64 / (NUMBER - 1) as f64;
         let velocity = [0.0, 20.0 * along * along];
-        text += &particle([2e-3 * i as f64, 0.0], velocity, 0.0, 1e-3);
+        draft = draft.grain(Grain::at([2e-3 * i as f64, 0.0], 1e-3).moving(velocity));
     }
-    text.extend((1..NUMBER).map(|i| bond(i - 1, i)));
-    Origin::read(&text)
+    Origin::read(&(1..NUMBER).fold(draft, |draft, i| draft.bonded(i - 1, i)))
 }
 
 const YOUNG: f64 = 50e9;
 const POISSON: f64 = 0.22;
 const DISSIPATION: f64 = 1e-7;
 
-fn viscoelastic_law() -> String {
-    format!(
-        "[contact.normal]\nlaw = \"bshp\"\nyoungs_modulus = {YOUNG:e}\n\
-         poissons_ratio = {POISSON:e}\ndissipative_constant = {DISSIPATION:e}\n"
-    )
+fn viscoelastic_law() -> Draft {
+    Draft::empty().law(Bshp {
+        youngs_modulus: YOUNG,
+        poissons_ratio: POISSON,
+        dissipative_constant: DISSIPATION,
+    })
 }
 
 /// Four grains in separate lanes, so that the largest error depends less on where within a step a
 /// collision begins.
 fn bouncing() -> Result<Origin, Failure> {
-    let mut text = start() + &viscoelastic_law();
+    let mut draft = start().and(&viscoelastic_law());
     for (lane, speed) in [10.0, 8.0, 12.0, 9.0].iter().enumerate() {
         let height = 3e-3 * lane as f64;
-        text += &fixed([0.0, height], 1e-3);
-        text += &fixed([4.05e-3, height], 1e-3);
-        text += &particle([2.02e-3, height], [*speed, 0.0], 0.0, 1e-3);
+        draft = draft.grain(Grain::at([0.0, height], 1e-3).fixed());
+        draft = draft.grain(Grain::at([4.05e-3, height], 1e-3).fixed());
+        draft = draft.grain(Grain::at([2.02e-3, height], 1e-3).moving([*speed, 0.0]));
     }
-    Origin::read(&text)
+    Origin::read(&draft)
 }
 
 fn number(value: f64) -> Df64 {
@@ -250,10 +260,10 @@ const HEIGHT: f64 = 10e-3;
 const FIELDS: [f64; 3] = [6.0 * PI * VISCOSITY, WELL, 0.5 * HEIGHT];
 
 fn packing() -> Result<Origin, Failure> {
-    falling(&format!(
-        "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {GRANITE_STIFFNESS:e}\n\
-         damping = {DAMPING:e}\n"
-    ))
+    falling(&Draft::empty().law(KelvinVoigt {
+        stiffness: GRANITE_STIFFNESS,
+        damping: DAMPING,
+    }))
 }
 
 fn viscoelastic_packing() -> Result<Origin, Failure> {
@@ -261,14 +271,12 @@ fn viscoelastic_packing() -> Result<Origin, Failure> {
 }
 
 /// Twelve grains of different sizes on a perturbed square lattice, all moving towards its centre.
-fn falling(law: &str) -> Result<Origin, Failure> {
-    let mut text = start()
-        + law
-        + &format!(
-            "[box]\nheight = {HEIGHT:e}\n\
-             [ambient]\nlaw = \"creeping\"\nviscosity = {VISCOSITY:e}\n\
-             [external]\nlaw = \"harmonic-well\"\nstiffness = {WELL:e}\n"
-        );
+fn falling(law: &Draft) -> Result<Origin, Failure> {
+    let mut draft = start()
+        .and(law)
+        .with("box.height", HEIGHT)
+        .creeping_drag(VISCOSITY)
+        .harmonic_well(WELL);
     let mut random = Pcg64::new(1, 0);
     for i in 0..12 {
         let place = [i % 4, 1 + i / 4].map(|k| {
@@ -277,9 +285,10 @@ fn falling(law: &str) -> Result<Origin, Failure> {
         });
         let velocity = place.map(|x| -1e4 * x);
         let radius = 0.8e-3 + 0.2e-3 * random.random::<f64>();
-        text += &particle([place[0], 0.5 * HEIGHT + place[1]], velocity, 0.0, radius);
+        draft =
+            draft.grain(Grain::at([place[0], 0.5 * HEIGHT + place[1]], radius).moving(velocity));
     }
-    Origin::read(&text)
+    Origin::read(&draft)
 }
 
 fn spring_dashpot() -> Repulsion<Df64> {
@@ -298,7 +307,7 @@ fn ending<const N: usize>(
     (slices, tolerance): (u32, f64),
 ) -> Vec<[Df64; 2]> {
     let p = &origin.particles;
-    let grain = |i: usize| Grain {
+    let grain = |i: usize| grains::Grain {
         radius: number(p.radius[i]),
         inverse_mass: if p.role[i] == Role::Fixed {
             number(0.0)
@@ -350,24 +359,27 @@ const BALL: f64 = 5e-3;
 
 /// A ball near the top of a fixed one, rolling downhill.
 fn rolling() -> Result<Origin, Failure> {
-    let law = format!(
-        "[contact.normal]\nlaw = \"kelvin-voigt\"\nstiffness = {SOFT:e}\ndamping = 2.0\n\
-         [contact.tangential]\nlaw = \"cundall-strack-truncated\"\nfriction = {FRICTION:e}\n\
-         stiffness = {SOFT:e}\n\
-         [external]\nlaw = \"gravity\"\nacceleration = {GRAVITY:e}\n"
-    );
+    let law = Draft::empty()
+        .law(KelvinVoigt {
+            stiffness: SOFT,
+            damping: 2.0,
+        })
+        .law(CundallStrackTruncated {
+            friction: FRICTION,
+            stiffness: SOFT,
+        })
+        .gravity(GRAVITY);
     let (distance, speed) = (2.0 * BALL - 0.7e-6, 0.15);
     let (sine, cosine) = 0.3_f64.sin_cos();
-    let text = start()
-        + &law
-        + &particle(
-            [distance * sine, distance * cosine],
-            [speed * cosine, -speed * sine],
-            -speed / BALL,
-            BALL,
+    let draft = start()
+        .and(&law)
+        .grain(
+            Grain::at([distance * sine, distance * cosine], BALL)
+                .moving([speed * cosine, -speed * sine])
+                .spinning(-speed / BALL),
         )
-        + &fixed([0.0, 0.0], BALL);
-    Origin::read(&text)
+        .grain(Grain::at([0.0, 0.0], BALL).fixed());
+    Origin::read(&draft)
 }
 
 fn rolled(case: &Case, origin: &Origin, (slices, tolerance): (u32, f64)) -> ([Df64; 2], u32) {
