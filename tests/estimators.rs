@@ -151,9 +151,8 @@ fn friction_of_a_driven_grain_is_the_ratio_of_its_forces() {
     assert_eq!(friction_feedback(world.drive()), -reaction.x / reaction.y);
 }
 
-#[test]
-fn the_mean_stress_is_the_virial_of_the_forces() {
-    // A frame of bonded and touching grains with random velocities and spins.
+/// A frame of bonded and touching grains with random velocities and spins.
+fn moving_frame() -> Draft {
     let mut random = Pcg64::new(7, 7);
     let mut noise = |scale: f64| scale * (random.random::<f64>() - 0.5);
     let (stiffness, damping) = (1e7, 10.0);
@@ -179,7 +178,12 @@ fn the_mean_stress_is_the_virial_of_the_forces() {
     for k in (0..25).filter(|k| k % 5 != 4).step_by(2) {
         draft = draft.bonded(k, k + 1);
     }
-    let mut world = world(&draft);
+    draft
+}
+
+#[test]
+fn the_mean_stress_is_the_virial_of_the_forces() {
+    let mut world = world(&moving_frame());
     advance(&mut world, 20);
     world.evaluate_if_pending().expect("finite");
     let stress = world.contact_network().mean_stress(1.0);

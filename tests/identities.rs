@@ -198,10 +198,9 @@ fn three_grains() -> [Grain; 3] {
     ]
 }
 
-/// Three particles with the given kinds of forces.
-fn parts(kinds: &[&str]) -> gouge_dem::World {
-    let mut draft = Draft::open_box(Integrator::Euler, 1e-9).with("box.width", 0.02);
-    let tables = [
+/// The tables of all kinds of forces.
+fn tables() -> [(&'static str, Draft); 5] {
+    [
         (
             "contact",
             Draft::empty()
@@ -238,8 +237,13 @@ fn parts(kinds: &[&str]) -> gouge_dem::World {
                 initial_force: [3.0, -2.0],
             }),
         ),
-    ];
-    for (kind, table) in tables {
+    ]
+}
+
+/// Three particles with the given kinds of forces.
+fn parts(kinds: &[&str]) -> gouge_dem::World {
+    let mut draft = Draft::open_box(Integrator::Euler, 1e-9).with("box.width", 0.02);
+    for (kind, table) in tables() {
         if kinds.contains(&kind) {
             draft = draft.and(&table);
         }

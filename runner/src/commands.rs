@@ -164,10 +164,7 @@ fn pair_bounds(scene: &Scene, world: &World) -> Vec<Value> {
         if let Some(beam) = bond.tangential {
             // Equal particles in touch, rotating in the same and in opposite senses: 7/2 k / m and 5/2 k / m for
             // spheres.
-            let (shear, turn) = (
-                (1.0 + inverse_inertia) / lightest,
-                inverse_inertia / lightest,
-            );
+            let [shear, turn] = [1.0, 0.0].map(|shift| (shift + inverse_inertia) / lightest);
             bounds.push(bound(
                 "bond shear",
                 "both ends rotate in the same sense",

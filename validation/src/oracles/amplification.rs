@@ -198,9 +198,9 @@ pub fn crossings(method: Method, zeta: f64, longest: f64) -> Vec<f64> {
 /// is the root of the polynomial at minus one; below 1.33 % of critical damping a complex pair becomes
 /// unstable first, for which there is no closed form.
 ///
-/// Euler: the determinant 1 - c + k reaches one, or above critical damping the smaller root of 4 - 2 c
-/// + k = 0. Taylor: its determinant 1 - c + k/2 reaches one, or 4 - 2 c = 0. The others: the polynomial
-/// at minus one vanishes, 4 - 2 c - k = 0, 4 - 4 c - k = 0, 12 - 20 c - 7 k = 0.
+/// Euler: the determinant 1 - c + k reaches one, or above critical damping the smaller root of
+/// 4 - 2 c + k = 0. Taylor: its determinant 1 - c + k/2 reaches one, or 4 - 2 c = 0. The others: the
+/// polynomial at minus one vanishes, 4 - 2 c - k = 0, 4 - 4 c - k = 0, 12 - 20 c - 7 k = 0.
 pub fn closed_boundary(method: Method, zeta: f64) -> Option<f64> {
     let root = |linear: f64, square: f64, constant: f64| {
         (-linear + (linear * linear + 4.0 * square * constant).sqrt()) / (2.0 * square)
