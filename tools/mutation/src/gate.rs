@@ -31,8 +31,10 @@ const SKIPPED: [&str; 13] = [
     "collisions::restitution_of_truncated_kelvin_voigt",
 ];
 
-/// How much longer than unperturbed tests may take.
-const PATIENCE: f64 = 20.0;
+/// How many times as long as without a fault a test may take.
+const PATIENCE: f64 = 10.0;
+/// What it may take besides, in s.
+const GRACE: f64 = 10.0;
 
 /// Runs a program with at most 8 GiB of memory: a fault may ask for any amount.
 const LIMITED: &str = "ulimit -v 8388608; exec \"$@\"";
@@ -209,10 +211,10 @@ impl Gate {
             for test in batch {
                 let (names, seconds) = by_program.entry(test.program).or_default();
                 names.push(&test.name);
-                *seconds += test.seconds;
+                *seconds = seconds.max(test.seconds);
             }
             for (program, (names, seconds)) in by_program {
-                let limit = Duration::from_secs_f64(10.0 + PATIENCE * seconds);
+                let limit = Duration::from_secs_f64(GRACE + PATIENCE * seconds);
                 match self.run(program, &names, &variable, Some(limit))? {
                     End::Passed => {}
                     End::Failed(test) => return Ok(Fate::Caught(test)),
@@ -225,7 +227,7 @@ impl Gate {
         Ok(Fate::Survived)
     }
 
-    /// Run tests of a program, one after another, until one fails.
+    /// Run tests of a program, one after another, until one fails or takes longer than the limit.
     fn run(
         &self,
         program: usize,
@@ -265,7 +267,7 @@ pub fn cargo(copy: &Path) -> Command {
     command
 }
 
-/// Read what a program says until a test fails or time is up; nothing where it says no more.
+/// Read what a program says until a test fails or it says nothing for too long; nothing where it ends.
 fn watch(child: &mut Child, limit: Option<Duration>) -> Option<End> {
     let output = BufReader::new(child.stdout.take()?);
     let (send, receive) = mpsc::channel();
@@ -276,20 +278,14 @@ fn watch(child: &mut Child, limit: Option<Duration>) -> Option<End> {
             }
         }
     });
-    let deadline = limit.map(|limit| Instant::now() + limit);
     loop {
-        let line = match deadline {
+        let line = match limit {
             None => receive.recv().ok()?,
-            Some(deadline) => {
-                let left = deadline.saturating_duration_since(Instant::now());
-                match receive.recv_timeout(left) {
-                    Ok(line) => line,
-                    Err(mpsc::RecvTimeoutError::Disconnected) => return None,
-                    Err(mpsc::RecvTimeoutError::Timeout) => {
-                        return Some(End::Late);
-                    }
-                }
-            }
+            Some(limit) => match receive.recv_timeout(limit) {
+                Ok(line) => line,
+                Err(mpsc::RecvTimeoutError::Disconnected) => return None,
+                Err(mpsc::RecvTimeoutError::Timeout) => return Some(End::Late),
+            },
         };
         if let Some(test) = line
             .strip_prefix("test ")
