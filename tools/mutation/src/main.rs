@@ -2,7 +2,7 @@
 //!
 //! There are two kinds of faults: every literal and every coefficient of a formula of the kernel can be
 //! scaled by 1 + 1e-6, and operators, conditions and results of functions can be replaced. The workspace
-//! is copied, each fault gets a switch, and the gate is built once. Each test is run once to learn which
+//! is copied, each fault gets a switch, and the gate is built once. Each test is run to learn which
 //! switches it meets. Then each fault is switched on in turn, and the tests that meet its switch are run,
 //! fast ones first, until one fails. A fault survives if all its tests pass: the gate does not
 //! detect it.
