@@ -118,3 +118,24 @@ pub fn chapter() -> Markup {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::chapter;
+    use crate::measurements::friction_runs;
+
+    #[test]
+    fn the_recorded_runs_can_be_read_and_each_seed_is_paired() {
+        let (date, runs) = friction_runs().unwrap_or_default();
+        assert!(runs.len() >= 32, "at least sixteen seeds");
+        for factor in [0.4, 0.6] {
+            let number = runs
+                .iter()
+                .filter(|run| run.inertia_factor == factor)
+                .count();
+            assert_eq!(2 * number, runs.len(), "{factor}");
+        }
+        let page = chapter().into_string();
+        assert!(page.contains(&date) && !page.contains("NaN"));
+    }
+}

@@ -277,7 +277,8 @@ mod tests {
 
     #[test]
     fn every_run_can_be_read_and_every_kind_is_shown() {
-        for file in RUNS.files() {
+        let is_json = |path: &std::path::Path| path.extension().is_some_and(|end| end == "json");
+        for file in RUNS.files().filter(|file| is_json(file.path())) {
             let run = serde_json::from_slice::<Run>(file.contents());
             assert!(run.is_ok(), "{}: {:?}", file.path().display(), run.err());
         }
