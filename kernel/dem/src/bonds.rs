@@ -266,11 +266,6 @@ impl<S: Real> Bonds<S> {
         (0..self.len()).map(|position| self.get(position))
     }
 
-    /// Whether a pair is bonded.
-    pub fn contains(&self, pair: Pair) -> bool {
-        self.pairs.binary_search(&pair).is_ok()
-    }
-
     /// Whether the bond of a pair broke in the latest evaluation.
     pub(crate) fn just_broke(&self, pair: Pair) -> bool {
         self.broken
