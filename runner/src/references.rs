@@ -36,6 +36,16 @@ pub struct StoredScenes {
     bonds: Vec<(PathBuf, String)>,
 }
 
+/// The text of a file of the case in a folder such as `lammps/kelvin-voigt`.
+///
+/// # Errors
+/// A file that is missing or not text.
+pub fn file_text(folder: &Path, name: &str) -> Result<&'static str, String> {
+    let file = FOLDER.get_file(folder.join(name));
+    let text = file.and_then(|file| file.contents_utf8());
+    text.ok_or_else(|| format!("{name} is missing"))
+}
+
 /// Paths of all cases, in alphabetical order.
 pub fn paths() -> impl Iterator<Item = String> {
     let folders = FOLDER.dirs().flat_map(Dir::dirs);
@@ -61,11 +71,7 @@ impl StoredScenes {
     /// # Errors
     /// A file that is missing or cannot be read.
     pub fn read(folder: &Path) -> Result<Self, String> {
-        let text = |name: &str| {
-            let file = FOLDER.get_file(folder.join(name));
-            let text = file.and_then(|file| file.contents_utf8());
-            text.ok_or_else(|| format!("{name} is missing"))
-        };
+        let text = |name| file_text(folder, name);
         let tables = |kind: &str| {
             let inside = FOLDER.get_dir(folder.join(kind));
             let files = inside.into_iter().flat_map(Dir::files);

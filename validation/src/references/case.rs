@@ -2,7 +2,7 @@
 
 use super::Recorded;
 use crate::scenes::Draft;
-use gouge_runner::references::{FOLDER, Run, StoredScenes};
+use gouge_runner::references::{FOLDER, Run, StoredScenes, file_text};
 use include_dir::Dir;
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
@@ -128,11 +128,7 @@ pub struct Control {
 impl Case {
     /// The case in a folder.
     pub(super) fn read(folder: &Path) -> Result<Self, String> {
-        let text = |name: &str| {
-            let file = FOLDER.get_file(folder.join(name));
-            let text = file.and_then(|file| file.contents_utf8());
-            text.ok_or_else(|| format!("{name} is missing"))
-        };
+        let text = |name| file_text(folder, name);
         let mut case: Self =
             toml::from_str(text("case.toml")?).map_err(|e| format!("case.toml: {e}"))?;
         case.result =
