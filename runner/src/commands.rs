@@ -1,7 +1,6 @@
 //! The commands of the program, without the parsing of arguments.
 
 use crate::error::Error;
-use crate::references;
 use crate::scene::{Scene, builtin, integrator_name};
 use gouge_dem::forces::InteractionKind;
 use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
@@ -9,6 +8,7 @@ use gouge_dem::material::Elastic;
 use gouge_dem::model::ContactNormal;
 use gouge_dem::{World, stable_step_estimate};
 use serde_json::{Value, json};
+use std::borrow::Cow;
 use std::fmt::Write;
 
 /// Characteristic Mach number of cracks, thesis section 4.2.
@@ -223,8 +223,7 @@ pub fn scenes(name: Option<&str>) -> Result<String, Error> {
         return Ok(lines
             + "lammps/..., yade/...   ENGINE/CASE/RUN: the scene of a stored reference run, e.g. lammps/kelvin-voigt/thesis\n");
     };
-    let text = builtin::text(name).map(str::to_owned);
-    let text = text.or_else(|| references::scene_text(name));
+    let text = builtin::named_text(name).map(Cow::into_owned);
     text.ok_or_else(|| {
         let names = builtin::names().join(", ");
         Error::Argument(format!(

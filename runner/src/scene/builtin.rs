@@ -1,5 +1,8 @@
 //! The scenes that come with the program.
 
+use crate::references;
+use std::borrow::Cow;
+
 /// Name, purpose and text of every built-in scene.
 pub const SCENES: [(&str, &str, &str); 9] = [
     (
@@ -55,6 +58,12 @@ pub fn text(name: &str) -> Option<&'static str> {
         .iter()
         .find(|(scene, _, _)| *scene == name)
         .map(|(_, _, text)| *text)
+}
+
+/// Text of a built-in scene or of the scene of a stored reference run.
+pub fn named_text(name: &str) -> Option<Cow<'static, str>> {
+    let stored = || references::scene_text(name).map(Cow::Owned);
+    text(name).map(Cow::Borrowed).or_else(stored)
 }
 
 /// Names of all built-in scenes.

@@ -16,7 +16,6 @@ pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Se
 pub use text::hex;
 
 use crate::error::{Error, SceneError};
-use crate::references;
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
@@ -158,21 +157,9 @@ impl Scene {
     /// # Errors
     /// As [`Scene::load`]; a mistake in an override names the override.
     pub fn load_with(name: &str, overrides: &Overrides) -> std::result::Result<Self, Error> {
-        if let Some(text) = builtin::text(name) {
-            return Ok(Self::parse_with(
-                name,
-                text.as_bytes(),
-                Path::new("."),
-                overrides,
-            )?);
-        }
-        if let Some(text) = references::scene_text(name) {
-            return Ok(Self::parse_with(
-                name,
-                text.as_bytes(),
-                Path::new("."),
-                overrides,
-            )?);
+        if let Some(text) = builtin::named_text(name) {
+            let folder = Path::new(".");
+            return Ok(Self::parse_with(name, text.as_bytes(), folder, overrides)?);
         }
         let path = Path::new(name);
         let bytes = std::fs::read(path).map_err(|error| SceneError {
