@@ -1,5 +1,5 @@
 //! Results depend neither on the instructions of the machine nor on the number of threads, nor on compiler
-//! optimisation. Fingerprints of the bits are recorded; `cargo test --profile unoptimised machine` compares them
+//! optimisation. Fingerprints of the bits are recorded; `cargo test --profile dev machine` compares them
 //! without optimisation.
 
 use crate::program::{gouge, stderr};
