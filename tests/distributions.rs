@@ -86,6 +86,12 @@ fn densities_are_derivatives_of_cumulative_distributions() {
         high: 1.1,
     };
     assert!(slope_error(&UniformSum(a, b), 1.5, 2.6) < 1e-3);
+    // The upper end is more than twice as large as a kink.
+    let near_zero = Uniform {
+        low: 0.0,
+        high: 0.7,
+    };
+    assert!(slope_error(&UniformSum(near_zero, b), 0.8, 1.9) < 2e-3);
     assert!(slope_error(&UniformProduct(a, b), 0.6, 1.6) < 1e-3);
     assert!(
         slope_error(

@@ -1,0 +1,77 @@
+//! Bonds do not depend on how their ends are named, and their energies do not depend on their neighbours.
+
+use crate::worlds::{INTEGRATORS, advance, bits, world};
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt, ZhangEckert};
+use gouge_dem::model::Yielding;
+use gouge_validation::scenes::{Bond, Draft, Grain};
+use std::f64::consts::PI;
+
+const RADIUS: f64 = 1e-3;
+/// Normal strength in Pa.
+const STRENGTH: f64 = 28e6;
+/// Stiffness of bonds and contacts in kg/s^2.
+const STIFFNESS: f64 = 1e7;
+
+#[test]
+fn the_ends_of_a_bond_may_be_named_in_either_order() {
+    let run = |integrator: &str, bond: Bond| {
+        let draft = Draft::open_box(integrator, 1e-9)
+            .law(AdjustedKelvinVoigt {
+                stiffness: STIFFNESS,
+                damping: 1.0,
+            })
+            .law(EulerBernoulli {
+                stiffness: STIFFNESS,
+                damping: 1.0,
+            })
+            .grain(Grain::at([-RADIUS, 0.0], RADIUS))
+            .grain(Grain::at([RADIUS, 1e-5], 1.2 * RADIUS))
+            .bond(bond.of_length(2.1 * RADIUS));
+        let mut world = world(&draft);
+        advance(&mut world, 500);
+        bits(&world)
+    };
+    for integrator in INTEGRATORS {
+        let forwards = run(integrator, Bond::between(0, 1).since([0.01, 3.0]));
+        let backwards = run(integrator, Bond::between(1, 0).since([3.0, 0.01]));
+        let exchanged = run(integrator, Bond::between(1, 0).since([0.01, 3.0]));
+        assert_eq!(forwards, backwards, "{integrator}");
+        assert_ne!(forwards, exchanged, "{integrator}");
+    }
+}
+
+/// When a bond in tension breaks, its energy leaves the balance up to the work of its force in half a step. A
+/// compressed contact beside it holds 2000 times as much.
+#[test]
+fn a_breaking_bond_leaves_the_energy_of_other_contacts_alone() {
+    let (speed, step, overlap) = (16.0, 1e-9, 1e-4);
+    let draft = Draft::open_box(Integrator::VelocityVerlet, step)
+        .law(AdjustedKelvinVoigt {
+            stiffness: STIFFNESS,
+            damping: 0.0,
+        })
+        .law(Yielding {
+            law: ZhangEckert {
+                normal_strength: STRENGTH,
+                tangential_strength: STRENGTH,
+            },
+            unbreakable_edges: false,
+        })
+        .law(KelvinVoigt {
+            stiffness: STIFFNESS,
+            damping: 0.0,
+        })
+        .grain(Grain::at([-2.0 * RADIUS, 0.0], RADIUS).moving([-speed, 0.0]))
+        .grain(Grain::at([0.0, 0.0], RADIUS).fixed())
+        .grain(Grain::at([2.0 * RADIUS - overlap, 0.0], RADIUS).fixed())
+        .bonded(0, 1);
+    let mut world = world(&draft);
+    let held = 0.5 * STIFFNESS * overlap * overlap;
+    advance(&mut world, 1000);
+    assert!(world.bonds().is_some_and(|bonds| bonds.len() == 0));
+    let work = 0.5 * STRENGTH * PI * RADIUS * RADIUS * speed * step;
+    let residual = world.energy().residual.abs();
+    assert!(0.0 < residual && residual <= work, "{residual} {work}");
+    assert!(held > 2000.0 * work, "{held}");
+}
