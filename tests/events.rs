@@ -19,6 +19,7 @@ enum Seen {
     Sample(u64, f64),
     Checkpoint(u64),
     Ended,
+    AlreadyDone,
 }
 
 fn seen(event: Event<'_>) -> Seen {
@@ -38,6 +39,7 @@ fn seen(event: Event<'_>) -> Seen {
             Seen::Checkpoint(steps)
         }
         Event::Ended => Seen::Ended,
+        Event::AlreadyDone { .. } => Seen::AlreadyDone,
     }
 }
 
@@ -52,11 +54,13 @@ fn watch(scene: &Scene, folder: &Path, options: RunOptions) -> (Vec<Seen>, Resul
 /// Checkpoints only at the beginning of phases.
 const RARELY: RunOptions = RunOptions {
     resume: false,
+    overwrite: false,
     checkpoint_interval: f64::INFINITY,
 };
 /// Checkpoints as often as possible.
 const OFTEN: RunOptions = RunOptions {
     resume: false,
+    overwrite: false,
     checkpoint_interval: 0.0,
 };
 
@@ -95,8 +99,8 @@ fn phases_samples_and_checkpoints_are_reported_in_order() {
         let time = (last.steps / 4 * sample) as f64 * scene.step;
         expected.push(Seen::Sample(sample, time));
     }
-    expected.push(Seen::Ended);
     expected.push(Seen::Checkpoint(last.steps));
+    expected.push(Seen::Ended);
     assert_eq!(ends_of_progress(events), expected);
 }
 
@@ -144,7 +148,7 @@ fn a_time_step_above_the_bound_is_reported_once_before_the_first_step() {
         if !warns {
             continue;
         }
-        let Seen::Warning(step, bound, text) = &events[1] else {
+        let Seen::Warning(step, bound, text) = &events[2] else {
             panic!("{events:?}");
         };
         assert!(*step == scene.step && bound < step);
@@ -188,11 +192,15 @@ fn a_resumed_run_begins_in_its_phase() {
         resume: true,
         ..RARELY
     };
+    std::fs::remove_file(folder.path().join("summary.json")).expect("ours");
     let (events, outcome) = watch(&scene, folder.path(), resumed);
     outcome.expect("the run succeeds");
     let names = vec!["run".to_owned()];
     assert_eq!(
         events,
-        [Seen::Began(0, names), Seen::Ended, Seen::Checkpoint(2000)]
+        [Seen::Began(0, names), Seen::Checkpoint(2000), Seen::Ended]
     );
+    let (events, outcome) = watch(&scene, folder.path(), RARELY);
+    outcome.expect("nothing is done");
+    assert_eq!(events, [Seen::AlreadyDone]);
 }

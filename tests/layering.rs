@@ -232,7 +232,9 @@ fn the_runner_prints_nothing_and_only_one_file_reads_the_environment() {
         "stdout",
         "stderr",
         "indicatif",
-        "process::",
+        "process::exit",
+        "process::abort",
+        "Command",
     ];
     let environment = ["std::env", "env::"];
     let source = root().join("runner/src");

@@ -1,7 +1,9 @@
 //! Runs that are killed, fail or meet a full disk: results are kept and the run can be continued.
 
 mod disk;
+mod endings;
 mod failing;
+mod folders;
 
 use crate::program::{gouge, run, stderr, write_draft};
 use gouge_validation::scenes::Draft;
@@ -298,13 +300,13 @@ fn a_checkpoint_of_version_3_is_continued() {
     complete(&scene, &out, true);
     assert_same(&out, &reference);
     let last = fs::read(out.join("checkpoint")).expect("a checkpoint");
-    assert_eq!(version(&last), 4_u64.to_le_bytes());
+    assert_eq!(version(&last), 5_u64.to_le_bytes());
 }
 
 /// Bytes of a checkpoint that hold the version of the format.
 const VERSION: std::ops::Range<usize> = 48..56;
-/// Bytes that hold the length of the name of the model, and the name.
-const MODEL: [std::ops::Range<usize>; 2] = [112..120, 120..123];
+/// Bytes that hold the length of the keys of the scene; the keys follow, then the name of the model.
+const KEYS: std::ops::Range<usize> = 120..128;
 
 /// The bytes of a checkpoint with a correct checksum.
 fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
@@ -320,11 +322,14 @@ fn a_state_with_other_columns_is_refused() {
     let scene = write_draft(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
+    fs::remove_file(out.join("summary.json")).expect("ours");
     let path = out.join("checkpoint");
     let whole = fs::read(&path).expect("a checkpoint");
     assert_eq!(with_checksum(whole.clone()), whole);
-    assert_eq!(whole[MODEL[0].clone()], 3_u64.to_le_bytes());
-    assert_eq!(&whole[MODEL[1].clone()], b"dem");
+    let keys = u64::from_le_bytes(whole[KEYS].try_into().expect("eight bytes")) as usize;
+    let model = KEYS.end + keys + 8;
+    assert_eq!(whole[model - 8..model], 3_u64.to_le_bytes());
+    assert_eq!(&whole[model..model + 3], b"dem");
     let place_of = |name: &[u8]| {
         let place = whole.windows(name.len()).position(|bytes| bytes == name);
         place.expect("a column")
@@ -337,17 +342,10 @@ fn a_state_with_other_columns_is_refused() {
     // The name is followed by the kind of the column's shape, its width and its number of words.
     let drive = place_of(b"drive");
     let shape = drive + b"drive".len();
-    let mut changes: Vec<Vec<u8>> = [
-        MODEL[1].start,
-        drive,
-        drive - 8,
-        shape,
-        shape + 8,
-        shape + 16,
-    ]
-    .map(changed)
-    .to_vec();
-    changes.extend((144..whole.len() - 32).step_by(41).map(|length| {
+    let mut changes: Vec<Vec<u8>> = [model, drive, drive - 8, shape, shape + 8, shape + 16]
+        .map(changed)
+        .to_vec();
+    changes.extend((model..whole.len() - 32).step_by(41).map(|length| {
         let mut bytes = whole[..length].to_vec();
         bytes.extend([0; 32]);
         with_checksum(bytes)
@@ -375,6 +373,7 @@ fn a_series_that_lost_rows_is_not_continued() {
     let scene = write_draft(folder.path(), &colliding_pair(1e-8));
     let out = folder.path().join("out");
     complete(&scene, &out, false);
+    fs::remove_file(out.join("summary.json")).expect("ours");
     let series = out.join("series.csv");
     for is_missing in [false, true] {
         fs::write(&series, "time\n").expect("ours");

@@ -11,7 +11,7 @@ use gouge_dem::laws::{CreepingDrag, Gravity};
 use gouge_dem::model::{Ambient, BondLaws, ContactLaws, External, Model};
 use gouge_dem::{Start, World};
 use gouge_runner::error::Error;
-use gouge_runner::run::write_frame;
+use gouge_runner::run::Frames;
 use gouge_runner::scene::Scene;
 use serde::Serialize;
 use std::time::Instant;
@@ -142,12 +142,12 @@ fn of_bonds() -> Result<Vec<Compared>, Error> {
 }
 
 /// Scene and folder of the frames.
-struct Frames {
+struct WithFrames {
     scene: Scene,
     folder: TempDir,
 }
 
-impl Frames {
+impl WithFrames {
     fn new() -> Result<Self, Error> {
         Ok(Self {
             scene: pressed_with_frames()?,
@@ -155,7 +155,10 @@ impl Frames {
         })
     }
     fn write(&self, world: &World) -> Result<(), Error> {
-        write_frame(&self.scene, self.folder.path(), 0, world)
+        match Frames::open(&self.scene, self.folder.path(), 0)? {
+            Some(mut frames) => frames.write(&self.scene, 0, world),
+            None => Ok(()),
+        }
     }
     /// Bytes per particle that are allocated to write a frame.
     fn bytes(&self, world: &World) -> Result<f64, Error> {
@@ -177,13 +180,13 @@ pub fn measure(rounds: usize) -> Result<Vec<Part>, Error> {
         parts.push(compare(case, None, rounds)?);
     }
     let trajectory = ("trajectory", bare.clone(), bare);
-    parts.push(compare(trajectory, Some(&Frames::new()?), rounds)?);
+    parts.push(compare(trajectory, Some(&WithFrames::new()?), rounds)?);
     Ok(parts)
 }
 
 fn compare(
     (name, with, without): Compared,
-    frames: Option<&Frames>,
+    frames: Option<&WithFrames>,
     rounds: usize,
 ) -> Result<Part, Error> {
     let mut bytes = [bytes(&with), bytes(&without)];

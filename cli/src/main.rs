@@ -9,8 +9,9 @@ use gouge_runner::machine::{CallingThread, start_pool};
 use gouge_runner::scene::{Overrides, Scene};
 use gouge_runner::{commands, run};
 use mimalloc::MiMalloc;
-use std::io::Write;
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::io::{ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use terminal::Terminal;
 
@@ -35,10 +36,13 @@ enum Command {
         /// Folder for the outputs
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
-        /// Continue an interrupted run
+        /// Continue an interrupted run, or extend a finished one to a later time.end
         #[arg(long)]
         resume: bool,
-        /// Show no progress and no warnings
+        /// Replace the results of another run in this folder
+        #[arg(long, conflicts_with = "resume")]
+        overwrite: bool,
+        /// Show no progress; warnings are still shown
         #[arg(long, short)]
         quiet: bool,
         /// Wall time between checkpoints, in seconds
@@ -74,8 +78,8 @@ enum Command {
 /// A scene and the overrides of its keys.
 #[derive(Args)]
 struct SceneArguments {
-    /// A scene file, or the name of a built-in scene
-    scene: String,
+    /// A scene file, the name of a built-in scene, or - for standard input
+    scene: OsString,
     /// Override a key of the scene with a TOML value, such as time.step=1e-9; repeatable
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
@@ -83,7 +87,20 @@ struct SceneArguments {
 
 impl SceneArguments {
     fn load(&self) -> Result<Scene, Error> {
-        Scene::load_with(&self.scene, &Overrides::parse(&self.set)?)
+        let overrides = Overrides::parse(&self.set)?;
+        if self.scene != "-" {
+            return Scene::load_with(&self.scene, &overrides);
+        }
+        let mut bytes = Vec::new();
+        let read = std::io::stdin().read_to_end(&mut bytes);
+        read.map_err(|error| Error::file("read", Path::new("standard input"), error))?;
+        let folder = Path::new(".");
+        Ok(Scene::parse_with(
+            "standard input",
+            &bytes,
+            folder,
+            &overrides,
+        )?)
     }
 }
 
@@ -104,14 +121,16 @@ fn execute(command: Command) -> Result<(), Error> {
             scene,
             out,
             resume,
+            overwrite,
             quiet,
             checkpoint_interval,
         } => {
             let options = run::RunOptions {
                 resume,
+                overwrite,
                 checkpoint_interval,
             };
-            let mut terminal = Terminal::new(quiet);
+            let mut terminal = Terminal::new(quiet)?;
             return run::run(&scene.load()?, &out, options, &mut terminal);
         }
         Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
@@ -119,9 +138,18 @@ fn execute(command: Command) -> Result<(), Error> {
         Command::Stability { scene } => commands::stability(&scene.load()?)?,
         Command::Scenes { name } => commands::scenes(name.as_deref())?,
     };
-    // Writing fails if the reader closes the pipe, as `head` does; this is not an error.
-    let _ = std::io::stdout().write_all(text.as_bytes());
-    Ok(())
+    print(&text)
+}
+
+/// Write to standard output. If the reader closes the pipe, as `head` does, the rest is left out.
+fn print(text: &str) -> Result<(), Error> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Error::file("write", Path::new("standard output"), error))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn main() -> ExitCode {

@@ -1,33 +1,49 @@
 //! Shows the warnings of a run and, if standard error is a terminal, a progress bar.
 
+use gouge_runner::error::Error;
 use gouge_runner::run::{Event, Observer, Phase};
 use indicatif::{ProgressBar, ProgressStyle};
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 use std::io::IsTerminal;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// An observer that writes to standard error.
 pub struct Terminal {
     is_quiet: bool,
+    /// Set by the signals that ask the program to end.
+    is_stopped: Arc<AtomicBool>,
     bar: Option<PhaseBar>,
 }
 
 impl Terminal {
-    /// An observer that shows nothing if `is_quiet`.
-    pub fn new(is_quiet: bool) -> Self {
-        Self {
-            is_quiet,
-            bar: None,
+    /// An observer that shows no progress if `is_quiet`.
+    ///
+    /// # Errors
+    /// Signals that cannot be received.
+    pub fn new(is_quiet: bool) -> Result<Self, Error> {
+        let is_stopped = Arc::new(AtomicBool::new(false));
+        for signal in [SIGINT, SIGTERM] {
+            // The first signal stops the run at its next step; the second one ends the program at once.
+            flag::register_conditional_shutdown(signal, 130, Arc::clone(&is_stopped))
+                .and_then(|_| flag::register(signal, Arc::clone(&is_stopped)))
+                .map_err(|error| Error::file("receive", Path::new("signals"), error))?;
         }
+        Ok(Self {
+            is_quiet,
+            is_stopped,
+            bar: None,
+        })
     }
 }
 
 impl Observer for Terminal {
     fn event(&mut self, event: Event<'_>) {
-        if self.is_quiet {
-            return;
-        }
         match event {
             Event::PhaseBegan { phases, .. } => {
-                if self.bar.is_none() && std::io::stderr().is_terminal() {
+                if self.bar.is_none() && !self.is_quiet && std::io::stderr().is_terminal() {
                     self.bar = Some(PhaseBar::new(phases));
                 }
             }
@@ -42,8 +58,16 @@ impl Observer for Terminal {
                     bar.bar.finish_and_clear();
                 }
             }
+            Event::AlreadyDone { folder } => eprintln!(
+                "gouge: {} already holds the finished run of this scene; nothing to do",
+                folder.display()
+            ),
             Event::SampleWritten { .. } | Event::CheckpointWritten { .. } => {}
         }
+    }
+
+    fn wants_stop(&self) -> bool {
+        self.is_stopped.load(Ordering::Relaxed)
     }
 }
 

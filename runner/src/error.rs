@@ -96,6 +96,9 @@ pub enum Error {
         /// Time in s.
         time: f64,
     },
+    /// The run was interrupted; it can be continued from its checkpoint.
+    #[error("interrupted; continue with --resume and the same folder, {}", .0.display())]
+    Interrupted(PathBuf),
     /// The model rejected a state that the set-up produced.
     #[error("the set-up produced an invalid state: {0}")]
     Setup(#[from] gouge_dem::ModelError),
@@ -113,10 +116,11 @@ impl Error {
         )
     }
 
-    /// Exit status: 2 if the input cannot be used, 1 otherwise.
+    /// Exit status: 2 if the input cannot be used, 130 after an interruption, 1 otherwise.
     pub fn status(&self) -> u8 {
         match self {
             Self::Scene(_) | Self::Argument(_) => 2,
+            Self::Interrupted(_) => 130,
             _ => 1,
         }
     }

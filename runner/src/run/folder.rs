@@ -1,14 +1,14 @@
 //! The output folder of a run: its files, which are written completely or not at all.
 
-use super::trajectory::remove_frames;
+use super::trajectory::{FOLDER, is_frame};
 use crate::error::Error;
 use crate::scene::Scene;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// The checkpoint.
 pub const CHECKPOINT: &str = "checkpoint";
-/// The summary; it exists only for finished and failed runs.
+/// The summary; it exists only for runs that ended: finished, failed or interrupted.
 pub const SUMMARY: &str = "summary.json";
 /// The series.
 pub const SERIES: &str = "series.csv";
@@ -17,17 +17,43 @@ pub const PARTICLES: &str = "particles.csv";
 /// The picture of the final state.
 pub const PICTURE: &str = "picture.svg";
 
-/// The files of a run, in the order in which a new run removes them. If the removal is interrupted, what remains
-/// looks like a finished run or like no run.
+/// The files of a run outside the trajectory, in the order in which a new run removes them. If the removal is
+/// interrupted, what remains looks like results without a checkpoint, which nothing replaces unasked.
 const FILES: [&str; 5] = [CHECKPOINT, SUMMARY, SERIES, PARTICLES, PICTURE];
+
+/// All files in a folder that have the name of an output.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn outputs(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let files = FILES.map(|name| folder.join(name));
+    let mut found: Vec<PathBuf> = files.into_iter().filter(|path| exists(path)).collect();
+    let frames = folder.join(FOLDER);
+    let entries = match std::fs::read_dir(&frames) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(found),
+        Err(error) => return Err(Error::file("read", &frames, error)),
+    };
+    for entry in entries {
+        let entry = entry.map_err(|error| Error::file("read", &frames, error))?;
+        if is_frame(&entry.file_name()) {
+            found.push(entry.path());
+        }
+    }
+    Ok(found)
+}
+
+/// Whether something has this path, even a link that leads nowhere.
+fn exists(path: &Path) -> bool {
+    path.symlink_metadata().is_ok()
+}
 
 /// Check that the outputs would not replace a file that the scene reads.
 ///
 /// # Errors
 /// A folder with a file that would be replaced.
 pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error> {
-    for name in FILES {
-        let output = folder.join(name);
+    for output in outputs(folder)? {
         let Ok(place) = output.canonicalize() else {
             continue;
         };
@@ -43,30 +69,46 @@ pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error
     Ok(())
 }
 
-/// Remove the outputs of an earlier, finished run, so that outputs of different runs are never mixed.
+/// Remove the outputs of an earlier run, so that outputs of different runs are never mixed, and nothing else.
 ///
 /// # Errors
 /// Failures of the file system.
 pub fn remove_outputs(folder: &Path) -> Result<(), Error> {
-    for name in FILES {
-        let path = folder.join(name);
-        if path.exists() {
-            std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;
-        }
+    for path in outputs(folder)? {
+        std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;
     }
-    remove_frames(folder)
+    // Fails, as intended, if the folder still contains other files.
+    let _ = std::fs::remove_dir(folder.join(FOLDER));
+    Ok(())
 }
 
-/// Write a file atomically: afterwards it has either the new content or its old one.
+/// Write a file atomically: afterwards it has either the new content or its old one, even after a power failure.
 ///
 /// # Errors
 /// Failures of the file system.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let beside = path.with_extension("partial");
+    replace(path, bytes, |file| file.sync_all())
+}
+
+/// Like [`write_whole`], but the content may be lost if the machine fails soon after.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn write_soon(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    replace(path, bytes, |_| Ok(()))
+}
+
+fn replace(
+    path: &Path,
+    bytes: &[u8],
+    finish: impl Fn(&std::fs::File) -> std::io::Result<()>,
+) -> Result<(), Error> {
+    let name = path.file_name().unwrap_or_default().display();
+    let beside = path.with_file_name(format!(".{name}.gouge-partial"));
     let write = || -> std::io::Result<()> {
         let mut file = std::fs::File::create(&beside)?;
         file.write_all(bytes)?;
-        file.sync_all()?;
+        finish(&file)?;
         std::fs::rename(&beside, path)
     };
     write().map_err(|error| {

@@ -7,7 +7,7 @@ use std::path::Path;
 /// An event of a run.
 ///
 /// In each phase, `PhaseBegan` is followed by progress, checkpoints and, in the scene proper, samples. The last event
-/// is `Ended`.
+/// is `Ended`. If the run was finished before, the only event is `AlreadyDone`.
 #[derive(Clone, Copy, Debug)]
 pub enum Event<'a> {
     /// A phase begins, or a run is resumed in it.
@@ -42,6 +42,11 @@ pub enum Event<'a> {
     },
     /// The last step was completed, or the run failed. Only the final state remains to be written.
     Ended,
+    /// The folder already holds the finished run of this scene, so nothing is done.
+    AlreadyDone {
+        /// The folder.
+        folder: &'a Path,
+    },
 }
 
 /// A problem that does not stop the run.
@@ -73,6 +78,11 @@ impl fmt::Display for Warning<'_> {
 pub trait Observer {
     /// Receive an event.
     fn event(&mut self, event: Event<'_>);
+
+    /// Whether the run should stop. It is asked every few hundred steps; a run that stops writes a checkpoint.
+    fn wants_stop(&self) -> bool {
+        false
+    }
 }
 
 impl<F: FnMut(Event<'_>)> Observer for F {

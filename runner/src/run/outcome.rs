@@ -7,10 +7,13 @@ use crate::error::Error;
 use serde::Serialize;
 use std::path::Path;
 
+/// Status of a finished run.
+pub const DONE: &str = "done";
+
 /// `summary.json`.
 #[derive(Clone, Debug, Serialize)]
 struct Summary {
-    /// `done`, or the error that stopped the run.
+    /// `done`, `interrupted`, or the error that stopped the run.
     status: String,
     /// Steps of the scene proper.
     steps: u64,
@@ -37,7 +40,7 @@ struct Summary {
     energy: Option<serde_json::Map<String, serde_json::Value>>,
     /// Columns of the series.
     series_columns: Vec<&'static str>,
-    /// Number of times the neighbour list was built since the run began or was resumed.
+    /// Number of times the neighbour list was built; resuming a run builds it once more.
     neighbor_rebuilds: u64,
 }
 
@@ -59,15 +62,15 @@ impl SceneRun<'_> {
     pub fn complete(mut self) -> Result<(), Error> {
         let outcome = self.run_phases();
         match &outcome {
+            Ok(()) | Err(Error::Interrupted(_)) => self.write_checkpoint()?,
             Err(error) if !error.is_of_state() => return outcome,
-            _ => self.observer.event(Event::Ended),
+            Err(_) => {}
         }
-        let (seconds, rebuilds) = (self.seconds(), self.world.rebuilds());
+        self.observer.event(Event::Ended);
+        let (seconds, rebuilds) = (self.seconds(), self.rebuilds());
         let status = match &outcome {
-            Ok(()) => {
-                self.write_checkpoint()?;
-                "done".to_owned()
-            }
+            Ok(()) => DONE.to_owned(),
+            Err(Error::Interrupted(_)) => "interrupted".to_owned(),
             Err(error) => {
                 self.world = self.world.with_state(self.last_good.clone());
                 format!("failed: {error}")

@@ -1,18 +1,11 @@
 //! Samples of the scene proper: rows of the series and frames of the trajectory.
 
 use super::scene_run::SceneRun;
-use super::trajectory::write_frame;
 use super::{Event, dem};
 use crate::error::Error;
 use gouge_dem::Drive;
 
 impl SceneRun<'_> {
-    /// Step at which a sample is due.
-    pub(super) fn sample_step(&self, sample: u64) -> u64 {
-        let exact = sample as f64 * self.scene.output.interval / self.scene.step;
-        (exact.round() as u64).max(sample)
-    }
-
     /// Write a sample of the current state.
     pub(super) fn sample(&mut self) -> Result<(), Error> {
         let refreshed = self
@@ -33,14 +26,14 @@ impl SceneRun<'_> {
         if let Some(series) = &mut self.series {
             series.write(&sample)?;
         }
-        write_frame(self.scene, &self.folder, self.samples, &self.world)?;
+        if let Some(frames) = &mut self.frames {
+            frames.write(self.scene, self.samples, &self.world)?;
+        }
         self.observer.event(Event::SampleWritten {
             sample: self.samples,
             time: self.world.time(),
         });
-        let steps = self
-            .sample_step(self.samples + 1)
-            .min(self.phases[self.phase].steps);
+        let steps = self.scene.sample_step(self.samples + 1);
         let links = dem::number_of_bonds(&self.world) + self.world.number_of_contacts();
         self.link_steps += links as f64 * steps.saturating_sub(self.world.steps()) as f64;
         self.samples += 1;

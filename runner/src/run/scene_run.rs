@@ -1,10 +1,12 @@
 //! Runs a scene through its phases, with samples and checkpoints.
 
-use super::checkpoint::{Checkpoint, Fingerprint, fingerprint};
+use super::checkpoint::Checkpoint;
 use super::dem;
+use super::fingerprint::Fingerprint;
 use super::folder::{CHECKPOINT, SUMMARY, remove_outputs};
 use super::phases::{Phase, phases};
 use super::series::Series;
+use super::trajectory::Frames;
 use super::transitions::begin_phase;
 use super::{Event, Observer, RunOptions, Warning};
 use crate::error::Error;
@@ -30,11 +32,14 @@ pub struct SceneRun<'a> {
     /// Position of the current phase.
     pub(super) phase: usize,
     pub(super) series: Option<Series>,
+    pub(super) frames: Option<Frames>,
     /// Number of samples written.
     pub(super) samples: u64,
     options: RunOptions,
     fingerprint: Fingerprint,
     clock: Clock,
+    /// Number of times the neighbour list was built before the run was resumed.
+    earlier_rebuilds: u64,
 }
 
 /// Wall times of a run.
@@ -62,23 +67,23 @@ impl<'a> SceneRun<'a> {
         remove_outputs(folder)?;
         let mut run = Self::new(scene, folder, options, observer, (phases, 0), world);
         run.report_phase();
-        run.begin_main()?;
-        run.write_checkpoint()?;
+        run.save_beginning()?;
         Ok(run)
     }
 
     /// Continue from the checkpoint in the folder.
     ///
     /// # Errors
-    /// A checkpoint of another scene, a series shorter than the checkpoint requires, or a failure of the file system.
+    /// A state that does not fit the scene, a series shorter than the checkpoint requires, or a failure of the file
+    /// system.
     pub fn resume(
         scene: &'a Scene,
         folder: &Path,
         options: RunOptions,
         observer: &'a mut dyn Observer,
+        saved: Checkpoint,
     ) -> Result<Self, Error> {
         let path = folder.join(CHECKPOINT);
-        let saved = Checkpoint::read(&path, scene)?;
         let phases = phases(scene);
         let phase = (saved.phase as usize).min(phases.len() - 1);
         let world = saved.world(&path, scene, phases[phase].kind)?;
@@ -87,12 +92,29 @@ impl<'a> SceneRun<'a> {
         run.bonds_initial = saved.bonds_initial as usize;
         run.link_steps = saved.link_steps;
         run.clock.earlier = saved.seconds;
+        run.earlier_rebuilds = saved.rebuilds;
         if run.is_main() {
-            run.series = Some(run.open_series(Some(saved.series_bytes))?);
+            let bytes = run.without_early_sample(saved.series_bytes)?;
+            run.series = Some(run.open_series(Some(bytes))?);
+            run.frames = Frames::open(scene, folder, run.samples)?;
         }
         let _ = std::fs::remove_file(folder.join(SUMMARY));
         run.report_phase();
         Ok(run)
+    }
+
+    /// The last sample of a run that ends before a regular sample is due is early. A longer run does not take it:
+    /// forget it, and return the bytes of the series before it.
+    fn without_early_sample(&mut self, series_bytes: u64) -> Result<u64, Error> {
+        let is_early = self
+            .samples
+            .checked_sub(1)
+            .is_some_and(|last| self.scene.sample_step(last) > self.world.steps());
+        if !is_early {
+            return Ok(series_bytes);
+        }
+        self.samples -= 1;
+        Series::without_last_row(&self.folder, series_bytes)
     }
 
     fn new(
@@ -109,12 +131,13 @@ impl<'a> SceneRun<'a> {
             options,
             observer,
             folder: folder.to_owned(),
-            fingerprint: fingerprint(scene),
+            fingerprint: Fingerprint::of(scene),
             phases,
             phase,
             last_good: world.state().clone(),
             world,
             series: None,
+            frames: None,
             samples: 0,
             bonds_initial: 0,
             link_steps: 0.0,
@@ -124,7 +147,13 @@ impl<'a> SceneRun<'a> {
                 main_began: now,
                 saved: now,
             },
+            earlier_rebuilds: 0,
         }
+    }
+
+    /// Number of times the neighbour list was built since the run began.
+    pub(super) fn rebuilds(&self) -> u64 {
+        self.earlier_rebuilds + self.world.rebuilds()
     }
 
     /// Whether the current phase is the scene proper.
@@ -141,11 +170,11 @@ impl<'a> SceneRun<'a> {
         self.clock.main_began = Instant::now();
         let last = self.phases[self.phase].steps;
         loop {
-            let due = self.sample_step(self.samples).min(last);
+            let due = self.scene.sample_step(self.samples);
             self.advance_to(due)?;
             // The last step is always sampled, but only once.
             let is_extra =
-                due == last && self.samples > 0 && self.sample_step(self.samples - 1) >= last;
+                due == last && self.samples > 0 && self.scene.sample_step(self.samples - 1) >= last;
             if !is_extra {
                 self.sample()?;
             }
@@ -163,15 +192,19 @@ impl<'a> SceneRun<'a> {
         self.phase += 1;
         self.last_good.clone_from(self.world.state());
         self.report_phase();
-        self.begin_main()?;
-        self.write_checkpoint()
+        self.save_beginning()
     }
 
-    /// Open the series if the scene proper begins.
-    fn begin_main(&mut self) -> Result<(), Error> {
+    /// Write a checkpoint at the beginning of a phase, then open the other outputs if it is the scene proper. In this
+    /// order, no output is ever without a checkpoint that tells what made it.
+    fn save_beginning(&mut self) -> Result<(), Error> {
         if self.is_main() {
             self.bonds_initial = dem::number_of_bonds(&self.world);
+        }
+        self.write_checkpoint()?;
+        if self.is_main() {
             self.series = Some(self.open_series(None)?);
+            self.frames = Frames::open(self.scene, &self.folder, 0)?;
             self.warn_of_time_step();
         }
         Ok(())
@@ -212,6 +245,9 @@ impl<'a> SceneRun<'a> {
                 phase: self.phase,
                 steps: self.world.steps(),
             });
+            if self.observer.wants_stop() {
+                return Err(Error::Interrupted(self.folder.clone()));
+            }
             if self.clock.saved.elapsed().as_secs_f64() > self.options.checkpoint_interval {
                 self.world
                     .check()
@@ -250,6 +286,9 @@ impl<'a> SceneRun<'a> {
         if let Some(series) = &self.series {
             series.sync()?;
         }
+        if let Some(frames) = &mut self.frames {
+            frames.sync()?;
+        }
         let checkpoint = Checkpoint {
             phase: self.phase as u64,
             samples: self.samples,
@@ -257,10 +296,11 @@ impl<'a> SceneRun<'a> {
             bonds_initial: self.bonds_initial as u64,
             seconds: self.seconds(),
             link_steps: self.link_steps,
+            rebuilds: self.rebuilds(),
             state: self.world.record(),
         };
         let path = self.folder.join(CHECKPOINT);
-        checkpoint.write(&path, &self.fingerprint)?;
+        checkpoint.write(&path, &self.fingerprint, &self.scene.keys)?;
         self.clock.saved = Instant::now();
         self.observer.event(Event::CheckpointWritten {
             path: &path,

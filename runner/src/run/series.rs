@@ -36,16 +36,17 @@ pub struct Series {
 }
 
 impl Series {
-    /// Begin a series with the given columns, or continue an existing one after its first `bytes` bytes.
+    /// Begin a series with the given columns, or continue an existing one after its first `bytes` bytes, if any.
     ///
     /// # Errors
     /// Failures of the file system.
     pub fn open(folder: &Path, columns: &[&str], bytes: Option<u64>) -> Result<Self, Error> {
         let path = folder.join(SERIES);
         let open = || -> std::io::Result<(File, u64)> {
-            let Some(bytes) = bytes else {
+            let bytes = bytes.unwrap_or(0);
+            if bytes == 0 {
                 return Ok((File::create(&path)?, 0));
-            };
+            }
             let mut file = File::options().write(true).open(&path)?;
             if file.metadata()?.len() < bytes {
                 return Err(std::io::Error::other(
@@ -62,6 +63,19 @@ impl Series {
             series.append(&(columns.join(",") + "\n"))?;
         }
         Ok(series)
+    }
+
+    /// Bytes of a series without the last row of its first `bytes` bytes.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn without_last_row(folder: &Path, bytes: u64) -> Result<u64, Error> {
+        let path = folder.join(SERIES);
+        let text = std::fs::read(&path).map_err(|error| Error::file("read", &path, error))?;
+        let rows = text.get(..bytes as usize).unwrap_or(&text);
+        let before = rows.strip_suffix(b"\n").unwrap_or(rows);
+        let end = before.iter().rposition(|&byte| byte == b'\n');
+        Ok(end.map_or(0, |end| end as u64 + 1))
     }
 
     /// Flush the appended rows to the disk.

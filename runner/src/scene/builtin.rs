@@ -2,6 +2,7 @@
 
 use crate::references;
 use std::borrow::Cow;
+use std::path::Path;
 
 /// Name, purpose and text of every built-in scene.
 pub const SCENES: [(&str, &str, &str); 9] = [
@@ -64,6 +65,12 @@ pub fn text(name: &str) -> Option<&'static str> {
 pub fn named_text(name: &str) -> Option<Cow<'static, str>> {
     let stored = || references::scene_text(name).map(Cow::Owned);
     text(name).map(Cow::Borrowed).or_else(stored)
+}
+
+/// Name and text of the built-in scene or stored reference run that a path names.
+pub fn of_path(path: &Path) -> Option<(&str, Cow<'static, str>)> {
+    let name = path.to_str()?;
+    named_text(name).map(|text| (name, text))
 }
 
 /// Names of all built-in scenes.

@@ -2,13 +2,16 @@
 
 pub mod builtin;
 mod check;
+mod keys;
 mod laws;
 mod overrides;
 mod particles;
+mod rows;
 mod setup;
 mod table;
 mod text;
 
+pub use keys::Keys;
 pub use laws::DrivingTable;
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
@@ -76,6 +79,8 @@ pub struct Scene {
     pub files: Vec<PathBuf>,
     /// SHA-256 of the file and the overrides.
     pub sha256: String,
+    /// All keys with their values, to tell how scenes differ.
+    pub keys: Keys,
 }
 
 /// `[output]`.
@@ -147,8 +152,8 @@ impl Scene {
     /// Read a scene file, or a built-in scene by its name.
     ///
     /// # Errors
-    /// An unreadable file, or any mistake in it.
-    pub fn load(name: &str) -> std::result::Result<Self, Error> {
+    /// An unreadable file, any mistake in it, or a name that is both that of a file and of a built-in scene.
+    pub fn load(name: impl AsRef<Path>) -> std::result::Result<Self, Error> {
         Self::load_with(name, &Overrides::default())
     }
 
@@ -156,14 +161,24 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::load`]; a mistake in an override names the override.
-    pub fn load_with(name: &str, overrides: &Overrides) -> std::result::Result<Self, Error> {
-        if let Some(text) = builtin::named_text(name) {
+    pub fn load_with(
+        name: impl AsRef<Path>,
+        overrides: &Overrides,
+    ) -> std::result::Result<Self, Error> {
+        let path = name.as_ref();
+        if let Some((name, text)) = builtin::of_path(path) {
+            if path.is_file() {
+                return Err(Error::Argument(format!(
+                    "{name} is both a file and a built-in scene: write ./{name} for the file, or \
+                     `gouge scenes {name} | gouge ... -` for the built-in scene"
+                )));
+            }
             let folder = Path::new(".");
             return Ok(Self::parse_with(name, text.as_bytes(), folder, overrides)?);
         }
-        let path = Path::new(name);
+        let name = path.display().to_string();
         let bytes = std::fs::read(path).map_err(|error| SceneError {
-            file: name.to_owned(),
+            file: name.clone(),
             line: 0,
             key: String::new(),
             value: String::new(),
@@ -173,7 +188,9 @@ impl Scene {
             ),
         })?;
         let folder = path.parent().unwrap_or(Path::new("."));
-        Ok(Self::parse_with(name, &bytes, folder, overrides)?)
+        let mut scene = Self::parse_with(&name, &bytes, folder, overrides)?;
+        path.clone_into(&mut scene.files[0]);
+        Ok(scene)
     }
 
     /// Read a scene from the bytes of a file; its CSV files are read from `folder`.
@@ -195,9 +212,11 @@ impl Scene {
         overrides: &Overrides,
     ) -> Result<Self> {
         let text = text_of(file, bytes)?;
+        let breaks = Source::breaks(text);
         let source = Source {
             file,
             text,
+            breaks: &breaks,
             overrides: overrides.list(),
         };
         let table = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
@@ -205,6 +224,7 @@ impl Scene {
         let root = Table::root(source, &table);
         let mut scene = Self::from_table(&root, folder)?;
         scene.sha256 = hex(&overrides.sha256(bytes));
+        scene.keys = keys(&root, &table, folder, &scene.output)?;
         scene.check(&root)?;
         Ok(scene)
     }
@@ -246,6 +266,7 @@ impl Scene {
             file: root.source().file.to_owned(),
             files: files(root, folder)?,
             sha256: String::new(),
+            keys: Keys::default(),
         })
     }
 
@@ -304,6 +325,17 @@ impl Scene {
     /// Number of steps until the end time.
     pub fn steps(&self) -> u64 {
         steps_for(self.end, self.step)
+    }
+
+    /// Step of a sample, counted from zero; the last step is always sampled.
+    pub fn sample_step(&self, sample: u64) -> u64 {
+        self.regular_sample_step(sample).min(self.steps())
+    }
+
+    /// Step of a sample if the scene had no end.
+    pub fn regular_sample_step(&self, sample: u64) -> u64 {
+        let exact = sample as f64 * self.output.interval / self.step;
+        (exact.round() as u64).max(sample)
     }
 }
 
@@ -383,9 +415,25 @@ fn output(root: &Table, end: f64) -> Result<Output> {
     })
 }
 
+/// Keys that name a file of the scene.
+const FILES: [&str; 3] = ["particles_file", "bonds_file", "contacts_file"];
+
+/// The keys of a scene; files stand for their content, and what depends on other keys by default is written out.
+fn keys(root: &Table, table: &DeTable, folder: &Path, output: &Output) -> Result<Keys> {
+    let mut keys = Keys::of(&root.source(), table);
+    keys.set("output.interval", &format!("{:?}", output.interval));
+    for key in FILES {
+        if let Some(name) = root.optional_text(key)? {
+            let content = std::fs::read(folder.join(name)).unwrap_or_default();
+            keys.set_file(key, name, &content);
+        }
+    }
+    Ok(keys)
+}
+
 fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = vec![PathBuf::from(root.source().file)];
-    for key in ["particles_file", "bonds_file", "contacts_file"] {
+    for key in FILES {
         files.extend(root.optional_text(key)?.map(|name| folder.join(name)));
     }
     Ok(files)

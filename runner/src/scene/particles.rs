@@ -1,6 +1,7 @@
 //! Particles, bonds and contacts of a scene, from the scene file or from CSV files.
 
-use super::table::{Range, Source, Table, shortened};
+use super::rows::{Row, side_file};
+use super::table::{Range, Table};
 use crate::error::SceneError;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
@@ -101,7 +102,15 @@ pub fn particles(root: &Table, folder: &Path, material: Material) -> Result<Vec<
     if let Some(rows) = side_file(root, "particles", folder)? {
         return rows.read(
             &["x", "y", "radius"],
-            &["vx", "vy", "angle", "angular_velocity", "density", "role"],
+            &[
+                "vx",
+                "vy",
+                "angle",
+                "angular_velocity",
+                "density",
+                "role",
+                "id",
+            ],
             |row| particle_row(row, material),
         );
     }
@@ -161,6 +170,11 @@ fn material_of(particle: &Particle) -> Material {
 }
 
 fn particle_row(row: &Row, material: Material) -> Result<Particle> {
+    if row.cell("id").is_some() && row.index("id")? != row.ordinal {
+        let accepted =
+            "must count the rows from 0, because bonds and contacts name particles by it";
+        return Err(row.error("id", accepted));
+    }
     let number = |key: &str, range, default| row.optional_number(key, range, default);
     let role = row.role()?;
     let velocity = Vec2::new(
@@ -289,200 +303,5 @@ fn place(table: &Table) -> Place {
         file: error.file,
         line: error.line,
         key: error.key,
-    }
-}
-
-/// The CSV file that replaces a list, if the scene names one.
-fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>> {
-    let key = format!("{list}_file");
-    let Some(name) = root.optional_text(&key)? else {
-        return Ok(None);
-    };
-    if root.has(list) {
-        let accepted =
-            format!("cannot be combined with [[{list}]]; only one of the two may be given");
-        return Err(root.error(&key, &accepted));
-    }
-    let path = folder.join(name);
-    match std::fs::read(&path) {
-        Ok(bytes) => Ok(Some(Rows {
-            file: path.display().to_string(),
-            bytes,
-        })),
-        Err(error) => Err(root.error(
-            &key,
-            &format!("must be the name of a readable CSV file: {error}"),
-        )),
-    }
-}
-
-/// A CSV file.
-struct Rows {
-    file: String,
-    bytes: Vec<u8>,
-}
-
-/// A row of a CSV file.
-struct Row<'a> {
-    file: &'a str,
-    line: usize,
-    header: &'a csv::StringRecord,
-    record: &'a csv::StringRecord,
-}
-
-impl Rows {
-    fn read<T>(
-        &self,
-        required: &[&str],
-        optional: &[&str],
-        read: impl Fn(&Row) -> Result<T>,
-    ) -> Result<Vec<T>> {
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .from_reader(&self.bytes[..]);
-        let header = reader
-            .headers()
-            .map_err(|error| self.broken(&error))?
-            .clone();
-        self.check_header(&header, required, optional)?;
-        let mut items = Vec::new();
-        for record in reader.records() {
-            let record = record.map_err(|error| self.broken(&error))?;
-            let line = record.position().map_or(0, |position| self.line(position));
-            items.push(read(&Row {
-                file: &self.file,
-                line,
-                header: &header,
-                record: &record,
-            })?);
-        }
-        Ok(items)
-    }
-
-    fn check_header(
-        &self,
-        header: &csv::StringRecord,
-        required: &[&str],
-        optional: &[&str],
-    ) -> Result<()> {
-        let source = Source {
-            file: &self.file,
-            text: "",
-            overrides: &[],
-        };
-        let known = [required, optional].concat().join(", ");
-        let accepted = format!("must be one of the columns: {known}");
-        let mut seen = std::collections::HashSet::new();
-        for name in header {
-            if !required.contains(&name) && !optional.contains(&name) {
-                return Err(source.error(0, "column", &shortened(name), &accepted));
-            }
-            if !seen.insert(name) {
-                return Err(source.error(
-                    0,
-                    "column",
-                    name,
-                    "appears twice in the header; each column may appear only once",
-                ));
-            }
-        }
-        match required.iter().find(|name| !seen.contains(*name)) {
-            Some(name) => {
-                let required = required.join(", ");
-                let accepted = format!("missing column; the header must contain: {required}");
-                Err(source.error(0, name, "", &accepted))
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// Line of a row. The parser counts blank lines before a row as part of it; they are skipped here.
-    fn line(&self, position: &csv::Position) -> usize {
-        let rest = self
-            .bytes
-            .get(position.byte() as usize..)
-            .unwrap_or_default();
-        let blank = rest.iter().take_while(|byte| matches!(byte, b'\n' | b'\r'));
-        position.line() as usize + blank.filter(|&&byte| byte == b'\n').count()
-    }
-
-    fn broken(&self, error: &csv::Error) -> SceneError {
-        let (value, accepted) = match error.kind() {
-            csv::ErrorKind::UnequalLengths {
-                expected_len, len, ..
-            } => (
-                format!("{len} cells"),
-                format!("must have {expected_len} cells, as many as the header"),
-            ),
-            csv::ErrorKind::Utf8 { .. } => (String::new(), "must be text in UTF-8".to_owned()),
-            _ => (String::new(), format!("must be a CSV file: {error}")),
-        };
-        SceneError {
-            file: self.file.clone(),
-            line: error.position().map_or(1, |position| self.line(position)),
-            key: String::new(),
-            value,
-            accepted,
-        }
-    }
-}
-
-impl Row<'_> {
-    fn cell(&self, key: &str) -> Option<&str> {
-        let column = self.header.iter().position(|name| name == key)?;
-        self.record.get(column).filter(|cell| !cell.is_empty())
-    }
-
-    fn place(&self) -> Place {
-        Place {
-            file: self.file.to_owned(),
-            line: self.line,
-            key: "i,j".to_owned(),
-        }
-    }
-
-    fn error(&self, key: &str, accepted: &str) -> SceneError {
-        SceneError {
-            file: self.file.to_owned(),
-            line: self.line,
-            key: key.to_owned(),
-            value: shortened(self.cell(key).unwrap_or_default()),
-            accepted: accepted.to_owned(),
-        }
-    }
-
-    fn number(&self, key: &str, range: Range) -> Result<f64> {
-        let accepted = range.text();
-        let number = self.cell(key).and_then(|cell| cell.parse::<f64>().ok());
-        number
-            .filter(|&number| range.contains(number))
-            .ok_or_else(|| self.error(key, &accepted))
-    }
-
-    fn optional_number(&self, key: &str, range: Range, default: f64) -> Result<f64> {
-        if self.cell(key).is_none() {
-            Ok(default)
-        } else {
-            self.number(key, range)
-        }
-    }
-
-    fn index(&self, key: &str) -> Result<usize> {
-        let number = self.cell(key).and_then(|cell| cell.parse().ok());
-        number.ok_or_else(|| self.error(key, "must be a particle index, counted from 0"))
-    }
-
-    fn pair(&self) -> Result<[usize; 2]> {
-        Ok([self.index("i")?, self.index("j")?])
-    }
-
-    fn role(&self) -> Result<Role> {
-        let Some(cell) = self.cell("role") else {
-            return Ok(Role::Free);
-        };
-        let found = ROLES.iter().find(|(name, _)| *name == cell);
-        found
-            .map(|(_, role)| *role)
-            .ok_or_else(|| self.error("role", "must be one of: free, driven, fixed"))
     }
 }

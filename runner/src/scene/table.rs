@@ -15,11 +15,18 @@ pub struct Source<'a> {
     pub file: &'a str,
     /// Text of the file.
     pub text: &'a str,
+    /// Positions of all line breaks in the text.
+    pub breaks: &'a [usize],
     /// The overrides. Their values have the byte positions after the text and one more byte.
     pub overrides: &'a [Override],
 }
 
 impl<'a> Source<'a> {
+    /// Positions of all line breaks in a text.
+    pub fn breaks(text: &str) -> Vec<usize> {
+        text.match_indices('\n').map(|(place, _)| place).collect()
+    }
+
     /// The override to which a byte belongs, and the position of that byte in the value; none for a byte of the file.
     fn overriding(&self, byte: usize) -> Option<(&'a Override, usize)> {
         let behind = byte.checked_sub(self.text.len() + 1)?;
@@ -27,7 +34,7 @@ impl<'a> Source<'a> {
     }
 
     /// The text of a span.
-    fn written(&self, span: std::ops::Range<usize>) -> &'a str {
+    pub fn written(&self, span: std::ops::Range<usize>) -> &'a str {
         let text = match self.overriding(span.start) {
             Some((one, start)) => one.written(start..start + span.len()),
             None => self.text.get(span),
@@ -37,13 +44,7 @@ impl<'a> Source<'a> {
 
     /// Line of a byte, counted from one.
     pub fn line(&self, byte: usize) -> usize {
-        1 + self
-            .text
-            .as_bytes()
-            .iter()
-            .take(byte)
-            .filter(|&&b| b == b'\n')
-            .count()
+        1 + self.breaks.partition_point(|&place| place < byte)
     }
 
     /// An error at a byte of the file or of an override. An override already shows its key and value, so they are not
@@ -142,7 +143,7 @@ pub fn shortened(text: &str) -> String {
 }
 
 /// The value as a number, if it is an integer or a float.
-fn number_of(value: &DeValue) -> Option<f64> {
+pub fn number_of(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Float(number) => number.as_str().replace('_', "").parse().ok(),
         DeValue::Integer(_) => integer_of(value).map(|n| n as f64),

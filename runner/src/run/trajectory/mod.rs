@@ -1,16 +1,22 @@
 //! Frames of a trajectory, for ParaView (VTK) and OVITO (extended XYZ).
 
 mod extxyz;
+mod list;
 mod vtk;
 
 use super::dem;
-use super::folder::write_whole;
+use super::folder::write_soon;
 use super::table::Table;
 use crate::error::Error;
 use crate::scene::{Scene, Trajectory};
 use gouge_common::geometry::{Domain, Vec2};
 use gouge_dem::World;
-use std::path::Path;
+use std::ffi::OsStr;
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+/// Folder of the frames, inside the output folder.
+pub const FOLDER: &str = "trajectory";
 
 /// The content of a frame, for any model.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,60 +52,75 @@ impl Frame {
     }
 }
 
-/// Write the frame of a sample, if the scene has a trajectory.
-///
-/// # Errors
-/// Failures of the file system.
-pub fn write_frame(scene: &Scene, folder: &Path, sample: u64, world: &World) -> Result<(), Error> {
-    let frame = || dem::frame(scene, world);
-    let (ending, text) = match scene.output.trajectory {
-        Trajectory::None => return Ok(()),
-        Trajectory::Vtk => ("vtk", vtk::text(&frame())?),
-        Trajectory::Extxyz => ("xyz", extxyz::text(&frame())),
-    };
-    let frames = folder.join("trajectory");
-    std::fs::create_dir_all(&frames).map_err(|error| Error::file("create", &frames, error))?;
-    write_whole(
-        &frames.join(format!("frame_{sample:06}.{ending}")),
-        text.as_bytes(),
-    )?;
-    if scene.output.trajectory == Trajectory::Vtk {
-        write_list(scene, &frames, sample)?;
-    }
-    Ok(())
+/// The frames of a run.
+#[derive(Debug)]
+pub struct Frames {
+    folder: PathBuf,
+    /// Files that are not safe from a power failure yet.
+    unsafe_files: Vec<PathBuf>,
 }
 
-/// Remove the frames of an earlier run, and nothing else.
-///
-/// # Errors
-/// Failures of the file system.
-pub fn remove_frames(folder: &Path) -> Result<(), Error> {
-    let frames = folder.join("trajectory");
-    let Ok(entries) = std::fs::read_dir(&frames) else {
-        return Ok(());
-    };
-    for entry in entries.flatten() {
-        let (path, name) = (entry.path(), entry.file_name());
-        let name = name.to_string_lossy();
-        if name.starts_with("frame_") || name.starts_with("run.vtk") {
-            std::fs::remove_file(&path).map_err(|error| Error::file("replace", &path, error))?;
+impl Frames {
+    /// The frames of a run that has written a number of samples; none if the scene has no trajectory.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn open(scene: &Scene, folder: &Path, samples: u64) -> Result<Option<Self>, Error> {
+        if scene.output.trajectory == Trajectory::None {
+            return Ok(None);
         }
+        let folder = folder.join(FOLDER);
+        std::fs::create_dir_all(&folder).map_err(|error| Error::file("create", &folder, error))?;
+        if scene.output.trajectory == Trajectory::Vtk {
+            list::write(scene, &folder, samples)?;
+        }
+        Ok(Some(Self {
+            folder,
+            unsafe_files: Vec::new(),
+        }))
     }
-    // Fails, as intended, if the folder still contains other files.
-    let _ = std::fs::remove_dir(&frames);
-    Ok(())
+
+    /// Write the frame of a sample.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn write(&mut self, scene: &Scene, sample: u64, world: &World) -> Result<(), Error> {
+        let frame = dem::frame(scene, world);
+        let (ending, text) = match scene.output.trajectory {
+            Trajectory::Extxyz => ("xyz", extxyz::text(&frame)),
+            Trajectory::None | Trajectory::Vtk => ("vtk", vtk::text(&frame)?),
+        };
+        let path = self.folder.join(format!("frame_{sample:06}.{ending}"));
+        write_soon(&path, text.as_bytes())?;
+        self.unsafe_files.push(path);
+        if scene.output.trajectory == Trajectory::Vtk {
+            list::append(scene, &self.folder, sample)?;
+        }
+        Ok(())
+    }
+
+    /// Make all frames safe from a power failure.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn sync(&mut self) -> Result<(), Error> {
+        for path in self.unsafe_files.drain(..) {
+            let synced = File::open(&path).and_then(|file| file.sync_all());
+            synced.map_err(|error| Error::file("write", &path, error))?;
+        }
+        Ok(())
+    }
 }
 
-/// Write the list of frames and their times, which ParaView opens as one animation.
-fn write_list(scene: &Scene, frames: &Path, last: u64) -> Result<(), Error> {
-    let entry = |sample: u64| {
-        let time = (sample as f64 * scene.output.interval).min(scene.end);
-        format!("    {{ \"name\": \"frame_{sample:06}.vtk\", \"time\": {time:?} }}")
+/// Whether a file in the folder of the frames has a name that a run gives.
+pub fn is_frame(name: &OsStr) -> bool {
+    let Some(name) = name.to_str() else {
+        return false;
     };
-    let files: Vec<String> = (0..=last).map(entry).collect();
-    let text = format!(
-        "{{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n{}\n  ]\n}}\n",
-        files.join(",\n")
-    );
-    write_whole(&frames.join("run.vtk.series"), text.as_bytes())
+    let number = name
+        .strip_suffix(".vtk")
+        .or_else(|| name.strip_suffix(".xyz"))
+        .and_then(|name| name.strip_prefix("frame_"));
+    let is_number = |text: &str| text.len() >= 6 && text.bytes().all(|byte| byte.is_ascii_digit());
+    name == list::NAME || number.is_some_and(is_number)
 }

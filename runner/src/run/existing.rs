@@ -1,0 +1,100 @@
+//! What an output folder already holds, and what a new run does about it: it never replaces results unasked.
+
+use super::RunOptions;
+use super::checkpoint::Checkpoint;
+use super::fingerprint::Kinship;
+use super::folder::{CHECKPOINT, PARTICLES, PICTURE, SERIES, SUMMARY, outputs};
+use crate::error::Error;
+use crate::scene::Scene;
+use std::path::Path;
+
+/// How a run begins.
+#[derive(Debug)]
+pub enum Beginning {
+    /// From the scene.
+    Fresh,
+    /// From a checkpoint of the same scene, possibly with an earlier end.
+    Checkpoint(Box<Checkpoint>),
+    /// Not at all: the run is already complete.
+    Complete,
+}
+
+/// How a run of a scene begins in a folder.
+///
+/// # Errors
+/// Outputs that the run would replace, nothing to resume from, or a failure of the file system.
+pub fn beginning(scene: &Scene, folder: &Path, options: RunOptions) -> Result<Beginning, Error> {
+    let found = outputs(folder)?;
+    if options.overwrite {
+        return Ok(Beginning::Fresh);
+    }
+    let Some(first) = found.first() else {
+        return Ok(Beginning::Fresh);
+    };
+    let path = folder.join(CHECKPOINT);
+    if !path.exists() {
+        let trouble = match options.resume {
+            true => "there is no checkpoint to resume from",
+            false => "no checkpoint tells what made it",
+        };
+        let what = format!("{}, and {trouble}", first.display());
+        return Err(refusal(folder, &what, ""));
+    }
+    let read = Checkpoint::read(&path, scene);
+    let (saved, kinship) = read.map_err(|error| match error {
+        Error::Checkpoint { reason, .. } if !options.resume => {
+            refusal(folder, &format!("a checkpoint, but {reason}"), "")
+        }
+        error => error,
+    })?;
+    match kinship {
+        Kinship::Same if is_done(folder) => complete(folder),
+        Kinship::Same | Kinship::Shorter(_) if options.resume => {
+            Ok(Beginning::Checkpoint(Box::new(saved)))
+        }
+        Kinship::Same => Err(refusal(
+            folder,
+            "an unfinished run of this scene",
+            "continue it with --resume, ",
+        )),
+        Kinship::Shorter(end) => Err(refusal(
+            folder,
+            &format!("a run of this scene until {end:?} s"),
+            "extend it with --resume, ",
+        )),
+        Kinship::Other(reason) if options.resume => Err(Error::Checkpoint { path, reason }),
+        Kinship::Other(reason) => {
+            let what = format!("another run, because {reason}");
+            Err(refusal(folder, &what, ""))
+        }
+    }
+}
+
+fn refusal(folder: &Path, what: &str, advice: &str) -> Error {
+    Error::Argument(format!(
+        "{} holds {what}: {advice}choose another folder, or replace it with --overwrite",
+        folder.display()
+    ))
+}
+
+/// Whether the summary says that the run is finished.
+fn is_done(folder: &Path) -> bool {
+    let text = std::fs::read(folder.join(SUMMARY)).unwrap_or_default();
+    let summary: Option<serde_json::Value> = serde_json::from_slice(&text).ok();
+    summary.is_some_and(|summary| summary["status"] == super::outcome::DONE)
+}
+
+/// A finished run needs nothing, unless a part of its results was removed.
+fn complete(folder: &Path) -> Result<Beginning, Error> {
+    let missing = [SERIES, PARTICLES, PICTURE]
+        .into_iter()
+        .find(|name| !folder.join(name).exists());
+    match missing {
+        None => Ok(Beginning::Complete),
+        Some(name) => Err(refusal(
+            folder,
+            &format!("the finished run of this scene, but without {name}"),
+            "",
+        )),
+    }
+}

@@ -1,0 +1,118 @@
+//! Whether a checkpoint belongs to a scene.
+
+use super::checkpoint::{KEYLESS, UNNAMED};
+use crate::scene::{Keys, Place, Scene};
+use gouge_dem::particles::SPHERE_INERTIA_FACTOR;
+use sha2::{Digest, Sha256};
+
+/// Most keys that an error message lists.
+const MOST_KEYS: usize = 3;
+
+/// Fingerprint of everything in a scene that affects the bits of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fingerprint(pub [u8; 32]);
+
+/// How the scene of a checkpoint and another scene are related.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kinship {
+    /// They are the same.
+    Same,
+    /// They are the same, except that the run of the checkpoint ends earlier, at this time in s.
+    Shorter(f64),
+    /// They differ in other ways, for this reason.
+    Other(String),
+}
+
+impl Fingerprint {
+    /// The fingerprint of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        Self::digest(&content(scene))
+    }
+
+    /// The fingerprint of a scene in an older version of checkpoints.
+    fn of_version(scene: &Scene, version: u64) -> Self {
+        let content = content(scene);
+        match version {
+            KEYLESS => Self::digest(&without_keys(&content)),
+            UNNAMED => Self::digest(&only_spheres(scene, &without_keys(&content))),
+            _ => Self::digest(&content),
+        }
+    }
+
+    fn digest(content: &str) -> Self {
+        let text = format!("{content} {}", env!("CARGO_PKG_VERSION"));
+        Self(Sha256::digest(text.as_bytes()).into())
+    }
+}
+
+impl Kinship {
+    /// How a scene is related to that of a checkpoint with the given version, fingerprint and keys.
+    pub fn of(scene: &Scene, version: u64, fingerprint: &[u8], keys: Option<Keys>) -> Self {
+        if fingerprint == Fingerprint::of_version(scene, version).0 {
+            return Self::Same;
+        }
+        let Some(keys) = keys else {
+            return Self::Other(
+                "it belongs to another scene, or to another version of the program".to_owned(),
+            );
+        };
+        let end = keys.number("time.end").filter(|&end| end < scene.end);
+        if let Some(end) = end {
+            let shorter = Scene {
+                end,
+                ..scene.clone()
+            };
+            if fingerprint == Fingerprint::of(&shorter).0 {
+                return Self::Shorter(end);
+            }
+        }
+        Self::Other(match keys.differences(&scene.keys).as_slice() {
+            [] => "it belongs to another version of the program".to_owned(),
+            all => {
+                let (shown, rest) = all.split_at(all.len().min(MOST_KEYS));
+                let more = match rest.len() {
+                    0 => String::new(),
+                    number => format!("; {number} more keys differ"),
+                };
+                format!("it belongs to another scene: {}{more}", shown.join(", "))
+            }
+        })
+    }
+}
+
+/// Everything in a scene that affects the bits of a run, as text.
+fn content(scene: &Scene) -> String {
+    let mut anonymous = Scene {
+        file: String::new(),
+        files: Vec::new(),
+        title: String::new(),
+        sha256: String::new(),
+        keys: Keys::default(),
+        ..scene.clone()
+    };
+    let nowhere = Place {
+        file: String::new(),
+        line: 0,
+        key: String::new(),
+    };
+    for (_, place) in &mut anonymous.bonds {
+        place.clone_from(&nowhere);
+    }
+    for (_, place) in &mut anonymous.contacts {
+        place.clone_from(&nowhere);
+    }
+    format!("{anonymous:?}")
+}
+
+/// The content without what version 4 did not contain.
+fn without_keys(content: &str) -> String {
+    content.replace(&format!(", keys: {:?}", Keys::default()), "")
+}
+
+/// The content as version 3 had it, which supported only spheres.
+fn only_spheres(scene: &Scene, content: &str) -> String {
+    let material = format!("material: {:?}", scene.material);
+    let density = format!("density: {:?}", scene.material.density);
+    let inertia = format!(", inertia_factor: {SPHERE_INERTIA_FACTOR:?}");
+    content.replace(&material, &density).replace(&inertia, "")
+}
