@@ -201,7 +201,7 @@ fn a_run_writes_all_outputs_of_the_contract() {
     assert!(times.windows(2).all(|two| two[0] < two[1]));
     assert_abs_diff_eq!(times[times.len() - 1], 3e-5, epsilon = 1e-18);
     let particles = read("particles.csv");
-    assert!(particles.starts_with("id,x,y,vx,vy,angle,angular_velocity,radius,role\n"));
+    assert!(particles.starts_with("id,x,y,vx,vy,angle,angular_velocity,radius,role,density\n"));
     assert_eq!(particles.lines().count(), 1 + 183);
     assert!(read("picture.svg").contains("<circle"));
     assert!(out.join("checkpoint").exists());

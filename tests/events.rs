@@ -20,6 +20,7 @@ enum Seen {
     Checkpoint(u64),
     Ended,
     AlreadyDone,
+    NothingToResume,
 }
 
 fn seen(event: Event<'_>) -> Seen {
@@ -40,6 +41,7 @@ fn seen(event: Event<'_>) -> Seen {
         }
         Event::Ended => Seen::Ended,
         Event::AlreadyDone { .. } => Seen::AlreadyDone,
+        Event::NothingToResume { .. } => Seen::NothingToResume,
     }
 }
 

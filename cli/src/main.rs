@@ -6,7 +6,7 @@ mod verify;
 use clap::{Args, Parser, Subcommand};
 use gouge_runner::error::Error;
 use gouge_runner::machine::{CallingThread, start_pool};
-use gouge_runner::scene::{Overrides, Scene};
+use gouge_runner::scene::{Overrides, Scene, builtin};
 use gouge_runner::{commands, run};
 use mimalloc::MiMalloc;
 use std::ffi::OsString;
@@ -89,6 +89,7 @@ impl SceneArguments {
     fn load(&self) -> Result<Scene, Error> {
         let overrides = Overrides::parse(&self.set)?;
         if self.scene != "-" {
+            self.tell_of_ambiguity();
             return Scene::load_with(&self.scene, &overrides);
         }
         let mut bytes = Vec::new();
@@ -101,6 +102,18 @@ impl SceneArguments {
             folder,
             &overrides,
         )?)
+    }
+
+    /// Say so if both a file and a built-in scene have the name.
+    fn tell_of_ambiguity(&self) {
+        let path = Path::new(&self.scene);
+        if builtin::of_path(path).is_some() && path.is_file() {
+            let name = path.display();
+            eprintln!(
+                "gouge: reading the file {name}; for the built-in scene of this name: \
+                 gouge scenes {name} | gouge ... -"
+            );
+        }
     }
 }
 

@@ -58,6 +58,10 @@ impl Observer for Terminal {
                     bar.bar.finish_and_clear();
                 }
             }
+            Event::NothingToResume { folder } => eprintln!(
+                "gouge: {} holds nothing to resume; the run begins",
+                folder.display()
+            ),
             Event::AlreadyDone { folder } => eprintln!(
                 "gouge: {} already holds the finished run of this scene; nothing to do",
                 folder.display()

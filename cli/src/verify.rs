@@ -6,8 +6,18 @@ use std::process::Command;
 
 /// The program that runs the checks.
 const PROGRAM: &str = "gouge-verify";
-/// The sources from which this program was built.
-const SOURCES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
+/// The folder from which this program was built.
+const SOURCES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+/// What the checks are built from, in that folder.
+const PARTS: [&str; 7] = [
+    "Cargo.toml",
+    "Cargo.lock",
+    "kernel",
+    "runner",
+    "validation",
+    "references",
+    "tools/equations",
+];
 
 /// Run the checks and exit with their status.
 ///
@@ -26,12 +36,13 @@ pub fn launch(only: Option<&str>, out: &Path) -> Result<(), Error> {
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// Path of `gouge-verify` beside this program. If it is missing and the sources are available, it is built first.
+/// Path of `gouge-verify` beside this program. If it is missing or older than the sources, and these are available, it
+/// is built first.
 fn program() -> Result<PathBuf, Error> {
     let own =
         std::env::current_exe().map_err(|error| Error::file("find", Path::new("gouge"), error))?;
     let program = own.with_file_name(format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX));
-    if !program.exists() {
+    if is_stale(&program) {
         build(&own)?;
     }
     if program.exists() {
@@ -41,6 +52,25 @@ fn program() -> Result<PathBuf, Error> {
         "{} is missing: install the checks with `cargo install --path validation`",
         program.display()
     )))
+}
+
+/// Whether a program is missing, or older than a source of the checks.
+fn is_stale(program: &Path) -> bool {
+    let built = |path: &Path| path.metadata().and_then(|data| data.modified()).ok();
+    let Some(built_at) = built(program) else {
+        return true;
+    };
+    let root = Path::new(SOURCES);
+    let is_newer = |path: &Path| built(path).is_some_and(|changed| changed > built_at);
+    let mut waiting: Vec<PathBuf> = PARTS.iter().map(|part| root.join(part)).collect();
+    while let Some(path) = waiting.pop() {
+        match std::fs::read_dir(&path) {
+            Ok(entries) => waiting.extend(entries.flatten().map(|entry| entry.path())),
+            Err(_) if is_newer(&path) => return true,
+            Err(_) => {}
+        }
+    }
+    false
 }
 
 /// Build `gouge-verify` into the folder that holds this program, if that is a target folder of cargo.
@@ -56,10 +86,11 @@ fn build(own: &Path) -> Result<(), Error> {
         Some(name) => name,
         None => return Ok(()),
     };
-    if !target.join("CACHEDIR.TAG").exists() || !Path::new(SOURCES).exists() {
+    let manifest = Path::new(SOURCES).join("Cargo.toml");
+    if !target.join("CACHEDIR.TAG").exists() || !manifest.exists() {
         return Ok(());
     }
-    eprintln!("gouge: building the checks; this happens once and takes a few minutes");
+    eprintln!("gouge: building the checks from their sources; this takes up to a few minutes");
     let cargo = Path::new("cargo");
     let status = Command::new(cargo)
         .args([
@@ -71,7 +102,9 @@ fn build(own: &Path) -> Result<(), Error> {
             "--profile",
             profile,
         ])
-        .args(["--manifest-path", SOURCES, "--target-dir"])
+        .arg("--manifest-path")
+        .arg(&manifest)
+        .arg("--target-dir")
         .arg(target)
         .status()
         .map_err(|error| Error::file("run", cargo, error))?;

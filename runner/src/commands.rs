@@ -1,6 +1,7 @@
 //! The commands of the program, without the parsing of arguments.
 
 use crate::error::Error;
+use crate::run::run_setup;
 use crate::scene::{Scene, builtin, integrator_name};
 use gouge_dem::forces::InteractionKind;
 use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
@@ -14,17 +15,7 @@ use std::fmt::Write;
 /// Characteristic Mach number of cracks, thesis section 4.2.
 const MACH_NUMBER: f64 = 15.0;
 
-/// The world of a scene at t = 0; for a scene with a set-up, the world at the beginning of its first phase.
-fn world_of(scene: &Scene) -> Result<World, Error> {
-    Ok(crate::run::begin_phase(
-        scene,
-        &crate::run::phases(scene),
-        0,
-        None,
-    )?)
-}
-
-/// Every pair that interacts at t = 0, as CSV.
+/// Every pair that interacts at t = 0, after the set-up, as CSV.
 ///
 /// # Errors
 /// Scenes that the kernel refuses.
@@ -35,7 +26,7 @@ pub fn links(scene: &Scene) -> Result<String, Error> {
          normal_velocity,tangential_velocity_i,tangential_velocity_j,normal_force,\
          tangential_force,torque_i,torque_j\n",
     );
-    let mut links = world_of(scene)?.interactions();
+    let mut links = run_setup(scene)?.interactions();
     links.sort_by_key(|link| link.pair.indices());
     for link in links {
         let kind = match link.kind {
@@ -69,12 +60,12 @@ pub fn links(scene: &Scene) -> Result<String, Error> {
     Ok(text)
 }
 
-/// The time-step bounds of a scene and its integrator, as JSON.
+/// The time-step bounds of a scene and its integrator at t = 0, after the set-up, as JSON.
 ///
 /// # Errors
 /// Scenes that the kernel refuses.
 pub fn stability(scene: &Scene) -> Result<String, Error> {
-    let world = world_of(scene)?;
+    let world = run_setup(scene)?;
     let mut bounds = pair_bounds(scene, &world);
     bounds.extend(wave_bounds(scene, &world));
     let estimate = stable_step_estimate(&world);

@@ -6,7 +6,7 @@ use super::trajectory::{Frame, Shapes};
 use crate::scene::{Scene, role_name};
 use gouge_common::geometry::Vec2;
 use gouge_dem::estimators::{Energy, fragments, friction_feedback, friction_load};
-use gouge_dem::particles::{Particles, Role};
+use gouge_dem::particles::{Particles, Role, sphere_mass};
 use gouge_dem::{Drive, World};
 
 /// A sample of a world with the given driving force.
@@ -65,12 +65,13 @@ pub fn number_of_bonds(world: &World) -> usize {
     world.bonds().map_or(0, |bonds| bonds.len())
 }
 
-/// The final particles, with the columns of `particles.csv`.
-pub fn particles(particles: &Particles) -> Table {
+/// The final particles, with the columns of `particles.csv`. There is a column of densities only if it is needed to
+/// read the masses back.
+pub fn particles(scene: &Scene, particles: &Particles) -> Table {
     let component =
         |column: &[Vec2], of: fn(&Vec2) -> f64| Values::Numbers(column.iter().map(of).collect());
     let p = particles;
-    let columns = vec![
+    let mut columns = vec![
         ("id", Values::Integers((0..p.len()).collect())),
         ("x", component(&p.position, |v| v.x)),
         ("y", component(&p.position, |v| v.y)),
@@ -84,7 +85,25 @@ pub fn particles(particles: &Particles) -> Table {
         ("radius", Values::Numbers(p.radius.clone())),
         ("role", Values::Kinds(roles(&p.role))),
     ];
+    let is_of_material =
+        |(mass, &radius): (&f64, &f64)| *mass == sphere_mass(scene.material.density, radius);
+    if !p.mass.iter().zip(&p.radius).all(is_of_material) {
+        let densities = p
+            .mass
+            .iter()
+            .zip(&p.radius)
+            .map(|(&mass, &radius)| density(mass, radius));
+        columns.push(("density", Values::Numbers(densities.collect())));
+    }
     Table { columns }
+}
+
+/// Density that gives the mass of a sphere: exactly, if there is such a number, and otherwise up to rounding.
+fn density(mass: f64, radius: f64) -> f64 {
+    let near = mass / sphere_mass(1.0, radius);
+    let candidates = [near, near.next_up(), near.next_down()];
+    let is_exact = |density: &f64| sphere_mass(*density, radius) == mass;
+    candidates.into_iter().find(is_exact).unwrap_or(near)
 }
 
 fn roles(roles: &[Role]) -> Kinds {

@@ -67,7 +67,12 @@ pub fn run(
             return Ok(());
         }
         Beginning::Checkpoint(saved) => SceneRun::resume(scene, folder, options, observer, *saved)?,
-        Beginning::Fresh => SceneRun::begin(scene, folder, options, observer)?,
+        Beginning::Fresh => {
+            if options.resume {
+                observer.event(Event::NothingToResume { folder });
+            }
+            SceneRun::begin(scene, folder, options, observer)?
+        }
     };
     run.complete()
 }

@@ -42,6 +42,11 @@ pub enum Event<'a> {
     },
     /// The last step was completed, or the run failed. Only the final state remains to be written.
     Ended,
+    /// There is nothing to resume, so the run begins.
+    NothingToResume {
+        /// The folder.
+        folder: &'a Path,
+    },
     /// The folder already holds the finished run of this scene, so nothing is done.
     AlreadyDone {
         /// The folder.

@@ -87,7 +87,7 @@ impl SceneRun<'_> {
         neighbor_rebuilds: u64,
     ) -> Result<(), Error> {
         let (scene, world, folder) = (self.scene, &self.world, &self.folder);
-        let particles = dem::particles(world.particles());
+        let particles = dem::particles(scene, world.particles());
         write_whole(&folder.join(PARTICLES), particles.to_csv().as_bytes())?;
         picture::write(folder, scene, world)?;
         let (steps, time) = if self.is_main() {

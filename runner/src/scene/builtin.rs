@@ -13,7 +13,7 @@ pub const SCENES: [(&str, &str, &str); 9] = [
     ),
     (
         "granite-fault-small",
-        "the same protocol for 25 mm; takes about half a minute",
+        "the same protocol for 25 mm; takes a few seconds",
         include_str!("../scenes/granite-fault-small.toml"),
     ),
     (

@@ -149,10 +149,10 @@ pub fn integrator_name(integrator: Integrator) -> &'static str {
 }
 
 impl Scene {
-    /// Read a scene file, or a built-in scene by its name.
+    /// Read a scene file, or a built-in scene by its name. If a file has the name of a built-in scene, it is read.
     ///
     /// # Errors
-    /// An unreadable file, any mistake in it, or a name that is both that of a file and of a built-in scene.
+    /// An unreadable file, or any mistake in it.
     pub fn load(name: impl AsRef<Path>) -> std::result::Result<Self, Error> {
         Self::load_with(name, &Overrides::default())
     }
@@ -166,13 +166,7 @@ impl Scene {
         overrides: &Overrides,
     ) -> std::result::Result<Self, Error> {
         let path = name.as_ref();
-        if let Some((name, text)) = builtin::of_path(path) {
-            if path.is_file() {
-                return Err(Error::Argument(format!(
-                    "{name} is both a file and a built-in scene: write ./{name} for the file, or \
-                     `gouge scenes {name} | gouge ... -` for the built-in scene"
-                )));
-            }
+        if let Some((name, text)) = builtin::of_path(path).filter(|_| !path.is_file()) {
             let folder = Path::new(".");
             return Ok(Self::parse_with(name, text.as_bytes(), folder, overrides)?);
         }
