@@ -1,6 +1,7 @@
 //! Bonds do not depend on how their ends are named, and their energies do not depend on their neighbours.
 
 use crate::worlds::{INTEGRATORS, advance, bits, world};
+use approx::assert_relative_eq;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt, ZhangEckert};
 use gouge_dem::model::Yielding;
@@ -74,4 +75,76 @@ fn a_breaking_bond_leaves_the_energy_of_other_contacts_alone() {
     let residual = world.energy().residual.abs();
     assert!(0.0 < residual && residual <= work, "{residual} {work}");
     assert!(held > 2000.0 * work, "{held}");
+}
+
+/// The contact that replaces a bond torn in tension does not touch; its lever arms need not exist.
+#[test]
+fn a_bond_torn_in_tension_leaves_a_contact_without_energy() {
+    for distance in ["radius", "focal", "mean"] {
+        let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+            .law(AdjustedKelvinVoigt {
+                stiffness: STIFFNESS,
+                damping: 0.0,
+            })
+            .law(ZhangEckert {
+                normal_strength: STRENGTH,
+                tangential_strength: STRENGTH,
+            })
+            .law(KelvinVoigt {
+                stiffness: STIFFNESS,
+                damping: 0.0,
+            })
+            .friction("cundall-strack", 0.5, STIFFNESS)
+            .with("contact.distance", distance)
+            .grain(
+                Grain::at([-RADIUS, 0.0], RADIUS)
+                    .moving([-16.0, 0.0])
+                    .spinning(1e3),
+            )
+            .grain(Grain::at([RADIUS, 0.0], RADIUS).moving([16.0, 1.0]))
+            .bonded(0, 1);
+        let mut world = world(&draft);
+        advance(&mut world, 1000);
+        assert!(world.bonds().is_some_and(|bonds| bonds.len() == 0));
+        assert_eq!(world.energy().bonding, 0.0, "{distance}");
+        assert!(world.energy().residual.is_finite(), "{distance}");
+    }
+}
+
+/// As in the reading of the thesis, which wraps angles: a grain that has made a whole turn more is the same.
+#[test]
+fn whole_turns_do_not_matter_in_the_reading_of_the_thesis() {
+    let run = |angles: [f64; 2]| {
+        let grain = |end: usize| {
+            let side = if end == 0 { -0.99 } else { 0.99 };
+            Grain::at([side * RADIUS, 0.0], RADIUS).turned(angles[end])
+        };
+        let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+            .reading("thesis")
+            .law(KelvinVoigt {
+                stiffness: STIFFNESS,
+                damping: 0.0,
+            })
+            .friction("cundall-strack", 1e9, STIFFNESS)
+            .grain(grain(0))
+            .grain(grain(1))
+            .touching_since(0, 1, [0.0, -PI]);
+        let mut world = world(&draft);
+        advance(&mut world, 10);
+        world.particles().angular_velocity.clone()
+    };
+    for angles in [[4.0, 0.1], [0.1, 4.0], [4.0, -3.5], [0.1, -0.2]] {
+        let turned = run(angles);
+        let back = run(angles.map(|angle| {
+            if angle.abs() > PI {
+                angle - angle.signum() * 2.0 * PI
+            } else {
+                angle
+            }
+        }));
+        for (found, expected) in turned.iter().zip(&back) {
+            assert_relative_eq!(found, expected, max_relative = 1e-9);
+        }
+        assert!(turned.iter().all(|spin| spin.abs() > 1.0), "{turned:?}");
+    }
 }

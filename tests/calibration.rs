@@ -215,3 +215,13 @@ fn friction_rises_to_its_peak_and_decays_to_its_residual_value() {
     assert_abs_diff_eq!(decay.at(2.0 + 1e-9), 0.9, epsilon = 1e-8);
     assert_abs_diff_eq!(decay.at(100.0), 0.3, epsilon = 1e-12);
 }
+
+#[test]
+fn the_printed_dissipative_constant_is_proportional_to_the_loss_of_speed() {
+    let printed =
+        |restitution: f64| dissipative_constant_printed_from_restitution(restitution, 2700.0, 0.5);
+    for restitution in [0.01, 0.2, 0.45, 0.7, 0.95] {
+        let ratio = printed(restitution) / printed(0.0);
+        assert_abs_diff_eq!(ratio, 1.0 - restitution, epsilon = 1e-15);
+    }
+}

@@ -92,6 +92,22 @@ fn densities_are_derivatives_of_cumulative_distributions() {
         high: 0.7,
     };
     assert!(slope_error(&UniformSum(near_zero, b), 0.8, 1.9) < 2e-3);
+    let (wide, wider) = (
+        Uniform {
+            low: 0.3,
+            high: 1.2,
+        },
+        Uniform {
+            low: 0.2,
+            high: 1.0,
+        },
+    );
+    let weakest = WeakestProduct {
+        radius: wide,
+        factor: wider,
+    };
+    assert!(slope_error(&UniformProduct(wide, wider), 0.05, 1.3) < 2e-3);
+    assert!(slope_error(&weakest, 0.05, 1.3) < 2e-3);
     assert!(slope_error(&UniformProduct(a, b), 0.6, 1.6) < 1e-3);
     assert!(
         slope_error(

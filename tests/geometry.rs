@@ -180,3 +180,28 @@ fn small_inverse_sine_agrees_with_the_general_one() {
         );
     }
 }
+
+#[test]
+fn half_a_turn_is_positive_whatever_the_signs_of_zeros() {
+    for signs in 0..4 {
+        let zero = |bit: i32| if signs & bit == 0 { 0.0 } else { -0.0 };
+        let reference = Vec2::new(1.0, zero(1));
+        let opposite = Vec2::new(-1.0, zero(2));
+        assert_eq!(turn(reference, opposite), (PI, false), "{signs}");
+    }
+}
+
+#[test]
+fn points_inside_a_periodic_box_are_their_own_images() {
+    for step in 1..200 {
+        let length = 0.013 * f64::from(step);
+        let metric = PeriodicX { length };
+        for x in [0.0, f64::MIN_POSITIVE, 0.3 * length, length.next_down()] {
+            assert_eq!(
+                metric.wrap(Vec2::new(x, 1.0)),
+                Vec2::new(x, 1.0),
+                "{length}"
+            );
+        }
+    }
+}

@@ -4,8 +4,9 @@ use crate::worlds::{advance, world};
 use gouge_common::geometry::{Domain, Metric, Open, PeriodicX, Vec2};
 use gouge_common::neighbors::{Cells, Neighbors, precedes};
 use gouge_common::pair::Pair;
+use gouge_common::parts::Parts;
 use gouge_dem::integrators::Integrator;
-use gouge_dem::laws::{AdjustedKelvinVoigt, ZhangEckert};
+use gouge_dem::laws::{AdjustedKelvinVoigt, KelvinVoigt, ZhangEckert};
 use gouge_dem::model::{BondLaws, Model, Yielding};
 use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_validation::scenes::{Draft, Grain};
@@ -165,6 +166,74 @@ fn a_world_without_particles_has_no_pairs() {
     assert!(overlapping(Open, &nothing).is_empty());
     let mut neighbors = Neighbors::new(nothing.search_spheres(), &domain([None, None], false));
     assert!(found(Open, &nothing, &mut neighbors).is_empty());
+}
+
+#[test]
+fn cells_are_as_small_as_asked_unless_there_are_too_many() {
+    let grid = |width: f64, height: f64| {
+        Cells::new(Vec2::zero(), Vec2::new(width, height), false, 1.0, 1000)
+    };
+    // 60 times 60 cells are fewer than four times 1000, and so are 200 in a row.
+    assert_eq!(
+        [grid(60.5, 60.5).number(), grid(200.5, 1.5).number()],
+        [3600, 200]
+    );
+    for (width, height) in [(61.0, 66.0), (1e3, 1e3), (1e9, 3.0), (2.0, 1e7)] {
+        let cells = grid(width, height);
+        assert!(cells.number() <= 4100, "{}", cells.number());
+        assert!(cells.smaller_side() >= 1.0, "{}", cells.smaller_side());
+    }
+}
+
+/// The list reaches beyond the touching distance only as far as the box permits.
+#[test]
+fn the_list_of_the_narrowest_box_has_no_margin() {
+    let listed = |length: f64| {
+        let p = particles(&[(0.005, 0.0, 0.005), (0.005, 0.0105, 0.005)]);
+        let box_ = domain([Some(length), Some(0.1)], true);
+        let mut pairs = Vec::new();
+        Neighbors::new(p.search_spheres(), &box_).rebuild(
+            PeriodicX { length },
+            p.search_spheres(),
+            |_, _| true,
+            &mut pairs,
+        );
+        pairs.len()
+    };
+    assert_eq!([listed(0.02), listed(0.2)], [0, 1]);
+}
+
+#[test]
+fn parts_divide_all_particles() {
+    for particles in [0, 1, 7, 100, 12_345] {
+        for threads in 1..6 {
+            let parts = Parts::new(particles, threads);
+            assert_eq!(parts.sizes().sum::<usize>(), particles);
+            assert_eq!(parts.sizes().count(), parts.number());
+        }
+    }
+}
+
+/// Two grains that leave the reach of the list in the same step, each on its way to a fixed one.
+#[test]
+fn grains_that_move_alike_both_make_the_list_stale() {
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, 1e-6).law(KelvinVoigt {
+        stiffness: 1e5,
+        damping: 0.0,
+    });
+    for y in [0.0, 0.02] {
+        draft = draft
+            .grain(Grain::at([0.0, y], 1e-3).moving([1.0, 0.0]))
+            .grain(Grain::at([0.02, y], 1e-3).fixed());
+    }
+    let mut world = world(&draft);
+    advance(&mut world, 25_000);
+    for i in [0, 2] {
+        assert!(
+            world.particles().velocity[i].x < -0.9,
+            "grain {i} missed its target"
+        );
+    }
 }
 
 /// Two bonded grains that are torn apart, the second with a role.

@@ -15,6 +15,7 @@ mod errata;
 mod estimators;
 mod events;
 mod geometry;
+mod guard;
 mod identities;
 mod integrators;
 mod layering;

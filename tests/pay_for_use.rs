@@ -3,7 +3,7 @@
 use crate::worlds::{INTEGRATORS, advance, bits, sheared_with, world};
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{
-    AdjustedKelvinVoigt, Controller, CundallStrackTruncated, HaffWerner, KelvinVoigt,
+    AdjustedKelvinVoigt, Controller, CundallStrackTruncated, HaffWerner, KelvinVoigt, ZhangEckert,
 };
 use gouge_runner::scene::DrivingTable;
 use gouge_validation::scenes::{Draft, Grain};
@@ -96,6 +96,56 @@ fn a_step_allocates_nothing() {
             bonds(&world)
         );
     }
+}
+
+/// A grid of touching grains that drifts as a whole: its list is rebuilt, but never grows.
+#[test]
+fn a_rebuilt_list_of_the_same_length_needs_no_memory() {
+    let grain = |k: u32| {
+        let [x, y] = [k % 100, k / 100].map(|n| 2e-3 * f64::from(n));
+        Grain::at([x, y], 1e-3).moving([100.0, 0.0])
+    };
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-7)
+        .law(KelvinVoigt {
+            stiffness: 1e4,
+            damping: 0.0,
+        })
+        .with("output.energy", false)
+        .grains((0..10_000).map(grain));
+    let mut world = world(&draft);
+    advance(&mut world, 30);
+    let before = world.rebuilds();
+    let count = allocation_counter::measure(|| advance(&mut world, 50));
+    assert!(world.rebuilds() > before + 2);
+    assert_eq!(count.count_total, 0);
+}
+
+/// Each part has room for its share of the bonds that may break in a step; with its other buffers, that is less than
+/// 240 bytes per grain.
+#[test]
+fn more_parts_need_little_more_memory() {
+    let bonds = 4000;
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
+        .law(AdjustedKelvinVoigt {
+            stiffness: 1e7,
+            damping: 0.0,
+        })
+        .law(ZhangEckert {
+            normal_strength: 1e9,
+            tangential_strength: 1e9,
+        })
+        .grains((0..=bonds).map(|i| Grain::at([2e-3 * i as f64, 0.0], 1e-3)));
+    let draft = (0..bonds).fold(draft, |draft, i| draft.bonded(i, i + 1));
+    let bytes = |threads: usize| {
+        let world = world(&draft);
+        let (mut asked, mut divided) = (0, None);
+        asked +=
+            allocation_counter::measure(|| divided = Some(world.with_threads(threads))).bytes_total;
+        drop(divided);
+        asked
+    };
+    let [one, many] = [bytes(1), bytes(8)];
+    assert!(many < one + 240 * bonds as u64, "{one} {many}");
 }
 
 #[test]

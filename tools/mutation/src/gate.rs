@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 
 /// Tests that are not run: those that read the sources, which differ in the copy; those that start the
 /// program; the thorough half of the register; and long ones whose subject has a quick check.
-const SKIPPED: [&str; 14] = [
+const SKIPPED: [&str; 13] = [
     "perturbation::",
     "code_size::",
     "layering::",
@@ -26,7 +26,6 @@ const SKIPPED: [&str; 14] = [
     "nothing_lost::",
     "register::thorough::",
     "pay_for_use::a_recorded_state_continues_with_the_same_bits",
-    "pay_for_use::a_step_allocates_nothing",
     "estimators::the_radial_distribution_of_an_ideal_gas_is_corrected_for_edges",
     "estimators::an_ideal_gas_has_no_excess_entropy",
     "collisions::restitution_of_truncated_kelvin_voigt",

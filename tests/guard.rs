@@ -1,0 +1,89 @@
+//! A state that cannot be continued is refused, and the error names the likely culprit.
+
+use crate::worlds::{INTEGRATORS, world};
+use gouge_common::record::Shape;
+use gouge_dem::integrators::Integrator;
+use gouge_dem::laws::{CundallStrackTruncated, KelvinVoigt};
+use gouge_dem::{StepError, World};
+use gouge_validation::scenes::{Draft, Grain};
+
+/// Three overlapping grains in a row, of which one moves far in one step.
+fn row(overlaps: [f64; 2], fast: usize) -> World {
+    let (left, right) = (-2e-3 + overlaps[0], 2e-3 - overlaps[1]);
+    let places = [left, 0.0, right];
+    let speed = |i: usize| if i == fast { 1e7 } else { 0.0 };
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-6)
+        .law(KelvinVoigt {
+            stiffness: 1e6,
+            damping: 0.0,
+        })
+        .grains((0..3).map(|i| Grain::at([places[i], 0.0], 1e-3).moving([0.0, speed(i)])));
+    world(&draft)
+}
+
+#[test]
+fn the_most_strained_interaction_of_the_particle_is_named() {
+    let cases = [
+        ([3e-4, 1e-4], 0, [0, 1]),
+        ([1e-4, 3e-4], 2, [1, 2]),
+        // Of both contacts of the middle grain, the deeper one.
+        ([3e-4, 1e-4], 1, [0, 1]),
+        ([1e-4, 3e-4], 1, [1, 2]),
+    ];
+    for (overlaps, fast, expected) in cases {
+        match row(overlaps, fast).check() {
+            Err(StepError::TooFast {
+                particle,
+                interaction,
+                ..
+            }) => assert_eq!((particle, interaction), (fast, Some(expected))),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_record_with_more_or_fewer_items_is_refused() {
+    for integrator in INTEGRATORS {
+        let draft = Draft::open_box(integrator, 1e-7)
+            .law(KelvinVoigt {
+                stiffness: 1e6,
+                damping: 0.0,
+            })
+            .law(CundallStrackTruncated {
+                friction: 0.5,
+                stiffness: 1e6,
+            })
+            .grain(Grain::at([0.0, 0.0], 1e-3).spinning(10.0))
+            .grain(Grain::at([1.99e-3, 0.0], 1e-3))
+            .grain(Grain::at([5e-3, 0.0], 1e-3));
+        let mut world = world(&draft);
+        crate::worlds::advance(&mut world, 3);
+        let record = world.record();
+        let model = *world.model();
+        assert!(World::from_record(model, &record).is_some());
+        for (place, column) in record.columns.iter().enumerate() {
+            let Shape::List(width) = column.shape else {
+                continue;
+            };
+            // Contacts and bonds may be any number.
+            if ["contacts", "bonds"].contains(&column.name.as_str()) {
+                continue;
+            }
+            let mut longer = record.clone();
+            longer.columns[place].words.extend(vec![0; width]);
+            let mut shorter = record.clone();
+            let words = &mut shorter.columns[place].words;
+            words.truncate(words.len().saturating_sub(width));
+            let number = column.words.len();
+            for (changed, is_changed) in [(longer, true), (shorter, number > 0)] {
+                let read = World::from_record(model, &changed);
+                assert!(
+                    !is_changed || read.is_none(),
+                    "{integrator} {}",
+                    column.name
+                );
+            }
+        }
+    }
+}
