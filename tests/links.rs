@@ -178,6 +178,7 @@ fn cells_are_as_small_as_asked_unless_there_are_too_many() {
         [grid(60.5, 60.5).number(), grid(200.5, 1.5).number()],
         [3600, 200]
     );
+    assert!(grid(1e3, 1e3).number() > 3000);
     for (width, height) in [(61.0, 66.0), (1e3, 1e3), (1e9, 3.0), (2.0, 1e7)] {
         let cells = grid(width, height);
         assert!(cells.number() <= 4100, "{}", cells.number());

@@ -101,7 +101,7 @@ pub fn radial_distribution(
         .collect();
     let domain = Domain {
         width: Some(region.width),
-        height: Some(region.height),
+        height: None,
         periodic: region.periodic,
     };
     let limit = 0.25 * region.width;
