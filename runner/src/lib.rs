@@ -6,3 +6,4 @@ pub mod machine;
 pub mod references;
 pub mod run;
 pub mod scene;
+pub mod stability;

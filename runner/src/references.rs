@@ -57,6 +57,15 @@ pub fn paths() -> impl Iterator<Item = String> {
     paths.into_iter()
 }
 
+/// Paths `ENGINE/NAME/RUN` of all runs.
+pub fn names() -> impl Iterator<Item = String> {
+    paths().flat_map(|path| {
+        let scenes = StoredScenes::read(Path::new(&path)).unwrap_or_default();
+        let runs = scenes.runs.into_iter();
+        runs.map(move |run| format!("{path}/{}", run.name))
+    })
+}
+
 /// The scene of the run with the path `ENGINE/NAME/RUN`.
 pub fn scene_text(path: &str) -> Option<String> {
     let (path, name) = path.rsplit_once('/')?;

@@ -46,7 +46,8 @@ fn chosen<'a>(topics: &'a [Topic], only: Option<&str>) -> Result<Vec<&'a Check>,
     if checks.is_empty() {
         let names: Vec<&str> = all().map(|check| check.id).collect();
         return Err(Error::Argument(format!(
-            "no check matches; the checks are: {}",
+            "no check matches --only {:?}; the checks are: {}",
+            only.unwrap_or_default(),
             names.join(", ")
         )));
     }

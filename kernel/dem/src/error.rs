@@ -75,6 +75,9 @@ pub enum ModelError {
         /// Width in m.
         width: f64,
     },
+    /// A set-up leaves no particle.
+    #[error("no particle is left: clipping removed all that the set-up generated")]
+    NothingLeft,
     /// The model has a driving law, but no particle is driven.
     #[error("there is a driving law, but no driven particle")]
     NothingDriven,
@@ -86,8 +89,8 @@ pub enum StepError {
     /// Position, velocity, angle or angular velocity of a particle is no longer finite.
     #[error(
         "the state of particle {particle} is not finite at {time} s, in the step after {steps}; \
-         likely cause: the time step {time_step} s is above the stability bound, \
-         about {bound:.3e} s{}",
+         likely cause: {}{}",
+        cause(*.time_step, *.bound, "forces or speeds are too large"),
         interaction_text(*.interaction)
     )]
     NotFinite {
@@ -107,9 +110,8 @@ pub enum StepError {
     /// A particle moves farther than a cell per step.
     #[error(
         "particle {particle} moved {distance:.3e} m in one step at {time} s, more than the cell of \
-         {cell:.3e} m in which contacts are sought; likely cause: the time step {time_step} s is \
-         above the stability bound, about {bound:.3e} s, or the speed is \
-         too high for it{}",
+         {cell:.3e} m in which contacts are sought; likely cause: {}{}",
+        cause(*.time_step, *.bound, "the speed is too high for this step"),
         interaction_text(*.interaction)
     )]
     TooFast {
@@ -128,6 +130,17 @@ pub enum StepError {
         /// Estimate of the largest stable time step in s.
         bound: f64,
     },
+}
+
+/// Why a step may have failed: it is above the bound, or something else.
+fn cause(time_step: f64, bound: f64, otherwise: &str) -> String {
+    if time_step > bound {
+        format!("the time step {time_step:?} s is above the stability bound, about {bound:.3e} s")
+    } else {
+        format!(
+            "{otherwise}, because the time step {time_step:?} s is not above the stability bound"
+        )
+    }
 }
 
 fn interaction_text(interaction: Option<[usize; 2]>) -> String {

@@ -4,6 +4,7 @@
 //! with a checksum. Between them are the progress of the run, the keys of the scene, and the state as the tag of its
 //! model and named columns. All numbers are words of eight bytes, the least significant byte first.
 
+use super::balance::Balance;
 use super::bytes::{Reader, put_record, put_text, put_words, words_of_bytes};
 use super::fingerprint::{Fingerprint, Kinship};
 use super::folder::write_whole;
@@ -48,6 +49,10 @@ pub struct Checkpoint {
     pub link_steps: f64,
     /// Number of times the neighbour list was built so far.
     pub rebuilds: u64,
+    /// What the samples so far say about the energy balance.
+    pub balance: Balance,
+    /// The warnings so far, one per line.
+    pub warnings: String,
     /// The state.
     pub state: Record,
 }
@@ -72,7 +77,9 @@ impl Checkpoint {
         ];
         put_words(&mut bytes, &head);
         put_words(&mut bytes, &[self.rebuilds]);
+        put_words(&mut bytes, &self.balance.words());
         put_text(&mut bytes, &keys.to_text());
+        put_text(&mut bytes, &self.warnings);
         put_record(&mut bytes, &self.state);
         let digest = Sha256::digest(&bytes);
         bytes.extend(digest);
@@ -111,11 +118,12 @@ impl Checkpoint {
         else {
             return Err("it is damaged: its beginning is missing");
         };
-        let (rebuilds, keys) = match version {
-            VERSION => (rest.word(), rest.text().map(|text| Keys::of_text(&text))),
-            KEYLESS | UNNAMED => (Some(0), None),
+        let extra = match version {
+            VERSION => Extra::read(&mut rest).ok_or("its state does not fit the scene")?,
+            KEYLESS | UNNAMED => Extra::default(),
             _ => return Err("its format version is not supported"),
         };
+        let keys = extra.keys;
         let kinship = Kinship::of(scene, version, &content[MAGIC.len()..PREFIX], keys);
         let state = match version {
             UNNAMED => World::record_of_words(scene.integrator, &words_of_bytes(rest.0)),
@@ -137,7 +145,9 @@ impl Checkpoint {
             bonds_initial,
             seconds: [whole, main].map(f64::from_bits),
             link_steps: f64::from_bits(link_steps),
-            rebuilds: rebuilds.unwrap_or_default(),
+            rebuilds: extra.rebuilds,
+            balance: extra.balance,
+            warnings: extra.warnings,
             state,
         };
         Ok((saved, kinship))
@@ -150,6 +160,26 @@ impl Checkpoint {
     pub fn world(&self, path: &Path, scene: &Scene, kind: PhaseKind) -> Result<World, Error> {
         let world = world_of_record(scene, kind, &self.state);
         world.ok_or_else(|| refusal(path, "its state does not fit the scene"))
+    }
+}
+
+/// What version 5 stores beyond older versions.
+#[derive(Default)]
+struct Extra {
+    rebuilds: u64,
+    balance: Balance,
+    keys: Option<Keys>,
+    warnings: String,
+}
+
+impl Extra {
+    fn read(rest: &mut Reader) -> Option<Self> {
+        Some(Self {
+            rebuilds: rest.word()?,
+            balance: Balance::of_words(rest.words(4)?.try_into().ok()?),
+            keys: Some(Keys::of_text(&rest.text()?)),
+            warnings: rest.text()?,
+        })
     }
 }
 

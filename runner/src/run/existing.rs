@@ -4,6 +4,7 @@ use super::RunOptions;
 use super::checkpoint::Checkpoint;
 use super::fingerprint::Kinship;
 use super::folder::{CHECKPOINT, PARTICLES, PICTURE, SERIES, SUMMARY, outputs};
+use super::outcome::DONE;
 use crate::error::Error;
 use crate::scene::Scene;
 use std::path::Path;
@@ -81,7 +82,7 @@ fn refusal(folder: &Path, what: &str, advice: &str) -> Error {
 fn is_done(folder: &Path) -> bool {
     let text = std::fs::read(folder.join(SUMMARY)).unwrap_or_default();
     let summary: Option<serde_json::Value> = serde_json::from_slice(&text).ok();
-    summary.is_some_and(|summary| summary["status"] == super::outcome::DONE)
+    summary.is_some_and(|summary| summary["status"] == DONE)
 }
 
 /// A finished run needs nothing, unless a part of its results was removed.

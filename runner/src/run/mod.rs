@@ -1,8 +1,10 @@
 //! Running a scene: phases, samples, checkpoints, outputs.
 
+mod balance;
 mod bytes;
 mod checkpoint;
 mod dem;
+mod doubts;
 mod existing;
 mod fingerprint;
 mod folder;
@@ -18,15 +20,17 @@ mod setup_states;
 mod table;
 mod trajectory;
 mod transitions;
+mod warning;
 
 pub use bytes::words_of_bytes;
 pub use checkpoint::world_of_record;
 pub use folder::write_whole;
-pub use observer::{Event, Observer, Warning};
+pub use observer::{Event, Observer};
 pub use phases::{Phase, PhaseKind, phases};
 pub use picture::draw_picture;
 pub use trajectory::Frames;
-pub use transitions::{advance, begin_phase, run_setup};
+pub use transitions::{advance, begin_phase, run_setup, run_setup_with};
+pub use warning::Warning;
 
 use crate::error::Error;
 use crate::scene::Scene;

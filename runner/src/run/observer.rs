@@ -1,7 +1,7 @@
 //! Events that a run reports. The runner prints nothing; the observer decides what is shown.
 
 use super::phases::Phase;
-use std::fmt;
+use super::warning::Warning;
 use std::path::Path;
 
 /// An event of a run.
@@ -52,31 +52,6 @@ pub enum Event<'a> {
         /// The folder.
         folder: &'a Path,
     },
-}
-
-/// A problem that does not stop the run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Warning<'a> {
-    /// The time step may be unstable.
-    TimeStep {
-        /// Name of the scene file.
-        scene: &'a str,
-        /// The time step in s.
-        step: f64,
-        /// Estimated stability bound in s.
-        bound: f64,
-    },
-}
-
-impl fmt::Display for Warning<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self::TimeStep { scene, step, bound } = self;
-        write!(
-            f,
-            "{scene}: time.step = {step:?}: above the estimated stability bound, {bound:.3e} s \
-             (run `gouge stability` for the bounds)"
-        )
-    }
 }
 
 /// A receiver of the events of a run.

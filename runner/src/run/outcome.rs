@@ -40,6 +40,10 @@ struct Summary {
     energy: Option<serde_json::Map<String, serde_json::Value>>,
     /// Columns of the series.
     series_columns: Vec<&'static str>,
+    /// The warnings of the run.
+    warnings: Vec<String>,
+    /// Whether the energy balance was watched.
+    balance_watched: bool,
     /// Number of times the neighbour list was built; resuming a run builds it once more.
     neighbor_rebuilds: u64,
 }
@@ -89,7 +93,7 @@ impl SceneRun<'_> {
         let (scene, world, folder) = (self.scene, &self.world, &self.folder);
         let particles = dem::particles(scene, world.particles());
         write_whole(&folder.join(PARTICLES), particles.to_csv().as_bytes())?;
-        picture::write(folder, scene, world)?;
+        picture::write(folder, scene, world, self.balance.is_off)?;
         let (steps, time) = if self.is_main() {
             (world.steps(), world.time())
         } else {
@@ -113,6 +117,8 @@ impl SceneRun<'_> {
             scene_sha256: scene.sha256.clone(),
             energy: scene.output.energy.then(|| dem::energies(world)),
             series_columns: dem::series_columns(scene, world),
+            warnings: self.warnings.lines().map(str::to_owned).collect(),
+            balance_watched: scene.output.energy,
             neighbor_rebuilds,
         };
         summary.write(folder)

@@ -9,7 +9,7 @@ use gouge_dem::estimators::fragments;
 use gouge_dem::particles::{Particles, Role};
 use std::path::Path;
 use svg::Document;
-use svg::node::element::{Circle, Group, Line, Rectangle};
+use svg::node::element::{Circle, Group, Line, Rectangle, Text};
 
 /// Length of the longer edge in pixels.
 const SIZE: f64 = 1000.0;
@@ -52,8 +52,19 @@ impl View {
 ///
 /// # Errors
 /// Failures of the file system.
-pub fn write(folder: &Path, scene: &Scene, world: &World) -> Result<(), Error> {
-    let text = draw_picture(scene, world).to_string();
+pub fn write(folder: &Path, scene: &Scene, world: &World, is_untrusted: bool) -> Result<(), Error> {
+    let mut picture = draw_picture(scene, world);
+    if is_untrusted {
+        picture = picture.add(
+            Text::new("energy balance off: not to be trusted")
+                .set("x", 12)
+                .set("y", 30)
+                .set("font-family", "sans-serif")
+                .set("font-size", 24)
+                .set("fill", "#c00"),
+        );
+    }
+    let text = picture.to_string();
     write_whole(&folder.join(PICTURE), text.as_bytes())
 }
 

@@ -1,7 +1,7 @@
 //! Samples of the scene proper: rows of the series and frames of the trajectory.
 
 use super::scene_run::SceneRun;
-use super::{Event, dem};
+use super::{Event, Warning, dem};
 use crate::error::Error;
 use gouge_dem::Drive;
 
@@ -22,6 +22,8 @@ impl SceneRun<'_> {
                 time: self.world.time(),
             });
         }
+        self.judge_step();
+        self.watch_balance();
         self.last_good.clone_from(self.world.state());
         if let Some(series) = &mut self.series {
             series.write(&sample)?;
@@ -38,6 +40,21 @@ impl SceneRun<'_> {
         self.link_steps += links as f64 * steps.saturating_sub(self.world.steps()) as f64;
         self.samples += 1;
         Ok(())
+    }
+
+    /// Warn at the first sample whose energy balance cannot be trusted.
+    fn watch_balance(&mut self) {
+        if !self.scene.output.energy {
+            return;
+        }
+        let energy = self.world.energy();
+        if self.balance.watch(&energy) {
+            self.warn(Warning::Balance {
+                time: self.world.time(),
+                residual: energy.residual,
+                largest: self.balance.largest,
+            });
+        }
     }
 
     /// The driving force and the reaction force in the current state. If forces are not evaluated yet, they are

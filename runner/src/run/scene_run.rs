@@ -1,7 +1,9 @@
 //! Runs a scene through its phases, with samples and checkpoints.
 
+use super::balance::Balance;
 use super::checkpoint::Checkpoint;
 use super::dem;
+use super::doubts;
 use super::fingerprint::Fingerprint;
 use super::folder::{CHECKPOINT, SUMMARY, remove_outputs};
 use super::phases::{Phase, phases};
@@ -11,6 +13,7 @@ use super::transitions::begin_phase;
 use super::{Event, Observer, RunOptions, Warning};
 use crate::error::Error;
 use crate::scene::Scene;
+use crate::stability::{smallest, smallest_of_setup};
 use gouge_dem::{State, StepError, World};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -38,6 +41,11 @@ pub struct SceneRun<'a> {
     options: RunOptions,
     fingerprint: Fingerprint,
     clock: Clock,
+    pub(super) balance: Balance,
+    /// The warnings so far, one per line.
+    pub(super) warnings: String,
+    /// Whether the step of the current phase was found to be above its bound.
+    is_step_doubted: bool,
     /// Number of times the neighbour list was built before the run was resumed.
     earlier_rebuilds: u64,
 }
@@ -67,6 +75,9 @@ impl<'a> SceneRun<'a> {
         remove_outputs(folder)?;
         let mut run = Self::new(scene, folder, options, observer, (phases, 0), world);
         run.report_phase();
+        if let Some(doubt) = doubts::about_lattice(scene) {
+            run.warn(doubt);
+        }
         run.save_beginning()?;
         Ok(run)
     }
@@ -93,6 +104,8 @@ impl<'a> SceneRun<'a> {
         run.link_steps = saved.link_steps;
         run.clock.earlier = saved.seconds;
         run.earlier_rebuilds = saved.rebuilds;
+        run.balance = saved.balance;
+        run.warnings = saved.warnings;
         if run.is_main() {
             let bytes = run.without_early_sample(saved.series_bytes)?;
             run.series = Some(run.open_series(Some(bytes))?);
@@ -147,6 +160,9 @@ impl<'a> SceneRun<'a> {
                 main_began: now,
                 saved: now,
             },
+            balance: Balance::default(),
+            warnings: String::new(),
+            is_step_doubted: false,
             earlier_rebuilds: 0,
         }
     }
@@ -198,14 +214,19 @@ impl<'a> SceneRun<'a> {
     /// Write a checkpoint at the beginning of a phase, then open the other outputs if it is the scene proper. In this
     /// order, no output is ever without a checkpoint that tells what made it.
     fn save_beginning(&mut self) -> Result<(), Error> {
+        self.is_step_doubted = false;
+        self.judge_step();
         if self.is_main() {
             self.bonds_initial = dem::number_of_bonds(&self.world);
+            self.balance = Balance::new(&self.world.energy());
+            for doubt in doubts::about_beginning(self.scene, &self.world) {
+                self.warn(doubt);
+            }
         }
         self.write_checkpoint()?;
         if self.is_main() {
             self.series = Some(self.open_series(None)?);
             self.frames = Frames::open(self.scene, &self.folder, 0)?;
-            self.warn_of_time_step();
         }
         Ok(())
     }
@@ -222,14 +243,37 @@ impl<'a> SceneRun<'a> {
         });
     }
 
-    /// Warn if the time step may be unstable.
-    fn warn_of_time_step(&mut self) {
-        let bound = gouge_dem::stable_step_estimate(&self.world);
-        let step = self.scene.step;
-        if step > bound {
-            let scene = &self.scene.file;
-            let warning = Warning::TimeStep { scene, step, bound };
-            self.observer.event(Event::Warning(warning));
+    /// Report a problem, and keep it for the summary.
+    pub(super) fn warn(&mut self, warning: Warning) {
+        self.warnings += &format!("{warning}\n");
+        self.observer.event(Event::Warning(warning));
+    }
+
+    /// Warn, once in each phase, if the time step is above a bound of the present state.
+    pub(super) fn judge_step(&mut self) {
+        if self.is_step_doubted {
+            return;
+        }
+        let step = self.world.model().time_step;
+        let density = self.scene.material.density;
+        let bound = match self.is_main() {
+            true => smallest(&self.world, density),
+            false => smallest_of_setup(&self.world, density),
+        };
+        let Some(bound) = bound else {
+            return;
+        };
+        if step > bound.step {
+            self.is_step_doubted = true;
+            let scene = self.scene;
+            let phase = self.phases[self.phase].name.clone();
+            self.warn(Warning::TimeStep {
+                scene: &scene.file,
+                phase: &phase,
+                step,
+                bound: bound.step,
+                meaning: bound.meaning,
+            });
         }
     }
 
@@ -297,6 +341,8 @@ impl<'a> SceneRun<'a> {
             seconds: self.seconds(),
             link_steps: self.link_steps,
             rebuilds: self.rebuilds(),
+            balance: self.balance,
+            warnings: self.warnings.clone(),
             state: self.world.record(),
         };
         let path = self.folder.join(CHECKPOINT);

@@ -117,6 +117,9 @@ pub fn bonded_block(
         number = kept.iter().filter(|&&i| i < made).count();
         all = all.select(&kept);
     }
+    if all.is_empty() {
+        return Err(ModelError::NothingLeft);
+    }
     let grains = all.select(&(0..number).collect::<Vec<usize>>());
     let bonds = bonds(scene, setup, &grains);
     if setup.correct_density {

@@ -43,9 +43,18 @@ pub fn begin_phase(
 /// # Errors
 /// A state that the kernel rejects, or that becomes invalid.
 pub fn run_setup(scene: &Scene) -> Result<World, Error> {
+    run_setup_with(scene, &mut |_, _| {})
+}
+
+/// Like [`run_setup`]; `look` is called with each phase of the set-up and the world in which it begins.
+///
+/// # Errors
+/// As [`run_setup`].
+pub fn run_setup_with(scene: &Scene, look: &mut dyn FnMut(&Phase, &World)) -> Result<World, Error> {
     let phases = phases(scene);
     let mut world = begin_phase(scene, &phases, 0, None)?;
     for (index, phase) in phases.iter().enumerate().take(phases.len() - 1) {
+        look(phase, &world);
         advance(&mut world, phase.steps, &phase.name)?;
         world = begin_phase(scene, &phases, index + 1, Some(world))?;
     }

@@ -1,0 +1,68 @@
+//! What is questionable about a scene although it can be run.
+
+use super::warning::Warning;
+use crate::scene::{Amount, Scene};
+use gouge_common::geometry::Vec2;
+use gouge_dem::World;
+use gouge_dem::particles::Role;
+use gouge_dem::setup::Lattice;
+
+/// Smallest ratio of a radius to the spacing of floating-point numbers at its position that raises no doubt.
+const DIGITS: f64 = 1e9;
+
+/// Doubts about the lattice of the set-up.
+pub fn about_lattice(scene: &Scene) -> Option<Warning<'static>> {
+    let table = scene.setup.as_ref()?.lattice;
+    let Amount::Rows(rows) = table.amount else {
+        return None;
+    };
+    let lattice = Lattice {
+        arrangement: table.arrangement,
+        pitch: table.pitch,
+        columns: table.columns,
+        origin: Vec2::new(table.origin[0], table.origin[1]),
+    };
+    let (top, height) = (
+        lattice.point(rows * table.columns - 1).y,
+        scene.domain.height?,
+    );
+    (top > height).then_some(Warning::HighLattice { top, height })
+}
+
+/// Doubts about the state at t = 0.
+pub fn about_beginning(scene: &Scene, world: &World) -> Vec<Warning<'static>> {
+    let roles = &world.particles().role;
+    let mut doubts = Vec::new();
+    if roles.contains(&Role::Driven) && scene.driving.is_none() {
+        doubts.push(Warning::NothingDrives);
+    }
+    if roles.iter().all(|&role| role == Role::Fixed) {
+        doubts.push(Warning::NothingMoves);
+    }
+    let bonds_made = scene
+        .setup
+        .as_ref()
+        .is_some_and(|setup| setup.bonding.is_some());
+    if bonds_made && world.bonds().is_none_or(|bonds| bonds.len() == 0) {
+        doubts.push(Warning::NothingBonded);
+    }
+    doubts.extend(far_out(world));
+    doubts
+}
+
+/// The first particle at whose position overlaps have too few digits.
+fn far_out(world: &World) -> Option<Warning<'static>> {
+    let p = world.particles();
+    let coarse = |particle: usize| {
+        let x = p.position[particle];
+        let coordinate = if x.x.abs() > x.y.abs() { x.x } else { x.y };
+        let spacing = coordinate.abs().next_up() - coordinate.abs();
+        let warning = Warning::FarOut {
+            particle,
+            coordinate,
+            spacing,
+        };
+        (spacing * DIGITS > p.radius[particle]).then_some(warning)
+    };
+    (0..p.len()).find_map(coarse)
+}

@@ -1,0 +1,102 @@
+//! Problems that do not stop a run.
+
+use std::fmt;
+
+/// A problem that does not stop a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Warning<'a> {
+    /// The time step may be unstable.
+    TimeStep {
+        /// Name of the scene file.
+        scene: &'a str,
+        /// The phase.
+        phase: &'a str,
+        /// The time step in s.
+        step: f64,
+        /// Stability bound in s.
+        bound: f64,
+        /// What sets the bound.
+        meaning: &'static str,
+    },
+    /// The energy balance does not close.
+    Balance {
+        /// Time of the sample in s.
+        time: f64,
+        /// Residual of the balance in J.
+        residual: f64,
+        /// The largest term of the balance so far in J.
+        largest: f64,
+    },
+    /// Particles are driven, but the scene has no driving.
+    NothingDrives,
+    /// No particle can move.
+    NothingMoves,
+    /// The set-up bonds nothing.
+    NothingBonded,
+    /// The lattice is higher than the box.
+    HighLattice {
+        /// Height of the highest grain in m.
+        top: f64,
+        /// Height of the box in m.
+        height: f64,
+    },
+    /// Positions are so large that overlaps lose their digits.
+    FarOut {
+        /// The particle.
+        particle: usize,
+        /// Its largest coordinate in m.
+        coordinate: f64,
+        /// Difference between neighbouring floating-point numbers there in m.
+        spacing: f64,
+    },
+}
+
+impl fmt::Display for Warning<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TimeStep {
+                scene,
+                phase,
+                step,
+                bound,
+                meaning,
+            } => write!(
+                f,
+                "{scene}: time.step = {step:?}: above the estimated stability bound, {bound:.3e} s, in phase \
+                 '{phase}' ({meaning}; run `gouge stability` for all bounds)"
+            ),
+            Self::Balance {
+                time,
+                residual,
+                largest,
+            } => write!(
+                f,
+                "the energy balance is off by {residual:.3e} J at {time:.6e} s, {:.1} % of its largest term; \
+                 the results cannot be trusted: try a smaller time step",
+                100.0 * (residual / largest).abs()
+            ),
+            Self::NothingDrives => write!(
+                f,
+                "particles have the role \"driven\", but there is no [driving]: they move like free ones"
+            ),
+            Self::NothingMoves => write!(f, "all particles are fixed: nothing can move"),
+            Self::NothingBonded => write!(
+                f,
+                "setup.bonding bonds nothing: no two grains are within setup.bonding.reach"
+            ),
+            Self::HighLattice { top, height } => write!(
+                f,
+                "setup.lattice reaches up to {top:?} m, above box.height = {height:?}"
+            ),
+            Self::FarOut {
+                particle,
+                coordinate,
+                spacing,
+            } => write!(
+                f,
+                "particle {particle} is at {coordinate:?} m, where positions are {spacing:.1e} m apart: \
+                 move the origin closer to the particles"
+            ),
+        }
+    }
+}

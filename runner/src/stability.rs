@@ -1,0 +1,178 @@
+//! Bounds of the time step of a state: what `gouge stability` prints and a run checks.
+
+use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
+use gouge_dem::material::Elastic;
+use gouge_dem::model::{BondLaws, ContactLaws, ContactNormal};
+use gouge_dem::particles::{Particles, Role};
+use gouge_dem::{World, stable_step_estimate};
+
+/// Characteristic Mach number of cracks, thesis section 4.2.
+const MACH_NUMBER: f64 = 15.0;
+
+/// Name of the bound of all particles together.
+const NETWORK: &str = "network";
+
+/// A bound of the time step.
+#[derive(Clone, Copy, Debug)]
+pub struct Bound {
+    /// Name.
+    pub name: &'static str,
+    /// What sets it.
+    pub meaning: &'static str,
+    /// The oscillation that sets it, per mass, if it is a single one.
+    pub oscillator: Option<Oscillator>,
+    /// The largest stable step in s; infinite if any step is stable.
+    pub step: f64,
+}
+
+/// All bounds of a state; `density` in kg/m^3 is that of the material.
+pub fn bounds(world: &World, density: f64) -> Vec<Bound> {
+    let mut bounds = Vec::new();
+    let pair = Lightest::of(world.particles());
+    if let Some(laws) = world.model().contact {
+        bounds.extend(contact_bounds(world, laws, &pair));
+        bounds.extend(wave_bounds(laws, density, pair.radius));
+    }
+    if let Some(laws) = world.model().bond {
+        bounds.extend(bond_bounds(world, laws, &pair));
+    }
+    bounds.push(Bound {
+        name: NETWORK,
+        meaning: "upper bound on the stiffness of every mode of the interacting particles (Gershgorin): smaller steps are stable",
+        oscillator: None,
+        step: stable_step_estimate(world),
+    });
+    bounds
+}
+
+/// The smallest of the bounds.
+pub fn smallest(world: &World, density: f64) -> Option<Bound> {
+    let all = bounds(world, density).into_iter();
+    all.min_by(|a, b| a.step.total_cmp(&b.step))
+}
+
+/// The smallest of the bounds in a phase of the set-up. The bound of the network is left out: it counts all near pairs
+/// as touching, of which settling grains have many.
+pub fn smallest_of_setup(world: &World, density: f64) -> Option<Bound> {
+    let all = bounds(world, density).into_iter();
+    let pairs = all.filter(|bound| bound.name != NETWORK);
+    pairs.min_by(|a, b| a.step.total_cmp(&b.step))
+}
+
+/// The pair of particles whose relative motion is fastest: the two lightest ones that can move.
+struct Lightest {
+    /// Inverse of the reduced mass in 1/kg.
+    inverse_mass: f64,
+    /// Mass of the lightest particle in kg.
+    mass: f64,
+    /// m r^2 / J of the lightest particle.
+    inverse_inertia: f64,
+    /// Radius of the smallest particle in m.
+    radius: f64,
+}
+
+impl Lightest {
+    fn of(p: &Particles) -> Self {
+        let mut mobile: Vec<usize> = (0..p.len()).filter(|&i| p.role[i] != Role::Fixed).collect();
+        let by_mass = |i: &usize, j: &usize| p.mass[*i].total_cmp(&p.mass[*j]);
+        mobile.sort_unstable_by(by_mass);
+        let inverse = |i: &usize| 1.0 / p.mass[*i];
+        let first = mobile.first().copied();
+        Self {
+            inverse_mass: mobile.iter().take(2).map(inverse).sum(),
+            mass: first.map_or(f64::INFINITY, |i| p.mass[i]),
+            inverse_inertia: first.map_or(0.0, |i| p.inverse_inertia_factor(i)),
+            radius: p.radius.iter().copied().fold(f64::INFINITY, f64::min),
+        }
+    }
+}
+
+/// Bound from one oscillation; `k` and `c` are stiffness and damping per mass, in 1/s^2 and 1/s.
+fn pair_bound(world: &World, name: &'static str, meaning: &'static str, [k, c]: [f64; 2]) -> Bound {
+    let oscillator = Oscillator {
+        frequency_squared: k,
+        damping_rate: c,
+    };
+    Bound {
+        name,
+        meaning,
+        oscillator: Some(oscillator),
+        step: critical_step(world.model().integrator, oscillator),
+    }
+}
+
+/// Bounds from a contact of two particles, whether they touch now or not.
+fn contact_bounds(world: &World, laws: ContactLaws, pair: &Lightest) -> Vec<Bound> {
+    let per_mass = |constants: [f64; 2], inverse: f64| constants.map(|one| one * inverse);
+    let mut bounds = vec![pair_bound(
+        world,
+        "contact normal",
+        "collision of the two lightest particles",
+        per_mass(laws.normal.constants([pair.radius; 2]), pair.inverse_mass),
+    )];
+    if let Some(law) = laws.tangential {
+        // For equal spheres 1 + m r^2 / J is 7/2.
+        let roll = pair.inverse_mass * (1.0 + pair.inverse_inertia);
+        bounds.push(pair_bound(
+            world,
+            "contact tangential",
+            "sticking or viscous slip of the two lightest particles",
+            per_mass(law.constants(), roll),
+        ));
+    }
+    bounds
+}
+
+/// Bounds from the oscillations of a beam of two of the lightest particles.
+fn bond_bounds(world: &World, laws: BondLaws, pair: &Lightest) -> Vec<Bound> {
+    let law = laws.normal;
+    let push = pair.inverse_mass;
+    let mut bounds = vec![pair_bound(
+        world,
+        "bond axial",
+        "stretching of a two-particle beam",
+        [push * law.stiffness, push * law.damping],
+    )];
+    if let Some(beam) = laws.tangential {
+        // Equal particles in touch, rotating in the same and in opposite senses: 7/2 k / m and 5/2 k / m for spheres.
+        let turns = [
+            ("bond shear", "both ends rotate in the same sense", 1.0),
+            ("bond bending", "both ends rotate in opposite senses", 0.0),
+        ];
+        for (name, meaning, shift) in turns {
+            let inverse = (shift + pair.inverse_inertia) / pair.mass;
+            let constants = [inverse * beam.stiffness, inverse * beam.damping];
+            bounds.push(pair_bound(world, name, meaning, constants));
+        }
+    }
+    bounds
+}
+
+/// Bounds (61) and (62), if the law gives elastic constants.
+fn wave_bounds(laws: ContactLaws, density: f64, radius: f64) -> Vec<Bound> {
+    let ContactNormal::Bshp(law) = laws.normal else {
+        return Vec::new();
+    };
+    let elastic = Elastic {
+        youngs_modulus: law.youngs_modulus,
+        poissons_ratio: law.poissons_ratio,
+    };
+    let bound = |name, meaning, step| Bound {
+        name,
+        meaning,
+        oscillator: None,
+        step,
+    };
+    vec![
+        bound(
+            "wave",
+            "a primary wave crosses the smallest particle (61)",
+            wave_bound(elastic, density, radius),
+        ),
+        bound(
+            "crack",
+            "a crack at Mach 15 crosses the smallest particle (62)",
+            crack_bound(elastic, density, radius, MACH_NUMBER),
+        ),
+    ]
+}
