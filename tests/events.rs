@@ -278,6 +278,10 @@ fn scenes_in_which_nothing_happens_are_doubted() {
         (base().grain(grain(0.0).driven()), "no [driving]"),
         (base().grain(grain(0.0).fixed()), "nothing can move"),
         (base().grain(grain(1e7)), "move the origin"),
+        (
+            base().grain(grain(0.0)).grain(grain(-0.0)),
+            "at the same place",
+        ),
     ];
     for (draft, words) in cases {
         let found = warnings(&draft);

@@ -6,6 +6,7 @@ use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::particles::Role;
 use gouge_dem::setup::Lattice;
+use std::collections::HashMap;
 
 /// Smallest ratio of a radius to the spacing of floating-point numbers at its position that raises no doubt.
 const DIGITS: f64 = 1e9;
@@ -46,8 +47,20 @@ pub fn about_beginning(scene: &Scene, world: &World) -> Vec<Warning<'static>> {
     if bonds_made && world.bonds().is_none_or(|bonds| bonds.len() == 0) {
         doubts.push(Warning::NothingBonded);
     }
+    doubts.extend(same_place(world));
     doubts.extend(far_out(world));
     doubts
+}
+
+/// The first particle at the place of an earlier one.
+fn same_place(world: &World) -> Option<Warning<'static>> {
+    let mut seen = HashMap::new();
+    let mut places = world.particles().position.iter().enumerate();
+    places.find_map(|(j, place)| {
+        // Adding zero makes both zeros the same.
+        let bits = [place.x + 0.0, place.y + 0.0].map(f64::to_bits);
+        seen.insert(bits, j).map(|i| Warning::SamePlace([i, j]))
+    })
 }
 
 /// The first particle at whose position overlaps have too few digits.

@@ -31,6 +31,8 @@ pub enum Warning<'a> {
     NothingDrives,
     /// No particle can move.
     NothingMoves,
+    /// Two particles are at the same place, where the direction of their force is undefined.
+    SamePlace([usize; 2]),
     /// The set-up bonds nothing.
     NothingBonded,
     /// The lattice is higher than the box.
@@ -80,6 +82,10 @@ impl fmt::Display for Warning<'_> {
                 "particles have the role \"driven\", but there is no [driving]: they move like free ones"
             ),
             Self::NothingMoves => write!(f, "all particles are fixed: nothing can move"),
+            Self::SamePlace([i, j]) => write!(
+                f,
+                "particles {i} and {j} are at the same place, where the direction of their force is undefined"
+            ),
             Self::NothingBonded => write!(
                 f,
                 "setup.bonding bonds nothing: no two grains are within setup.bonding.reach"

@@ -1,7 +1,7 @@
 //! Checks that involve more than one table of a scene.
 
 use super::table::Table;
-use super::{Place, Scene, wrap};
+use super::{Place, Scene};
 use crate::error::SceneError;
 use gouge_common::pair::Pair;
 use gouge_dem::ModelError;
@@ -9,7 +9,7 @@ use gouge_dem::bonds::BondStart;
 use gouge_dem::contacts::ContactStart;
 use gouge_dem::geometry::ContactDistance;
 use gouge_dem::model::ContactLaws;
-use gouge_dem::particles::{Particles, Role};
+use gouge_dem::particles::Role;
 
 type Result<T> = std::result::Result<T, SceneError>;
 
@@ -45,33 +45,12 @@ impl Scene {
             let accepted = "a table cannot be combined with [[contacts]]: it makes tangential displacements begin at zero";
             return Err(root.table("contact")?.error("distance", accepted));
         }
-        self.check_places(root)?;
         self.check_pairs()?;
         self.check_driving(root)?;
         self.check_box(root)?;
         if self.setup.is_none() {
             self.initial_world()
                 .map_err(|error| self.placed(root, &error))?;
-        }
-        Ok(())
-    }
-
-    /// Check that no two listed particles are at the same place, where the direction of their force is undefined.
-    fn check_places(&self, root: &Table) -> Result<()> {
-        let mut particles: Particles = self.particles.iter().copied().collect();
-        wrap(&self.domain, &mut particles);
-        let mut seen = std::collections::HashMap::new();
-        for (j, place) in particles.position.iter().enumerate() {
-            // Adding zero makes both zeros the same.
-            let bits = [place.x + 0.0, place.y + 0.0].map(f64::to_bits);
-            if let Some(i) = seen.insert(bits, j) {
-                let accepted =
-                    format!("particles {i} and {j} are at the same place; each needs its own");
-                return Err(match root.tables("particles")?.get(j) {
-                    Some(table) => table.error("position", &accepted),
-                    None => root.error("particles_file", &accepted),
-                });
-            }
         }
         Ok(())
     }
