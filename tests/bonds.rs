@@ -152,3 +152,25 @@ fn a_spring_changes_sides_where_its_rotation_passes_half_a_turn() {
         assert_abs_diff_eq!(rotation, PI, epsilon = 2.0 * spin * step);
     }
 }
+
+/// Thesis (46)-(50): alone, each force breaks the bond at its strength times the section of the smaller radius, scaled
+/// by the factor.
+#[test]
+fn the_strength_factor_scales_the_radius_of_the_weakest_section() {
+    let law = ZhangEckert {
+        normal_strength: 280e6,
+        tangential_strength: 168e6,
+    };
+    for (radii, smaller) in [([1e-3, 2e-3], 1e-3), ([3e-3, 2e-3], 2e-3_f64)] {
+        for factor in [0.4, 1.0, 2.5] {
+            let section = PI * smaller * smaller * factor * factor;
+            for (share, breaks) in [(1.0 - 1e-8, false), (1.0 + 1e-8, true)] {
+                let (normal, tangential) = (280e6 * section * share, 168e6 * section * share);
+                for sign in [-1.0, 1.0] {
+                    assert_eq!(law.breaks(sign * normal, 0.0, radii, factor), breaks);
+                    assert_eq!(law.breaks(0.0, sign * tangential, radii, factor), breaks);
+                }
+            }
+        }
+    }
+}

@@ -6,7 +6,7 @@ use gouge_dem::laws::{
     AdjustedKelvinVoigt, Controller, CundallStrackTruncated, HaffWerner, KelvinVoigt, ZhangEckert,
 };
 use gouge_runner::scene::DrivingTable;
-use gouge_validation::scenes::{Draft, Grain};
+use gouge_validation::scenes::{Bond, Draft, Grain};
 
 /// A handful of grains that collide, spin and fall apart again.
 fn grains(more: &Draft) -> Draft {
@@ -98,54 +98,61 @@ fn a_step_allocates_nothing() {
     }
 }
 
-/// A grid of touching grains that drifts as a whole: its list is rebuilt, but never grows.
-#[test]
-fn a_rebuilt_list_of_the_same_length_needs_no_memory() {
-    let grain = |k: u32| {
-        let [x, y] = [k % 100, k / 100].map(|n| 2e-3 * f64::from(n));
-        Grain::at([x, y], 1e-3).moving([100.0, 0.0])
+/// Pairs of grains that nearly touch, far from each other, and further pairs that meet soon: the list is rebuilt with more
+/// pairs than before. All grains drift, so that it is rebuilt often.
+fn meeting_pairs(touching: u32, meeting: u32) -> Draft {
+    let pair = |k: u32| {
+        let gap = if k < touching { 1e-9 } else { 0.4e-3 };
+        let [x, y] = [k % 200, k / 200].map(|n| 10e-3 * f64::from(n));
+        let approach = gap / 4e-6;
+        [
+            Grain::at([x, y], 1e-3).moving([100.0 + approach, 0.0]),
+            Grain::at([x + 2e-3 + gap, y], 1e-3).moving([100.0, 0.0]),
+        ]
     };
-    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-7)
+    Draft::open_box(Integrator::VelocityVerlet, 1e-7)
         .law(KelvinVoigt {
             stiffness: 1e4,
             damping: 0.0,
         })
         .with("output.energy", false)
-        .grains((0..10_000).map(grain));
-    let mut world = world(&draft);
-    advance(&mut world, 30);
-    let before = world.rebuilds();
-    let count = allocation_counter::measure(|| advance(&mut world, 50));
-    assert!(world.rebuilds() > before + 2);
-    assert_eq!(count.count_total, 0);
+        .grains((0..touching + meeting).flat_map(pair))
 }
 
-/// Each part has room for its share of the bonds that may break in a step; with its other buffers, that is less than
-/// 240 bytes per grain.
 #[test]
-fn more_parts_need_little_more_memory() {
-    let bonds = 4000;
+fn lists_have_room_for_a_few_more_neighbours() {
+    // The lists have room for 1/128 more and another 64; doubling would stop at 4096.
+    for (touching, meeting) in [(4090, 60), (8192, 100)] {
+        let mut world = world(&meeting_pairs(touching, meeting));
+        advance(&mut world, 11);
+        assert_eq!(world.number_of_contacts(), 0, "they are only near");
+        let before = world.rebuilds();
+        let count = allocation_counter::measure(|| advance(&mut world, 27));
+        assert!(world.rebuilds() > before + 1);
+        assert_eq!(count.count_total, 0, "{touching}");
+    }
+}
+
+/// A chain whose bonds are all stretched too far.
+#[test]
+fn all_bonds_may_break_in_one_step_without_new_memory() {
+    let number = 300;
     let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-9)
         .law(AdjustedKelvinVoigt {
             stiffness: 1e7,
             damping: 0.0,
         })
         .law(ZhangEckert {
-            normal_strength: 1e9,
-            tangential_strength: 1e9,
+            normal_strength: 1e6,
+            tangential_strength: 1e6,
         })
-        .grains((0..=bonds).map(|i| Grain::at([2e-3 * i as f64, 0.0], 1e-3)));
-    let draft = (0..bonds).fold(draft, |draft, i| draft.bonded(i, i + 1));
-    let bytes = |threads: usize| {
-        let world = world(&draft);
-        let (mut asked, mut divided) = (0, None);
-        asked +=
-            allocation_counter::measure(|| divided = Some(world.with_threads(threads))).bytes_total;
-        drop(divided);
-        asked
-    };
-    let [one, many] = [bytes(1), bytes(8)];
-    assert!(many < one + 240 * bonds as u64, "{one} {many}");
+        .grains((0..=number).map(|i| Grain::at([2e-3 * i as f64, 0.0], 1e-3)));
+    let bond = |i: usize| Bond::between(i, i + 1).of_length(1.9e-3);
+    let draft = (0..number).map(bond).fold(draft, Draft::bond);
+    let mut world = world(&draft);
+    let count = allocation_counter::measure(|| advance(&mut world, 1));
+    assert!(world.bonds().is_some_and(|bonds| bonds.len() == 0));
+    assert_eq!(count.count_total, 0);
 }
 
 #[test]
