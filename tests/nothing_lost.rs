@@ -305,8 +305,9 @@ fn a_checkpoint_of_version_3_is_continued() {
 
 /// Bytes of a checkpoint that hold the version of the format.
 const VERSION: std::ops::Range<usize> = 48..56;
-/// Bytes that hold the length of the keys of the scene; the keys follow, then the name of the model.
-const KEYS: std::ops::Range<usize> = 120..128;
+/// Bytes that hold the length of the keys of the scene; the keys follow, then the warnings, of which there are none,
+/// then the name of the model.
+const KEYS: std::ops::Range<usize> = 152..160;
 
 /// The bytes of a checkpoint with a correct checksum.
 fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
@@ -327,7 +328,7 @@ fn a_state_with_other_columns_is_refused() {
     let whole = fs::read(&path).expect("a checkpoint");
     assert_eq!(with_checksum(whole.clone()), whole);
     let keys = u64::from_le_bytes(whole[KEYS].try_into().expect("eight bytes")) as usize;
-    let model = KEYS.end + keys + 8;
+    let model = KEYS.end + keys + 8 + 8;
     assert_eq!(whole[model - 8..model], 3_u64.to_le_bytes());
     assert_eq!(&whole[model..model + 3], b"dem");
     let place_of = |name: &[u8]| {

@@ -37,6 +37,10 @@ pub fn about_beginning(scene: &Scene, world: &World) -> Vec<Warning<'static>> {
     if roles.contains(&Role::Driven) && scene.driving.is_none() {
         doubts.push(Warning::NothingDrives);
     }
+    let pressure = scene.driving.map_or(0.0, |driving| driving.pressure);
+    if pressure < 0.0 {
+        doubts.push(Warning::Tension(pressure));
+    }
     if roles.iter().all(|&role| role == Role::Fixed) {
         doubts.push(Warning::NothingMoves);
     }

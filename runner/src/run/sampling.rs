@@ -22,6 +22,9 @@ impl SceneRun<'_> {
                 time: self.world.time(),
             });
         }
+        if self.scene.regular_sample_step(self.samples) > self.world.steps() {
+            self.before_early_sample = Some((self.balance, self.warnings.clone()));
+        }
         self.judge_step();
         self.watch_balance();
         self.last_good.clone_from(self.world.state());

@@ -10,6 +10,7 @@ use super::phases::{Phase, phases};
 use super::series::Series;
 use super::trajectory::Frames;
 use super::transitions::begin_phase;
+use super::warning::in_phase;
 use super::{Event, Observer, RunOptions, Warning};
 use crate::error::Error;
 use crate::scene::Scene;
@@ -46,6 +47,8 @@ pub struct SceneRun<'a> {
     pub(super) warnings: String,
     /// Whether the step of the current phase was found to be above its bound.
     is_step_doubted: bool,
+    /// Balance and warnings before the last sample, if it is early: a longer run does not take it.
+    pub(super) before_early_sample: Option<(Balance, String)>,
     /// Number of times the neighbour list was built before the run was resumed.
     earlier_rebuilds: u64,
 }
@@ -105,6 +108,7 @@ impl<'a> SceneRun<'a> {
         run.clock.earlier = saved.seconds;
         run.earlier_rebuilds = saved.rebuilds;
         run.balance = saved.balance;
+        run.is_step_doubted = saved.warnings.contains(&in_phase(&run.phases[phase].name));
         run.warnings = saved.warnings;
         if run.is_main() {
             let bytes = run.without_early_sample(saved.series_bytes)?;
@@ -163,6 +167,7 @@ impl<'a> SceneRun<'a> {
             balance: Balance::default(),
             warnings: String::new(),
             is_step_doubted: false,
+            before_early_sample: None,
             earlier_rebuilds: 0,
         }
     }
@@ -333,6 +338,8 @@ impl<'a> SceneRun<'a> {
         if let Some(frames) = &mut self.frames {
             frames.sync()?;
         }
+        let now = || (self.balance, self.warnings.clone());
+        let (balance, warnings) = self.before_early_sample.clone().unwrap_or_else(now);
         let checkpoint = Checkpoint {
             phase: self.phase as u64,
             samples: self.samples,
@@ -341,8 +348,8 @@ impl<'a> SceneRun<'a> {
             seconds: self.seconds(),
             link_steps: self.link_steps,
             rebuilds: self.rebuilds(),
-            balance: self.balance,
-            warnings: self.warnings.clone(),
+            balance,
+            warnings,
             state: self.world.record(),
         };
         let path = self.folder.join(CHECKPOINT);

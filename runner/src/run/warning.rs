@@ -29,6 +29,8 @@ pub enum Warning<'a> {
     },
     /// Particles are driven, but the scene has no driving.
     NothingDrives,
+    /// The pressure is negative, so that the driven particles are pulled away; in Pa.
+    Tension(f64),
     /// No particle can move.
     NothingMoves,
     /// Two particles are at the same place, where the direction of their force is undefined.
@@ -53,6 +55,11 @@ pub enum Warning<'a> {
     },
 }
 
+/// How a warning about the step names a phase.
+pub fn in_phase(name: &str) -> String {
+    format!("in phase '{name}'")
+}
+
 impl fmt::Display for Warning<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -64,8 +71,9 @@ impl fmt::Display for Warning<'_> {
                 meaning,
             } => write!(
                 f,
-                "{scene}: time.step = {step:?}: above the estimated stability bound, {bound:.3e} s, in phase \
-                 '{phase}' ({meaning}; run `gouge stability` for all bounds)"
+                "{scene}: time.step = {step:?}: above the estimated stability bound, {bound:.3e} s, {} \
+                 ({meaning}; run `gouge stability` for all bounds)",
+                in_phase(phase)
             ),
             Self::Balance {
                 time,
@@ -80,6 +88,10 @@ impl fmt::Display for Warning<'_> {
             Self::NothingDrives => write!(
                 f,
                 "particles have the role \"driven\", but there is no [driving]: they move like free ones"
+            ),
+            Self::Tension(pressure) => write!(
+                f,
+                "driving.pressure = {pressure:?} is negative: it pulls the driven particles upwards"
             ),
             Self::NothingMoves => write!(f, "all particles are fixed: nothing can move"),
             Self::SamePlace([i, j]) => write!(

@@ -260,7 +260,7 @@ pub fn driving(root: &Table) -> Result<Option<DrivingTable>> {
     Ok(Some(DrivingTable {
         controller,
         speed: table.number("speed", Range::Finite)?,
-        pressure: table.number("pressure", Range::NonNegative)?,
+        pressure: table.number("pressure", Range::Finite)?,
         area: table.optional_number("area", Range::Positive)?,
         initial_force: table.optional_pair("initial_force")?.unwrap_or([0.0; 2]),
     }))
