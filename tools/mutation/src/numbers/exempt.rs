@@ -37,6 +37,9 @@ const BEYOND: &str = "which samples and pairs are visited; those beyond contribu
 const ROUNDING: &str =
     "clamps a probability that exceeds one by rounding; exact probabilities never do";
 
+const MADE_OF: &str =
+    "what a grain of a check is made of, like its radius; the check holds for any value";
+
 const EXEMPTIONS: &[Exemption] = &[
     exempt("kernel/common/src/neighbors/list.rs", "", "", LIST),
     exempt(
@@ -218,6 +221,42 @@ const EXEMPTIONS: &[Exemption] = &[
         "WeakestProduct::cumulative",
         "1.0",
         ROUNDING,
+    ),
+    exempt(
+        "validation/src/checks/dem/estimators/setup.rs",
+        "grain",
+        "SPHERE_INERTIA_FACTOR",
+        MADE_OF,
+    ),
+    exempt(
+        "validation/src/checks/dem/extremes/cases.rs",
+        "Draw::particle",
+        "SPHERE_INERTIA_FACTOR",
+        MADE_OF,
+    ),
+    exempt(
+        "validation/src/checks/dem/extremes/pairs.rs",
+        "free",
+        "SPHERE_INERTIA_FACTOR",
+        MADE_OF,
+    ),
+    exempt(
+        "validation/src/checks/dem/laws/cluster.rs",
+        "grains",
+        "SPHERE_INERTIA_FACTOR",
+        MADE_OF,
+    ),
+    exempt(
+        "validation/src/checks/dem/scenes.rs",
+        "sphere",
+        "SPHERE_INERTIA_FACTOR",
+        MADE_OF,
+    ),
+    exempt(
+        "validation/src/checks/dem/strength/sampled.rs",
+        "independent",
+        "SPHERE_INERTIA_FACTOR",
+        MADE_OF,
     ),
 ];
 
