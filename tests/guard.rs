@@ -87,3 +87,25 @@ fn a_record_with_more_or_fewer_items_is_refused() {
         }
     }
 }
+
+#[test]
+fn an_error_blames_the_time_step_only_above_its_bound() {
+    for (time_step, is_above) in [(1.0 - 1e-7, false), (1.0 + 1e-7, true)] {
+        let error = StepError::TooFast {
+            particle: 0,
+            interaction: None,
+            distance: 1.0,
+            cell: 0.1,
+            time: 0.0,
+            time_step,
+            bound: 1.0,
+        };
+        let text = error.to_string();
+        assert_eq!(
+            text.contains("is above the stability bound"),
+            is_above,
+            "{text}"
+        );
+        assert_eq!(text.contains("the speed is too high"), !is_above, "{text}");
+    }
+}
