@@ -70,7 +70,7 @@ fn a_breaking_bond_leaves_the_energy_of_other_contacts_alone() {
     let mut world = world(&draft);
     let held = 0.5 * STIFFNESS * overlap * overlap;
     advance(&mut world, 1000);
-    assert!(world.bonds().is_some_and(|bonds| bonds.len() == 0));
+    assert!(world.bonds().is_some_and(|bonds| bonds.is_empty()));
     let work = 0.5 * STRENGTH * PI * RADIUS * RADIUS * speed * step;
     let residual = world.energy().residual.abs();
     assert!(0.0 < residual && residual <= work, "{residual} {work}");
@@ -105,7 +105,7 @@ fn a_bond_torn_in_tension_leaves_a_contact_without_energy() {
             .bonded(0, 1);
         let mut world = world(&draft);
         advance(&mut world, 1000);
-        assert!(world.bonds().is_some_and(|bonds| bonds.len() == 0));
+        assert!(world.bonds().is_some_and(|bonds| bonds.is_empty()));
         assert_eq!(world.energy().bonding, 0.0, "{distance}");
         assert!(world.energy().residual.is_finite(), "{distance}");
     }

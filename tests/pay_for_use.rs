@@ -151,7 +151,7 @@ fn all_bonds_may_break_in_one_step_without_new_memory() {
     let draft = (0..number).map(bond).fold(draft, Draft::bond);
     let mut world = world(&draft);
     let count = allocation_counter::measure(|| advance(&mut world, 1));
-    assert!(world.bonds().is_some_and(|bonds| bonds.len() == 0));
+    assert!(world.bonds().is_some_and(|bonds| bonds.is_empty()));
     assert_eq!(count.count_total, 0);
 }
 

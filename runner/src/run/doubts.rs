@@ -48,7 +48,7 @@ pub fn about_beginning(scene: &Scene, world: &World) -> Vec<Warning<'static>> {
         .setup
         .as_ref()
         .is_some_and(|setup| setup.bonding.is_some());
-    if bonds_made && world.bonds().is_none_or(|bonds| bonds.len() == 0) {
+    if bonds_made && world.bonds().is_none_or(|bonds| bonds.is_empty()) {
         doubts.push(Warning::NothingBonded);
     }
     doubts.extend(same_place(world));
