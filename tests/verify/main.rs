@@ -45,14 +45,17 @@ fn page(folder: &Path) -> String {
 
 #[test]
 fn a_page_with_separate_figures_shows_the_same_as_a_self_contained_page() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let (alone, apart) = (folder.path().join("alone"), folder.path().join("apart"));
-    let only = ["--only", "chung-ooi.4"];
-    assert!(verify(&only, &alone).status.success());
-    let output = verify(&[&only[..], &["--figures-apart"]].concat(), &apart);
-    assert!(output.status.success());
-    let figures = std::fs::read_dir(apart.join("figures")).expect("figures");
-    assert!(figures.count() > 0);
-    assert!(!alone.join("figures").exists());
-    assert!(page(&alone) == page(&apart));
+    // The second one has a slash in its name.
+    for id in ["chung-ooi.4", "references.lammps/bond-axial"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (alone, apart) = (folder.path().join("alone"), folder.path().join("apart"));
+        let only = ["--only", id];
+        assert!(verify(&only, &alone).status.success());
+        let output = verify(&[&only[..], &["--figures-apart"]].concat(), &apart);
+        assert!(output.status.success(), "{output:?}");
+        let figures = std::fs::read_dir(apart.join("figures")).expect("figures");
+        assert!(figures.count() > 0, "{id}");
+        assert!(!alone.join("figures").exists());
+        assert!(page(&alone) == page(&apart));
+    }
 }

@@ -25,7 +25,8 @@ pub fn split(page: &str) -> Split {
     let mut rest = page;
     while let Some((before, figure, after)) = next_figure(rest) {
         if let Some(id) = last_id(before) {
-            (owner, place) = (id.to_owned(), 0);
+            // Checks of stored references have a slash in their names.
+            (owner, place) = (id.replace('/', "."), 0);
         }
         place += 1;
         split.page.push_str(before);
