@@ -107,7 +107,7 @@ impl SceneArguments {
     /// Say so if both a file and a built-in scene have the name.
     fn tell_of_ambiguity(&self) {
         let path = Path::new(&self.scene);
-        if builtin::of_path(path).is_some() && path.is_file() {
+        if path.is_file() && builtin::of_path(path).is_some() {
             let name = path.display();
             eprintln!(
                 "gouge: reading the file {name}; for the built-in scene of this name: \

@@ -4,11 +4,10 @@ use crate::error::Error;
 use crate::references;
 use crate::run::{Phase, run_setup, run_setup_with};
 use crate::scene::{Scene, builtin, integrator_name};
-use crate::stability::{Bound, bounds, smallest_of_setup};
+use crate::stability::{Bound, bounds, pair_bounds, smallest};
 use gouge_dem::World;
 use gouge_dem::forces::InteractionKind;
 use serde_json::{Value, json};
-use std::borrow::Cow;
 use std::fmt::Write;
 
 /// Every pair that interacts at t = 0, after the set-up, as CSV.
@@ -67,10 +66,7 @@ pub fn stability(scene: &Scene) -> Result<String, Error> {
         phases.push(phase_bound(scene, phase, world))
     })?;
     let bounds = bounds(&world, scene.material.density);
-    let smallest = bounds
-        .iter()
-        .map(|bound| bound.step)
-        .fold(f64::INFINITY, f64::min);
+    let smallest = smallest_step(&bounds);
     let are_met = phases.iter().all(|phase| phase["satisfied"] == true);
     let text = serde_json::to_string_pretty(&json!({
         "integrator": integrator_name(scene.integrator),
@@ -108,14 +104,18 @@ fn described(scene: &Scene, bound: &Bound) -> Value {
 /// The bound of a phase of the set-up, in the state in which it begins.
 fn phase_bound(scene: &Scene, phase: &Phase, world: &World) -> Value {
     let step = world.model().time_step;
-    let bound = smallest_of_setup(world, scene.material.density);
-    let smallest = bound.map_or(f64::INFINITY, |bound| bound.step);
+    let smallest = smallest_step(&pair_bounds(world, scene.material.density));
     json!({
         "name": phase.name,
         "time_step": step,
         "smallest_bound": finite(smallest),
         "satisfied": step <= smallest,
     })
+}
+
+/// The smallest bound in s; infinite without bounds.
+fn smallest_step(bounds: &[Bound]) -> f64 {
+    smallest(bounds).map_or(f64::INFINITY, |bound| bound.step)
 }
 
 /// The number, or null if it is not finite: JSON has no infinity.
@@ -138,14 +138,12 @@ pub fn scenes(name: Option<&str>) -> Result<String, Error> {
         return Ok(lines
             + "lammps, yade           the scenes of stored runs of these programs: `gouge scenes lammps` lists them\n");
     };
-    let stored: Vec<String> = references::names()
-        .filter(|stored| is_below(stored, name))
-        .collect();
-    if !stored.is_empty() {
-        return Ok(stored.join("\n") + "\n");
+    if let Some(text) = builtin::named_text(name) {
+        return Ok(text.into_owned());
     }
-    let text = builtin::named_text(name).map(Cow::into_owned);
-    text.ok_or_else(|| {
+    let stored = references::names().filter(|stored| is_below(stored, name));
+    let lines: String = stored.map(|stored| stored + "\n").collect();
+    (!lines.is_empty()).then_some(lines).ok_or_else(|| {
         let names = builtin::names().join(", ");
         Error::Argument(format!(
             "'{name}' is not a built-in scene; must be one of: {names}"

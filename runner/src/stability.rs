@@ -9,9 +9,6 @@ use gouge_dem::{World, stable_step_estimate};
 /// Characteristic Mach number of cracks, thesis section 4.2.
 const MACH_NUMBER: f64 = 15.0;
 
-/// Name of the bound of all particles together.
-const NETWORK: &str = "network";
-
 /// A bound of the time step.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
@@ -27,6 +24,19 @@ pub struct Bound {
 
 /// All bounds of a state; `density` in kg/m^3 is that of the material.
 pub fn bounds(world: &World, density: f64) -> Vec<Bound> {
+    let mut bounds = pair_bounds(world, density);
+    bounds.push(Bound {
+        name: "network",
+        meaning: "upper bound on the stiffness of every mode of the interacting particles (Gershgorin): smaller steps are stable",
+        oscillator: None,
+        step: stable_step_estimate(world),
+    });
+    bounds
+}
+
+/// The bounds of single pairs. In the set-up only these are judged: the bound of the network counts all near pairs as
+/// touching, of which settling grains have many.
+pub fn pair_bounds(world: &World, density: f64) -> Vec<Bound> {
     let mut bounds = Vec::new();
     let pair = Lightest::of(world.particles());
     if let Some(laws) = world.model().contact {
@@ -36,27 +46,13 @@ pub fn bounds(world: &World, density: f64) -> Vec<Bound> {
     if let Some(laws) = world.model().bond {
         bounds.extend(bond_bounds(world, laws, &pair));
     }
-    bounds.push(Bound {
-        name: NETWORK,
-        meaning: "upper bound on the stiffness of every mode of the interacting particles (Gershgorin): smaller steps are stable",
-        oscillator: None,
-        step: stable_step_estimate(world),
-    });
     bounds
 }
 
-/// The smallest of the bounds.
-pub fn smallest(world: &World, density: f64) -> Option<Bound> {
-    let all = bounds(world, density).into_iter();
+/// The smallest of some bounds.
+pub fn smallest(bounds: &[Bound]) -> Option<Bound> {
+    let all = bounds.iter().copied();
     all.min_by(|a, b| a.step.total_cmp(&b.step))
-}
-
-/// The smallest of the bounds in a phase of the set-up. The bound of the network is left out: it counts all near pairs
-/// as touching, of which settling grains have many.
-pub fn smallest_of_setup(world: &World, density: f64) -> Option<Bound> {
-    let all = bounds(world, density).into_iter();
-    let pairs = all.filter(|bound| bound.name != NETWORK);
-    pairs.min_by(|a, b| a.step.total_cmp(&b.step))
 }
 
 /// The pair of particles whose relative motion is fastest: the two lightest ones that can move.
@@ -73,13 +69,13 @@ struct Lightest {
 
 impl Lightest {
     fn of(p: &Particles) -> Self {
-        let mut mobile: Vec<usize> = (0..p.len()).filter(|&i| p.role[i] != Role::Fixed).collect();
+        let mobile = || (0..p.len()).filter(|&i| p.role[i] != Role::Fixed);
         let by_mass = |i: &usize, j: &usize| p.mass[*i].total_cmp(&p.mass[*j]);
-        mobile.sort_unstable_by(by_mass);
-        let inverse = |i: &usize| 1.0 / p.mass[*i];
-        let first = mobile.first().copied();
+        let first = mobile().min_by(by_mass);
+        let second = mobile().filter(|&i| Some(i) != first).min_by(by_mass);
+        let inverse = |i: usize| 1.0 / p.mass[i];
         Self {
-            inverse_mass: mobile.iter().take(2).map(inverse).sum(),
+            inverse_mass: first.into_iter().chain(second).map(inverse).sum(),
             mass: first.map_or(f64::INFINITY, |i| p.mass[i]),
             inverse_inertia: first.map_or(0.0, |i| p.inverse_inertia_factor(i)),
             radius: p.radius.iter().copied().fold(f64::INFINITY, f64::min),

@@ -9,13 +9,11 @@ use gouge_dem::estimators::{Energy, fragments, friction_feedback, friction_load}
 use gouge_dem::particles::{Particles, Role, sphere_mass};
 use gouge_dem::{Drive, World};
 
-/// A sample of a world with the given driving force.
-pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>) -> Sample {
+/// A sample of a world with the given driving force and, if the scene keeps the balance, energies.
+pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>, energy: Option<&Energy>) -> Sample {
     let mut sample = vec![("time", Value::Number(world.time()))];
-    if scene.output.energy {
-        let energies = Energy::<f64>::NAMES
-            .into_iter()
-            .zip(world.energy().values());
+    if let Some(energy) = energy {
+        let energies = Energy::<f64>::NAMES.into_iter().zip(energy.values());
         sample.extend(energies.map(|(name, energy)| (name, Value::Number(energy))));
     }
     if scene.driving.is_some() {
@@ -37,7 +35,8 @@ pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>) -> Sample {
 
 /// Names of the values in every sample of a scene.
 pub fn series_columns(scene: &Scene, world: &World) -> Vec<&'static str> {
-    let sample = sample(scene, world, world.drive());
+    let energy = scene.output.energy.then(Energy::default);
+    let sample = sample(scene, world, world.drive(), energy.as_ref());
     sample.into_iter().map(|(name, _)| name).collect()
 }
 

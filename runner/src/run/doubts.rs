@@ -2,10 +2,8 @@
 
 use super::warning::Warning;
 use crate::scene::{Amount, Scene};
-use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::particles::Role;
-use gouge_dem::setup::Lattice;
 use std::collections::HashMap;
 
 /// Smallest ratio of a radius to the spacing of floating-point numbers at its position that raises no doubt.
@@ -17,14 +15,8 @@ pub fn about_lattice(scene: &Scene) -> Option<Warning<'static>> {
     let Amount::Rows(rows) = table.amount else {
         return None;
     };
-    let lattice = Lattice {
-        arrangement: table.arrangement,
-        pitch: table.pitch,
-        columns: table.columns,
-        origin: Vec2::new(table.origin[0], table.origin[1]),
-    };
     let (top, height) = (
-        lattice.point(rows * table.columns - 1).y,
+        table.lattice().point(rows * table.columns - 1).y,
         scene.domain.height?,
     );
     (top > height).then_some(Warning::HighLattice { top, height })

@@ -4,6 +4,7 @@ use super::scene_run::SceneRun;
 use super::{Event, Warning, dem};
 use crate::error::Error;
 use gouge_dem::Drive;
+use gouge_dem::estimators::Energy;
 
 impl SceneRun<'_> {
     /// Write a sample of the current state.
@@ -14,7 +15,8 @@ impl SceneRun<'_> {
             .and_then(|()| self.world.check());
         refreshed.map_err(|source| self.step_error(source))?;
         let drive = self.present_drive()?;
-        let sample = dem::sample(self.scene, &self.world, &drive);
+        let energy = self.scene.output.energy.then(|| self.world.energy());
+        let sample = dem::sample(self.scene, &self.world, &drive, energy.as_ref());
         if let Some(name) = dem::infinite_energy(&sample) {
             return Err(Error::Energy {
                 phase: self.phases[self.phase].name.clone(),
@@ -26,7 +28,9 @@ impl SceneRun<'_> {
             self.before_early_sample = Some((self.balance, self.warnings.clone()));
         }
         self.judge_step();
-        self.watch_balance();
+        if let Some(energy) = &energy {
+            self.watch_balance(energy);
+        }
         self.last_good.clone_from(self.world.state());
         if let Some(series) = &mut self.series {
             series.write(&sample)?;
@@ -46,12 +50,8 @@ impl SceneRun<'_> {
     }
 
     /// Warn at the first sample whose energy balance cannot be trusted.
-    fn watch_balance(&mut self) {
-        if !self.scene.output.energy {
-            return;
-        }
-        let energy = self.world.energy();
-        if self.balance.watch(&energy) {
+    fn watch_balance(&mut self, energy: &Energy) {
+        if self.balance.watch(energy) {
             self.warn(Warning::Balance {
                 time: self.world.time(),
                 residual: energy.residual,

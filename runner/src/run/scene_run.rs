@@ -14,7 +14,7 @@ use super::warning::in_phase;
 use super::{Event, Observer, RunOptions, Warning};
 use crate::error::Error;
 use crate::scene::Scene;
-use crate::stability::{smallest, smallest_of_setup};
+use crate::stability::{bounds, pair_bounds, smallest};
 use gouge_dem::{State, StepError, World};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -261,11 +261,11 @@ impl<'a> SceneRun<'a> {
         }
         let step = self.world.model().time_step;
         let density = self.scene.material.density;
-        let bound = match self.is_main() {
-            true => smallest(&self.world, density),
-            false => smallest_of_setup(&self.world, density),
+        let bounds = match self.is_main() {
+            true => bounds(&self.world, density),
+            false => pair_bounds(&self.world, density),
         };
-        let Some(bound) = bound else {
+        let Some(bound) = smallest(&bounds) else {
             return;
         };
         if step > bound.step {

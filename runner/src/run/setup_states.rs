@@ -7,7 +7,7 @@ use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
 use gouge_dem::model::Model;
 use gouge_dem::particles::{Particle, Particles, Role};
-use gouge_dem::setup::{Fault, Lattice, bonds_within, is_above, strength_factors};
+use gouge_dem::setup::{Fault, bonds_within, is_above, strength_factors};
 use gouge_dem::{ModelError, Start, World};
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -26,12 +26,7 @@ fn random(setup: &Setup, purpose: u128) -> impl FnMut() -> f64 {
 pub fn loose_grains(scene: &Scene, setup: &Setup, kind: PhaseKind) -> Result<World, ModelError> {
     let (mut sizes, mut places) = (random(setup, 1), random(setup, 2));
     let table = setup.lattice;
-    let lattice = Lattice {
-        arrangement: table.arrangement,
-        pitch: table.pitch,
-        columns: table.columns,
-        origin: Vec2::new(table.origin[0], table.origin[1]),
-    };
+    let lattice = table.lattice();
     let mut particles = Particles::default();
     let mut covered = 0.0;
     while wants_more(

@@ -166,7 +166,7 @@ impl Scene {
         overrides: &Overrides,
     ) -> std::result::Result<Self, Error> {
         let path = name.as_ref();
-        if let Some((name, text)) = builtin::of_path(path).filter(|_| !path.is_file()) {
+        if let Some((name, text)) = (!path.is_file()).then(|| builtin::of_path(path)).flatten() {
             let folder = Path::new(".");
             return Ok(Self::parse_with(name, text.as_bytes(), folder, overrides)?);
         }

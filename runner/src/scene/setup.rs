@@ -4,9 +4,9 @@ use super::laws;
 use super::particles::{Material, mass_problem};
 use super::table::{Range, Table};
 use crate::error::SceneError;
-use gouge_common::geometry::Domain;
+use gouge_common::geometry::{Domain, Vec2};
 use gouge_dem::model::{Ambient, External, Reading};
-use gouge_dem::setup::{Arrangement, REACH, SizeRange};
+use gouge_dem::setup::{Arrangement, Lattice, REACH, SizeRange};
 
 type Result<T> = std::result::Result<T, SceneError>;
 
@@ -52,6 +52,18 @@ pub struct LatticeTable {
     pub amount: Amount,
     /// First lattice point in m.
     pub origin: [f64; 2],
+}
+
+impl LatticeTable {
+    /// The lattice, without its random displacements.
+    pub fn lattice(&self) -> Lattice {
+        Lattice {
+            arrangement: self.arrangement,
+            pitch: self.pitch,
+            columns: self.columns,
+            origin: Vec2::new(self.origin[0], self.origin[1]),
+        }
+    }
 }
 
 /// How the number of particles on a lattice is given.
