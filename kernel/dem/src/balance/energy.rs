@@ -17,7 +17,8 @@ pub struct Energy<S = f64> {
     pub kinetic: S,
     /// Elastic energy stored in contacts and bonds.
     pub contact: S,
-    /// Potential energy in the external potential.
+    /// Potential energy in the external potential, of the particles that can move: of a large fixed one it would be
+    /// so large that all other terms lose their digits.
     pub external: S,
     /// Heat from the drag of the medium.
     pub ambient: S,

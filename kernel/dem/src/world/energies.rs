@@ -44,8 +44,8 @@ impl<S: Number> WithExternalLaw for Stored<'_, S> {
     fn call<L: ExternalLaw>(self, law: L) -> S {
         let p = &self.state.particles;
         let mut sum = S::zero();
-        for (&mass, &position) in p.mass.iter().zip(&p.position) {
-            sum += law.potential(mass, position);
+        for i in (0..p.len()).filter(|&i| !p.is_fixed(i)) {
+            sum += law.potential(p.mass[i], p.position[i]);
         }
         sum
     }
