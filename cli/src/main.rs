@@ -1,9 +1,13 @@
 //! The `gouge` command: parses arguments and prints results.
 
+mod account;
+mod compare;
 mod terminal;
 mod verify;
 
+use account::account;
 use clap::{Args, Parser, Subcommand};
+use compare::CompareArguments;
 use gouge_runner::error::Error;
 use gouge_runner::machine::{CallingThread, start_pool};
 use gouge_runner::scene::{Overrides, Scene, builtin};
@@ -42,7 +46,10 @@ enum Command {
         /// Replace the results of another run in this folder
         #[arg(long, conflicts_with = "resume")]
         overwrite: bool,
-        /// Show no progress; warnings are still shown
+        /// End with status 0 even if the energy balance shows that the results cannot be trusted
+        #[arg(long)]
+        accept_untrusted: bool,
+        /// Show no progress and no account at the end; warnings are still shown
         #[arg(long, short)]
         quiet: bool,
         /// Wall time between checkpoints, in seconds
@@ -58,6 +65,13 @@ enum Command {
     Stability {
         #[command(flatten)]
         scene: SceneArguments,
+    },
+    /// Run a scene and compare it with data of another program
+    Compare {
+        #[command(flatten)]
+        scene: SceneArguments,
+        #[command(flatten)]
+        data: CompareArguments,
     },
     /// Run the checks and write report.html and report.json
     Verify {
@@ -126,7 +140,7 @@ fn seconds(text: &str) -> Result<f64, String> {
 
 fn execute(command: Command) -> Result<(), Error> {
     start_pool(match command {
-        Command::Run { .. } => CallingThread::JoinsPool,
+        Command::Run { .. } | Command::Compare { .. } => CallingThread::JoinsPool,
         _ => CallingThread::StaysOutside,
     })?;
     let text = match command {
@@ -135,6 +149,7 @@ fn execute(command: Command) -> Result<(), Error> {
             out,
             resume,
             overwrite,
+            accept_untrusted,
             quiet,
             checkpoint_interval,
         } => {
@@ -143,9 +158,17 @@ fn execute(command: Command) -> Result<(), Error> {
                 overwrite,
                 checkpoint_interval,
             };
-            let mut terminal = Terminal::new(quiet)?;
-            return run::run(&scene.load()?, &out, options, &mut terminal);
+            let scene = scene.load()?;
+            let summary = run::run(&scene, &out, options, &mut Terminal::new(quiet)?)?;
+            if !quiet {
+                print(&account(&scene, &summary, &out))?;
+            }
+            return match summary.status == run::UNTRUSTED && !accept_untrusted {
+                true => Err(Error::Untrusted(out)),
+                false => Ok(()),
+            };
         }
+        Command::Compare { scene, data } => return compare::launch(&scene.load()?, data),
         Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&scene.load()?)?,
         Command::Stability { scene } => commands::stability(&scene.load()?)?,

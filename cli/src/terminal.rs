@@ -32,10 +32,18 @@ impl Terminal {
                 .map_err(|error| Error::file("receive", Path::new("signals"), error))?;
         }
         Ok(Self {
-            is_quiet,
             is_stopped,
-            bar: None,
+            ..Self::without_signals(is_quiet)
         })
+    }
+
+    /// Like [`Terminal::new`], but signals end the program at once.
+    pub fn without_signals(is_quiet: bool) -> Self {
+        Self {
+            is_quiet,
+            is_stopped: Arc::default(),
+            bar: None,
+        }
     }
 }
 

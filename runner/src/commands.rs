@@ -2,57 +2,18 @@
 
 use crate::error::Error;
 use crate::references;
-use crate::run::{Phase, run_setup, run_setup_with};
+use crate::run::{Phase, links_of, run_setup, run_setup_with};
 use crate::scene::{Scene, builtin, integrator_name};
 use crate::stability::{Bound, bounds, pair_bounds, smallest};
 use gouge_dem::World;
-use gouge_dem::forces::InteractionKind;
 use serde_json::{Value, json};
-use std::fmt::Write;
 
 /// Every pair that interacts at t = 0, after the set-up, as CSV.
 ///
 /// # Errors
 /// Scenes that the kernel refuses.
 pub fn links(scene: &Scene) -> Result<String, Error> {
-    let mut text = String::from(
-        "i,j,kind,overlap_factor,focal_x,focal_y,normal_x,normal_y,normal_displacement,\
-         adjusted_normal_displacement,tangential_displacement_i,tangential_displacement_j,\
-         normal_velocity,tangential_velocity_i,tangential_velocity_j,normal_force,\
-         tangential_force,torque_i,torque_j\n",
-    );
-    let mut links = run_setup(scene)?.interactions();
-    links.sort_by_key(|link| link.pair.indices());
-    for link in links {
-        let kind = match link.kind {
-            InteractionKind::Contact => "weak",
-            InteractionKind::Bond => "strong",
-        };
-        let numbers = [
-            link.overlap_factor,
-            link.focal_point.x,
-            link.focal_point.y,
-            link.normal.x,
-            link.normal.y,
-            link.normal_displacement,
-            link.adjusted_normal_displacement,
-            link.tangential_displacement[0],
-            link.tangential_displacement[1],
-            link.normal_velocity,
-            link.tangential_velocity[0],
-            link.tangential_velocity[1],
-            link.normal_force,
-            link.tangential_force,
-            link.torque[0],
-            link.torque[1],
-        ];
-        let _ = write!(text, "{},{},{kind}", link.pair.i, link.pair.j);
-        numbers.iter().for_each(|number| {
-            let _ = write!(text, ",{number:?}");
-        });
-        text.push('\n');
-    }
-    Ok(text)
+    Ok(links_of(&run_setup(scene)?).to_csv())
 }
 
 /// The time-step bounds of a scene and its integrator at t = 0, after the set-up, and of the phases of the set-up, as

@@ -99,9 +99,17 @@ pub enum Error {
     /// The run was interrupted; it can be continued from its checkpoint.
     #[error("interrupted; continue with --resume and the same folder, {}", .0.display())]
     Interrupted(PathBuf),
+    /// The run finished, but its energy balance is off.
+    #[error(
+        "the results in {} cannot be trusted (--accept-untrusted ends such a run with status 0)", .0.display()
+    )]
+    Untrusted(PathBuf),
     /// The model rejected a state that the set-up produced.
     #[error("the set-up produced an invalid state: {0}")]
     Setup(#[from] gouge_dem::ModelError),
+    /// A run and the data that it was compared with differ.
+    #[error("the run and {0} differ by more than the tolerance")]
+    Differs(String),
     /// Some checks failed.
     #[error("{0} of {1} checks failed")]
     Checks(usize, usize),
@@ -116,10 +124,16 @@ impl Error {
         )
     }
 
-    /// Exit status: 2 if the input cannot be used, 130 after an interruption, 1 otherwise.
+    /// Whether the user stopped the run.
+    pub fn is_interruption(&self) -> bool {
+        matches!(self, Self::Interrupted(_))
+    }
+
+    /// Exit status: 3 if the results cannot be trusted, 2 if the input cannot be used, 130 after an interruption, 1 otherwise.
     pub fn status(&self) -> u8 {
         match self {
             Self::Scene(_) | Self::Argument(_) => 2,
+            Self::Untrusted(_) => 3,
             Self::Interrupted(_) => 130,
             _ => 1,
         }

@@ -1,6 +1,7 @@
-//! Scenes in, outputs out: scene files, built-in scenes, runs, checkpoints, pictures.
+//! Scenes in, outputs out: scene files, built-in scenes, runs, checkpoints, pictures, comparisons.
 
 pub mod commands;
+pub mod compare;
 pub mod error;
 pub mod machine;
 pub mod references;

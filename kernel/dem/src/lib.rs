@@ -25,4 +25,4 @@ pub mod distributions;
 pub mod calibration;
 
 pub use error::{ModelError, StepError};
-pub use world::{Drive, Number, Start, State, World, stable_step_estimate};
+pub use world::{Continuation, Drive, Number, Start, State, World, stable_step_estimate};

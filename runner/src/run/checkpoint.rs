@@ -5,9 +5,10 @@
 //! model and named columns. All numbers are words of eight bytes, the least significant byte first.
 
 use super::balance::Balance;
-use super::bytes::{Reader, put_record, put_text, put_words, words_of_bytes};
+use super::bytes::{Reader, put_record, put_text, put_words};
 use super::fingerprint::{Fingerprint, Kinship};
 use super::folder::write_whole;
+use super::friction::DriveSample;
 use super::phases::{PhaseKind, phase_model};
 use crate::error::Error;
 use crate::machine::with_chosen_execution;
@@ -20,15 +21,13 @@ use std::path::Path;
 /// First bytes of every checkpoint.
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
 /// Version of the format.
-const VERSION: u64 = 5;
-/// The version that did not store the keys of the scene. It can be read, but is no longer written.
-pub const KEYLESS: u64 = 4;
-/// The version that also stored the words of the state without names. It can be read, but is no longer written.
-pub const UNNAMED: u64 = 3;
+const VERSION: u64 = 6;
 /// Bytes of a checksum or fingerprint.
 const DIGEST: usize = 32;
 /// Bytes before the version.
 const PREFIX: usize = MAGIC.len() + DIGEST;
+/// Why a state is refused that is whole, but not one of the scene.
+const UNFIT: &str = "its state does not fit the scene";
 /// Number of words of the version and of the progress of the run.
 const HEAD: usize = 8;
 
@@ -51,8 +50,12 @@ pub struct Checkpoint {
     pub rebuilds: u64,
     /// What the samples so far say about the energy balance.
     pub balance: Balance,
+    /// What the samples so far say about the drive.
+    pub drive_samples: Vec<DriveSample>,
     /// The warnings so far, one per line.
     pub warnings: String,
+    /// The keys of the scene.
+    pub keys: Keys,
     /// The state.
     pub state: Record,
 }
@@ -62,7 +65,7 @@ impl Checkpoint {
     ///
     /// # Errors
     /// Failures of the file system; the earlier checkpoint then still exists.
-    pub fn write(&self, path: &Path, fingerprint: &Fingerprint, keys: &Keys) -> Result<(), Error> {
+    pub fn write(&self, path: &Path, fingerprint: &Fingerprint) -> Result<(), Error> {
         let mut bytes = MAGIC.to_vec();
         bytes.extend(fingerprint.0);
         let head = [
@@ -78,7 +81,11 @@ impl Checkpoint {
         put_words(&mut bytes, &head);
         put_words(&mut bytes, &[self.rebuilds]);
         put_words(&mut bytes, &self.balance.words());
-        put_text(&mut bytes, &keys.to_text());
+        put_words(&mut bytes, &[self.drive_samples.len() as u64]);
+        for sample in &self.drive_samples {
+            put_words(&mut bytes, &sample.numbers().map(f64::to_bits));
+        }
+        put_text(&mut bytes, &self.keys.to_text());
         put_text(&mut bytes, &self.warnings);
         put_record(&mut bytes, &self.state);
         let digest = Sha256::digest(&bytes);
@@ -95,7 +102,11 @@ impl Checkpoint {
         Self::parse(&bytes, scene).map_err(|reason| refusal(path, reason))
     }
 
-    fn parse(bytes: &[u8], scene: &Scene) -> Result<(Self, Kinship), &'static str> {
+    /// Read a checkpoint from the bytes of a file, and whether it belongs to a scene.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn parse(bytes: &[u8], scene: &Scene) -> Result<(Self, Kinship), &'static str> {
         if bytes.len() < PREFIX + 8 * HEAD + DIGEST || !bytes.starts_with(MAGIC) {
             return Err("it is not a checkpoint, or its beginning is damaged");
         }
@@ -118,26 +129,12 @@ impl Checkpoint {
         else {
             return Err("it is damaged: its beginning is missing");
         };
-        let extra = match version {
-            VERSION => Extra::read(&mut rest).ok_or("its state does not fit the scene")?,
-            KEYLESS | UNNAMED => Extra::default(),
-            _ => return Err("its format version is not supported"),
-        };
-        let keys = extra.keys;
-        let kinship = Kinship::of(scene, version, &content[MAGIC.len()..PREFIX], keys);
-        let state = match version {
-            UNNAMED => World::record_of_words(scene.integrator, &words_of_bytes(rest.0)),
-            _ => rest.record().filter(|_| rest.0.is_empty()),
-        };
-        let state = match (state, &kinship) {
-            (Some(state), _) => state,
-            // The state of another scene need not be understood.
-            (None, Kinship::Other(_)) => Record {
-                model: String::new(),
-                columns: Vec::new(),
-            },
-            (None, _) => return Err("its state does not fit the scene"),
-        };
+        if version != VERSION {
+            return Err("it was written by another version of the program");
+        }
+        let rest = Rest::read(rest).ok_or(UNFIT)?;
+        let fingerprint = &content[MAGIC.len()..PREFIX];
+        let kinship = Kinship::of(scene, fingerprint, &rest.keys);
         let saved = Self {
             phase,
             samples,
@@ -145,10 +142,12 @@ impl Checkpoint {
             bonds_initial,
             seconds: [whole, main].map(f64::from_bits),
             link_steps: f64::from_bits(link_steps),
-            rebuilds: extra.rebuilds,
-            balance: extra.balance,
-            warnings: extra.warnings,
-            state,
+            rebuilds: rest.rebuilds,
+            balance: rest.balance,
+            drive_samples: rest.drive_samples,
+            warnings: rest.warnings,
+            keys: rest.keys,
+            state: rest.state,
         };
         Ok((saved, kinship))
     }
@@ -159,28 +158,39 @@ impl Checkpoint {
     /// Columns that are not a state of the scene in a phase of this kind.
     pub fn world(&self, path: &Path, scene: &Scene, kind: PhaseKind) -> Result<World, Error> {
         let world = world_of_record(scene, kind, &self.state);
-        world.ok_or_else(|| refusal(path, "its state does not fit the scene"))
+        world.ok_or_else(|| refusal(path, UNFIT))
     }
 }
 
-/// What version 5 stores beyond older versions.
-#[derive(Default)]
-struct Extra {
+/// What follows the head.
+struct Rest {
     rebuilds: u64,
     balance: Balance,
-    keys: Option<Keys>,
+    drive_samples: Vec<DriveSample>,
+    keys: Keys,
     warnings: String,
+    state: Record,
 }
 
-impl Extra {
-    fn read(rest: &mut Reader) -> Option<Self> {
+impl Rest {
+    fn read(mut rest: Reader) -> Option<Self> {
         Some(Self {
             rebuilds: rest.word()?,
-            balance: Balance::of_words(rest.words(4)?.try_into().ok()?),
-            keys: Some(Keys::of_text(&rest.text()?)),
+            balance: Balance::of_words(rest.words(6)?.try_into().ok()?),
+            drive_samples: drive_samples(&mut rest)?,
+            keys: Keys::of_text(&rest.text()?),
             warnings: rest.text()?,
+            state: rest.record().filter(|_| rest.0.is_empty())?,
         })
     }
+}
+
+fn drive_samples(rest: &mut Reader) -> Option<Vec<DriveSample>> {
+    let number = rest.word()?;
+    let words = rest.words(number.checked_mul(6)?)?;
+    let (samples, _) = words.as_chunks();
+    let sample = |words: &[u64; 6]| DriveSample::of_numbers(words.map(f64::from_bits));
+    Some(samples.iter().map(sample).collect())
 }
 
 fn refusal(path: &Path, reason: &str) -> Error {

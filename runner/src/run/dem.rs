@@ -1,11 +1,14 @@
 //! Outputs of the thesis's model: values of the series, columns of particles, frames.
 
+use super::friction::DriveSample;
+use super::links;
 use super::series::{Sample, Value};
 use super::table::{Kinds, Table, Values};
-use super::trajectory::{Frame, Shapes};
+use super::trajectory::{Frame, LinkFrame, Shapes};
 use crate::scene::{Scene, role_name};
 use gouge_common::geometry::Vec2;
 use gouge_dem::estimators::{Energy, fragments, friction_feedback, friction_load};
+use gouge_dem::forces::Interaction;
 use gouge_dem::particles::{Particles, Role, sphere_mass};
 use gouge_dem::{Drive, World};
 
@@ -31,6 +34,21 @@ pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>, energy: Option<&
         sample.push(("fragments", Value::Count(fragments)));
     }
     sample
+}
+
+/// What a sample says about the drive.
+pub fn drive_sample(world: &World, drive: &Drive<f64>, energy: &Energy) -> DriveSample {
+    let p = world.particles();
+    let driven = || (0..p.len()).filter(|&i| p.role[i] == Role::Driven);
+    let mean = |of: &dyn Fn(usize) -> f64| driven().map(of).sum::<f64>() / driven().count() as f64;
+    DriveSample {
+        time: world.time(),
+        work: energy.driving,
+        vertical_force: drive.applied.y,
+        velocity: mean(&|i| p.velocity[i].x),
+        height: mean(&|i| p.position[i].y),
+        coefficient: friction_load(drive),
+    }
 }
 
 /// Names of the values in every sample of a scene.
@@ -139,6 +157,35 @@ pub fn frame(scene: &Scene, world: &World) -> Frame {
         vectors: vec![("velocity", p.velocity.clone())],
         scalars: Table { columns },
         lines: lines(scene, world).collect(),
+    }
+}
+
+/// The links of a world at the time of a frame.
+pub fn link_frame(scene: &Scene, world: &World) -> LinkFrame {
+    let links = links::sorted(world);
+    let position = &world.particles().position;
+    let segment = |link: &Interaction| {
+        let from = position[link.pair.i as usize];
+        [from, from + link.normal * link.distance]
+    };
+    let segments: Vec<[Vec2; 2]> = links.iter().map(segment).collect();
+    let ends = || segments.iter().flatten().chain(position);
+    let least = |of: fn(&Vec2) -> f64| ends().map(of).fold(f64::INFINITY, f64::min);
+    let most = |of: fn(&Vec2) -> f64| ends().map(of).fold(f64::NEG_INFINITY, f64::max);
+    let (left, right) = match scene.domain.period() {
+        Some(width) => (0.0, width),
+        None => (least(|x| x.x), most(|x| x.x)),
+    };
+    LinkFrame {
+        time: world.time(),
+        steps: world.steps(),
+        is_periodic: scene.domain.periodic,
+        bounds: [
+            Vec2::new(left, least(|x| x.y)),
+            Vec2::new(right, most(|x| x.y)),
+        ],
+        links: links::table(&links),
+        segments,
     }
 }
 

@@ -4,7 +4,7 @@ use super::RunOptions;
 use super::checkpoint::Checkpoint;
 use super::fingerprint::Kinship;
 use super::folder::{CHECKPOINT, PARTICLES, PICTURE, SERIES, SUMMARY, outputs};
-use super::outcome::DONE;
+use super::outcome::Summary;
 use crate::error::Error;
 use crate::scene::Scene;
 use std::path::Path;
@@ -16,8 +16,8 @@ pub enum Beginning {
     Fresh,
     /// From a checkpoint of the same scene, possibly with an earlier end.
     Checkpoint(Box<Checkpoint>),
-    /// Not at all: the run is already complete.
-    Complete,
+    /// Not at all: the run is already complete, and this is its summary.
+    Complete(Box<Summary>),
 }
 
 /// How a run of a scene begins in a folder.
@@ -32,6 +32,10 @@ pub fn beginning(scene: &Scene, folder: &Path, options: RunOptions) -> Result<Be
     let Some(first) = found.first() else {
         return Ok(Beginning::Fresh);
     };
+    if found == [folder.join(SUMMARY)] && Summary::read(folder).is_ok_and(|one| one.is_stillborn())
+    {
+        return Ok(Beginning::Fresh);
+    }
     let path = folder.join(CHECKPOINT);
     if !path.exists() {
         let trouble = match options.resume {
@@ -48,23 +52,24 @@ pub fn beginning(scene: &Scene, folder: &Path, options: RunOptions) -> Result<Be
         }
         error => error,
     })?;
-    match kinship {
-        Kinship::Same if is_done(folder) => complete(folder),
-        Kinship::Same | Kinship::Shorter(_) if options.resume => {
+    let finished = Summary::read(folder).ok().filter(Summary::is_finished);
+    match (kinship, finished) {
+        (Kinship::Same, Some(summary)) => complete(folder, summary),
+        (Kinship::Same | Kinship::Shorter(_), _) if options.resume => {
             Ok(Beginning::Checkpoint(Box::new(saved)))
         }
-        Kinship::Same => Err(refusal(
+        (Kinship::Same, _) => Err(refusal(
             folder,
             "an unfinished run of this scene",
             "continue it with --resume, ",
         )),
-        Kinship::Shorter(end) => Err(refusal(
+        (Kinship::Shorter(end), _) => Err(refusal(
             folder,
             &format!("a run of this scene until {end:?} s"),
             "extend it with --resume, ",
         )),
-        Kinship::Other(reason) if options.resume => Err(Error::Checkpoint { path, reason }),
-        Kinship::Other(reason) => {
+        (Kinship::Other(reason), _) if options.resume => Err(Error::Checkpoint { path, reason }),
+        (Kinship::Other(reason), _) => {
             let what = format!("another run, because {reason}");
             Err(refusal(folder, &what, ""))
         }
@@ -78,20 +83,13 @@ fn refusal(folder: &Path, what: &str, advice: &str) -> Error {
     ))
 }
 
-/// Whether the summary says that the run is finished.
-fn is_done(folder: &Path) -> bool {
-    let text = std::fs::read(folder.join(SUMMARY)).unwrap_or_default();
-    let summary: Option<serde_json::Value> = serde_json::from_slice(&text).ok();
-    summary.is_some_and(|summary| summary["status"] == DONE)
-}
-
 /// A finished run needs nothing, unless a part of its results was removed.
-fn complete(folder: &Path) -> Result<Beginning, Error> {
+fn complete(folder: &Path, summary: Summary) -> Result<Beginning, Error> {
     let missing = [SERIES, PARTICLES, PICTURE]
         .into_iter()
         .find(|name| !folder.join(name).exists());
     match missing {
-        None => Ok(Beginning::Complete),
+        None => Ok(Beginning::Complete(Box::new(summary))),
         Some(name) => Err(refusal(
             folder,
             &format!("the finished run of this scene, but without {name}"),

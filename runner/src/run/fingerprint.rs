@@ -1,9 +1,8 @@
 //! Whether a checkpoint belongs to a scene.
 
-use super::checkpoint::{KEYLESS, UNNAMED};
 use crate::scene::{Keys, Place, Scene};
-use gouge_dem::particles::SPHERE_INERTIA_FACTOR;
 use sha2::{Digest, Sha256};
+use std::path::PathBuf;
 
 /// Most keys that an error message lists.
 const MOST_KEYS: usize = 3;
@@ -29,16 +28,6 @@ impl Fingerprint {
         Self::digest(&content(scene))
     }
 
-    /// The fingerprint of a scene in an older version of checkpoints.
-    fn of_version(scene: &Scene, version: u64) -> Self {
-        let content = content(scene);
-        match version {
-            KEYLESS => Self::digest(&without_keys(&content)),
-            UNNAMED => Self::digest(&only_spheres(scene, &without_keys(&content))),
-            _ => Self::digest(&content),
-        }
-    }
-
     fn digest(content: &str) -> Self {
         let text = format!("{content} {}", env!("CARGO_PKG_VERSION"));
         Self(Sha256::digest(text.as_bytes()).into())
@@ -46,16 +35,11 @@ impl Fingerprint {
 }
 
 impl Kinship {
-    /// How a scene is related to that of a checkpoint with the given version, fingerprint and keys.
-    pub fn of(scene: &Scene, version: u64, fingerprint: &[u8], keys: Option<Keys>) -> Self {
-        if fingerprint == Fingerprint::of_version(scene, version).0 {
+    /// How a scene is related to that of a checkpoint with the given fingerprint and keys.
+    pub fn of(scene: &Scene, fingerprint: &[u8], keys: &Keys) -> Self {
+        if fingerprint == Fingerprint::of(scene).0 {
             return Self::Same;
         }
-        let Some(keys) = keys else {
-            return Self::Other(
-                "it belongs to another scene, or to another version of the program".to_owned(),
-            );
-        };
         let end = keys.number("time.end").filter(|&end| end < scene.end);
         if let Some(end) = end {
             let shorter = Scene {
@@ -95,6 +79,10 @@ fn content(scene: &Scene) -> String {
         line: 0,
         key: String::new(),
     };
+    if let Some(start) = &mut anonymous.start {
+        start.path = PathBuf::new();
+        start.refusal = nowhere.error(String::new(), String::new());
+    }
     for (_, place) in &mut anonymous.bonds {
         place.clone_from(&nowhere);
     }
@@ -102,17 +90,4 @@ fn content(scene: &Scene) -> String {
         place.clone_from(&nowhere);
     }
     format!("{anonymous:?}")
-}
-
-/// The content without what version 4 did not contain.
-fn without_keys(content: &str) -> String {
-    content.replace(&format!(", keys: {:?}", Keys::default()), "")
-}
-
-/// The content as version 3 had it, which supported only spheres.
-fn only_spheres(scene: &Scene, content: &str) -> String {
-    let material = format!("material: {:?}", scene.material);
-    let density = format!("density: {:?}", scene.material.density);
-    let inertia = format!(", inertia_factor: {SPHERE_INERTIA_FACTOR:?}");
-    content.replace(&material, &density).replace(&inertia, "")
 }

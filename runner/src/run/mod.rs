@@ -8,6 +8,8 @@ mod doubts;
 mod existing;
 mod fingerprint;
 mod folder;
+mod friction;
+mod links;
 mod lock;
 mod observer;
 mod outcome;
@@ -17,17 +19,21 @@ mod sampling;
 mod scene_run;
 mod series;
 mod setup_states;
+mod start;
 mod table;
 mod trajectory;
 mod transitions;
 mod warning;
 
-pub use bytes::words_of_bytes;
 pub use checkpoint::world_of_record;
 pub use folder::write_whole;
+pub use friction::{DriveSample, Friction};
+pub use links::links_of;
 pub use observer::{Event, Observer};
+pub use outcome::{Summary, UNTRUSTED};
 pub use phases::{Phase, PhaseKind, phases};
 pub use picture::draw_picture;
+pub use sampling::sample_of;
 pub use trajectory::Frames;
 pub use transitions::{advance, begin_phase, run_setup, run_setup_with};
 pub use warning::Warning;
@@ -51,7 +57,7 @@ pub struct RunOptions {
     pub checkpoint_interval: f64,
 }
 
-/// Run a scene, write its outputs into a folder, and report what happens to an observer.
+/// Run a scene, write its outputs into a folder, report what happens to an observer, and return the summary.
 ///
 /// # Errors
 /// A folder that cannot be written, that another run is using, or that holds results which the run would replace; a
@@ -61,14 +67,14 @@ pub fn run(
     folder: &Path,
     options: RunOptions,
     observer: &mut dyn Observer,
-) -> Result<(), Error> {
+) -> Result<Summary, Error> {
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
     let _lock = Lock::take(folder)?;
     refuse_replacing_inputs(scene, folder)?;
     let run = match beginning(scene, folder, options)? {
-        Beginning::Complete => {
+        Beginning::Complete(summary) => {
             observer.event(Event::AlreadyDone { folder });
-            return Ok(());
+            return Ok(*summary);
         }
         Beginning::Checkpoint(saved) => SceneRun::resume(scene, folder, options, observer, *saved)?,
         Beginning::Fresh => {

@@ -1,54 +1,123 @@
 //! Outputs at the end of a finished or failed run: the summary, the final particles and a picture.
 
 use super::folder::{PARTICLES, SUMMARY, write_whole};
+use super::friction::Friction;
 use super::scene_run::SceneRun;
 use super::{Event, dem, picture};
 use crate::error::Error;
-use serde::Serialize;
+use crate::scene::Scene;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// Status of a finished run.
 pub const DONE: &str = "done";
+/// Status of a finished run whose energy balance cannot be trusted.
+pub const UNTRUSTED: &str = "untrusted";
+/// Beginning of the status of a run that an error of the model stopped.
+const FAILED: &str = "failed: ";
 
-/// `summary.json`.
-#[derive(Clone, Debug, Serialize)]
-struct Summary {
-    /// `done`, `interrupted`, or the error that stopped the run.
-    status: String,
+/// `summary.json`: what a run says about itself when it ends.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Summary {
+    /// `done`, `untrusted`, `interrupted`, or the error that stopped the run.
+    pub status: String,
     /// Steps of the scene proper.
-    steps: u64,
+    pub steps: u64,
     /// Time of the scene proper in s.
-    time: f64,
+    pub time: f64,
     /// Number of particles.
-    particles: usize,
+    pub particles: usize,
     /// Bonds at t = 0.
-    bonds_initial: usize,
+    pub bonds_initial: usize,
     /// Bonds broken since.
-    bonds_broken: usize,
+    pub bonds_broken: usize,
     /// Wall time of the whole run in s, set-up included.
-    wall_seconds: f64,
+    pub wall_seconds: f64,
     /// Number of particles times steps of the scene proper, divided by its wall time in s.
-    particle_steps_per_second: f64,
+    pub particle_steps_per_second: f64,
     /// Number of contacts and bonds, summed over the steps of the scene proper, divided by its wall time in s.
-    link_steps_per_second: f64,
+    pub link_steps_per_second: f64,
     /// Version of the program.
-    version: &'static str,
-    /// SHA-256 of the scene file.
-    scene_sha256: String,
+    pub version: String,
+    /// SHA-256 of the scene file and its overrides.
+    pub scene_sha256: String,
     /// Terms of the energy balance in J; absent if the scene does not keep it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    energy: Option<serde_json::Map<String, serde_json::Value>>,
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub energy: Option<serde_json::Map<String, serde_json::Value>>,
     /// Columns of the series.
-    series_columns: Vec<&'static str>,
+    pub series_columns: Vec<String>,
     /// The warnings of the run.
-    warnings: Vec<String>,
+    #[serde(default)]
+    pub warnings: Vec<String>,
     /// Whether the energy balance was watched.
-    balance_watched: bool,
+    #[serde(default)]
+    pub balance_watched: bool,
+    /// The largest residual of the balance in any sample, in units of the largest term until then; absent if the
+    /// balance was not watched.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub balance_error: Option<f64>,
+    /// Friction of a driven block; absent if nothing slides.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub friction: Option<Friction>,
     /// Number of times the neighbour list was built; resuming a run builds it once more.
-    neighbor_rebuilds: u64,
+    #[serde(default)]
+    pub neighbor_rebuilds: u64,
 }
 
 impl Summary {
+    /// The summary of the run in a folder.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is not a summary.
+    pub fn read(folder: &Path) -> Result<Self, Error> {
+        let path = folder.join(SUMMARY);
+        let read =
+            || -> std::io::Result<Self> { Ok(serde_json::from_slice(&std::fs::read(&path)?)?) };
+        read().map_err(|error| Error::file("read", &path, error))
+    }
+
+    /// Whether the run finished.
+    pub fn is_finished(&self) -> bool {
+        [DONE, UNTRUSTED].contains(&self.status.as_str())
+    }
+
+    /// Whether the run finished without anything to show because its first state could not be made.
+    pub fn is_stillborn(&self) -> bool {
+        self.status.starts_with(FAILED) && self.particles == 0
+    }
+
+    /// The summary of a run of which nothing is known but its status.
+    fn empty(scene: &Scene, status: String) -> Self {
+        Self {
+            status,
+            steps: 0,
+            time: 0.0,
+            particles: 0,
+            bonds_initial: 0,
+            bonds_broken: 0,
+            wall_seconds: 0.0,
+            particle_steps_per_second: 0.0,
+            link_steps_per_second: 0.0,
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            scene_sha256: scene.sha256.clone(),
+            energy: None,
+            series_columns: Vec::new(),
+            warnings: Vec::new(),
+            balance_watched: scene.output.energy,
+            balance_error: None,
+            friction: None,
+            neighbor_rebuilds: 0,
+        }
+    }
+
+    /// Write that a run could not begin.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn write_stillborn(scene: &Scene, folder: &Path, error: &Error) -> Result<(), Error> {
+        Self::empty(scene, format!("{FAILED}{error}")).write(folder)
+    }
+
     fn write(&self, folder: &Path) -> Result<(), Error> {
         let path = folder.join(SUMMARY);
         let text = serde_json::to_string_pretty(self)
@@ -63,37 +132,45 @@ impl SceneRun<'_> {
     ///
     /// # Errors
     /// A failure of the file system, or a state that becomes invalid.
-    pub fn complete(mut self) -> Result<(), Error> {
-        let outcome = self.run_phases();
-        match &outcome {
-            Ok(()) | Err(Error::Interrupted(_)) => self.write_checkpoint()?,
-            Err(error) if !error.is_of_state() => return outcome,
-            Err(_) => {}
+    pub fn complete(mut self) -> Result<Summary, Error> {
+        let mut failure = self.run_phases().err();
+        let is_final = |error: &mut Error| !error.is_of_state() && !error.is_interruption();
+        if let Some(error) = failure.take_if(is_final) {
+            return Err(error);
+        }
+        if failure.as_ref().is_none_or(Error::is_interruption) {
+            self.write_checkpoint()?;
         }
         self.observer.event(Event::Ended);
-        let (seconds, rebuilds) = (self.seconds(), self.rebuilds());
-        let status = match &outcome {
-            Ok(()) => DONE.to_owned(),
-            Err(Error::Interrupted(_)) => "interrupted".to_owned(),
-            Err(error) => {
+        let neighbor_rebuilds = self.rebuilds();
+        let status = match &failure {
+            None if self.balance.is_off => UNTRUSTED.to_owned(),
+            None => DONE.to_owned(),
+            Some(error) if error.is_interruption() => "interrupted".to_owned(),
+            Some(error) => {
                 self.world = self.world.with_state(self.last_good.clone());
-                format!("failed: {error}")
+                format!("{FAILED}{error}")
             }
         };
-        self.write_outcome(status, seconds, rebuilds)?;
-        outcome
+        let summary = Summary {
+            neighbor_rebuilds,
+            ..self.summary(status)
+        };
+        self.write_outcome(&summary)?;
+        failure.map_or(Ok(summary), Err)
     }
 
-    fn write_outcome(
-        &self,
-        status: String,
-        [wall_seconds, main]: [f64; 2],
-        neighbor_rebuilds: u64,
-    ) -> Result<(), Error> {
+    fn write_outcome(&self, summary: &Summary) -> Result<(), Error> {
         let (scene, world, folder) = (self.scene, &self.world, &self.folder);
         let particles = dem::particles(scene, world.particles());
         write_whole(&folder.join(PARTICLES), particles.to_csv().as_bytes())?;
         picture::write(folder, scene, world, self.balance.is_off)?;
+        summary.write(folder)
+    }
+
+    fn summary(&self, status: String) -> Summary {
+        let (scene, world) = (self.scene, &self.world);
+        let [wall_seconds, main] = self.seconds();
         let (steps, time) = if self.is_main() {
             (world.steps(), world.time())
         } else {
@@ -101,26 +178,24 @@ impl SceneRun<'_> {
         };
         let number = world.particles().len();
         let rate = |amount: f64| if main > 0.0 { amount / main } else { 0.0 };
-        let summary = Summary {
-            status,
+        let bonds = dem::number_of_bonds(world);
+        let columns = dem::series_columns(scene, world);
+        Summary {
             steps,
             time,
             particles: number,
             bonds_initial: self.bonds_initial,
-            bonds_broken: self
-                .bonds_initial
-                .saturating_sub(dem::number_of_bonds(world)),
+            bonds_broken: self.bonds_initial.saturating_sub(bonds),
             wall_seconds,
             particle_steps_per_second: rate(number as f64 * steps as f64),
             link_steps_per_second: rate(self.link_steps),
-            version: env!("CARGO_PKG_VERSION"),
-            scene_sha256: scene.sha256.clone(),
             energy: scene.output.energy.then(|| dem::energies(world)),
-            series_columns: dem::series_columns(scene, world),
+            series_columns: columns.into_iter().map(str::to_owned).collect(),
             warnings: self.warnings.lines().map(str::to_owned).collect(),
             balance_watched: scene.output.energy,
-            neighbor_rebuilds,
-        };
-        summary.write(folder)
+            balance_error: scene.output.energy.then_some(self.balance.worst),
+            friction: Friction::of(&self.drive_samples),
+            ..Summary::empty(scene, status)
+        }
     }
 }

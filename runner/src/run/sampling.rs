@@ -1,10 +1,12 @@
 //! Samples of the scene proper: rows of the series and frames of the trajectory.
 
 use super::scene_run::SceneRun;
+use super::series::Sample;
 use super::{Event, Warning, dem};
 use crate::error::Error;
-use gouge_dem::Drive;
+use crate::scene::Scene;
 use gouge_dem::estimators::Energy;
+use gouge_dem::{Drive, StepError, World};
 
 impl SceneRun<'_> {
     /// Write a sample of the current state.
@@ -14,7 +16,8 @@ impl SceneRun<'_> {
             .refresh_neighbors()
             .and_then(|()| self.world.check());
         refreshed.map_err(|source| self.step_error(source))?;
-        let drive = self.present_drive()?;
+        let drive =
+            present_drive(self.scene, &self.world).map_err(|source| self.step_error(source))?;
         let energy = self.scene.output.energy.then(|| self.world.energy());
         let sample = dem::sample(self.scene, &self.world, &drive, energy.as_ref());
         if let Some(name) = dem::infinite_energy(&sample) {
@@ -30,6 +33,10 @@ impl SceneRun<'_> {
         self.judge_step();
         if let Some(energy) = &energy {
             self.watch_balance(energy);
+            if self.scene.driving.is_some() {
+                let drive = dem::drive_sample(&self.world, &drive, energy);
+                self.drive_samples.push(drive);
+            }
         }
         self.last_good.clone_from(self.world.state());
         if let Some(series) = &mut self.series {
@@ -51,7 +58,7 @@ impl SceneRun<'_> {
 
     /// Warn at the first sample whose energy balance cannot be trusted.
     fn watch_balance(&mut self, energy: &Energy) {
-        if self.balance.watch(energy) {
+        if self.balance.watch(&self.world, energy) {
             self.warn(Warning::Balance {
                 time: self.world.time(),
                 residual: energy.residual,
@@ -59,17 +66,28 @@ impl SceneRun<'_> {
             });
         }
     }
+}
 
-    /// The driving force and the reaction force in the current state. If forces are not evaluated yet, they are
-    /// evaluated in a copy: the evaluation may break bonds, which belongs to the next step and not to this sample.
-    fn present_drive(&self) -> Result<Drive<f64>, Error> {
-        if self.scene.driving.is_none() || !self.world.is_pending() {
-            return Ok(*self.world.drive());
-        }
-        let mut ahead = self.world.clone();
-        ahead
-            .evaluate_if_pending()
-            .map_err(|source| self.step_error(source))?;
-        Ok(*ahead.drive())
+/// A sample of a world in the scene proper.
+///
+/// # Errors
+/// Forces that cannot be evaluated.
+pub fn sample_of(scene: &Scene, world: &World) -> Result<Sample, Error> {
+    let drive = present_drive(scene, world).map_err(|source| Error::Step {
+        phase: "run".to_owned(),
+        source,
+    })?;
+    let energy = scene.output.energy.then(|| world.energy());
+    Ok(dem::sample(scene, world, &drive, energy.as_ref()))
+}
+
+/// The driving force and the reaction force in the current state. If forces are not evaluated yet, they are evaluated
+/// in a copy: the evaluation may break bonds, which belongs to the next step and not to this sample.
+fn present_drive(scene: &Scene, world: &World) -> Result<Drive<f64>, StepError> {
+    if scene.driving.is_none() || !world.is_pending() {
+        return Ok(*world.drive());
     }
+    let mut ahead = world.clone();
+    ahead.evaluate_if_pending()?;
+    Ok(*ahead.drive())
 }

@@ -5,7 +5,9 @@ use super::checkpoint::Checkpoint;
 use super::dem;
 use super::doubts;
 use super::fingerprint::Fingerprint;
-use super::folder::{CHECKPOINT, SUMMARY, remove_outputs};
+use super::folder::{CHECKPOINT, SUMMARY, outputs, remove_outputs};
+use super::friction::DriveSample;
+use super::outcome::Summary;
 use super::phases::{Phase, phases};
 use super::series::Series;
 use super::trajectory::Frames;
@@ -43,6 +45,8 @@ pub struct SceneRun<'a> {
     fingerprint: Fingerprint,
     clock: Clock,
     pub(super) balance: Balance,
+    /// What the samples so far say about the drive.
+    pub(super) drive_samples: Vec<DriveSample>,
     /// The warnings so far, one per line.
     pub(super) warnings: String,
     /// Whether the step of the current phase was found to be above its bound.
@@ -74,7 +78,18 @@ impl<'a> SceneRun<'a> {
         observer: &'a mut dyn Observer,
     ) -> Result<Self, Error> {
         let phases = phases(scene);
-        let world = begin_phase(scene, &phases, 0, None)?;
+        let world = match begin_phase(scene, &phases, 0, None) {
+            Ok(world) => world,
+            Err(error) => {
+                let is_empty = || {
+                    outputs(folder).is_ok_and(|all| all.iter().all(|path| path.ends_with(SUMMARY)))
+                };
+                if error.is_of_state() && is_empty() {
+                    Summary::write_stillborn(scene, folder, &error)?;
+                }
+                return Err(error);
+            }
+        };
         remove_outputs(folder)?;
         let mut run = Self::new(scene, folder, options, observer, (phases, 0), world);
         run.report_phase();
@@ -108,6 +123,7 @@ impl<'a> SceneRun<'a> {
         run.clock.earlier = saved.seconds;
         run.earlier_rebuilds = saved.rebuilds;
         run.balance = saved.balance;
+        run.drive_samples = saved.drive_samples;
         run.is_step_doubted = saved.warnings.contains(&in_phase(&run.phases[phase].name));
         run.warnings = saved.warnings;
         if run.is_main() {
@@ -131,6 +147,7 @@ impl<'a> SceneRun<'a> {
             return Ok(series_bytes);
         }
         self.samples -= 1;
+        self.drive_samples.pop();
         Series::without_last_row(&self.folder, series_bytes)
     }
 
@@ -165,6 +182,7 @@ impl<'a> SceneRun<'a> {
                 saved: now,
             },
             balance: Balance::default(),
+            drive_samples: Vec::new(),
             warnings: String::new(),
             is_step_doubted: false,
             before_early_sample: None,
@@ -223,7 +241,7 @@ impl<'a> SceneRun<'a> {
         self.judge_step();
         if self.is_main() {
             self.bonds_initial = dem::number_of_bonds(&self.world);
-            self.balance = Balance::new(&self.world.energy());
+            self.balance = Balance::new(&self.world);
             for doubt in doubts::about_beginning(self.scene, &self.world) {
                 self.warn(doubt);
             }
@@ -349,11 +367,13 @@ impl<'a> SceneRun<'a> {
             link_steps: self.link_steps,
             rebuilds: self.rebuilds(),
             balance,
+            drive_samples: self.drive_samples.clone(),
             warnings,
+            keys: self.scene.keys.clone(),
             state: self.world.record(),
         };
         let path = self.folder.join(CHECKPOINT);
-        checkpoint.write(&path, &self.fingerprint, &self.scene.keys)?;
+        checkpoint.write(&path, &self.fingerprint)?;
         self.clock.saved = Instant::now();
         self.observer.event(Event::CheckpointWritten {
             path: &path,

@@ -16,6 +16,16 @@ pub enum Value {
     Count(usize),
 }
 
+impl Value {
+    /// The value as a number.
+    pub fn number(self) -> f64 {
+        match self {
+            Self::Number(number) => number,
+            Self::Count(count) => count as f64,
+        }
+    }
+}
+
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -2,23 +2,27 @@
 
 use super::phases::{Phase, PhaseKind, phase_model, phases};
 use super::setup_states::{bonded_block, loose_grains, roles};
+use super::start::continued;
 use crate::error::Error;
 use crate::machine::with_chosen_execution;
 use crate::scene::Scene;
-use gouge_dem::{ModelError, World};
+use gouge_dem::World;
 
 /// The world at the beginning of a phase, made from the world at the end of the previous phase.
 ///
 /// # Errors
-/// A state that the kernel rejects.
+/// A state that the kernel rejects, or no state from which the run can begin.
 pub fn begin_phase(
     scene: &Scene,
     phases: &[Phase],
     index: usize,
     before: Option<World>,
-) -> Result<World, ModelError> {
+) -> Result<World, Error> {
+    if let Some(start) = &scene.start {
+        return continued(scene, start);
+    }
     let Some(setup) = &scene.setup else {
-        return scene.initial_world().map(with_chosen_execution);
+        return Ok(scene.initial_world().map(with_chosen_execution)?);
     };
     let kind = phases[index].kind;
     let world = match before {
@@ -35,7 +39,7 @@ pub fn begin_phase(
     let had_roles = index > 0 && matches!(phases[index - 1].kind, PhaseKind::Press(_));
     let gets_roles = matches!(kind, PhaseKind::Press(_) | PhaseKind::Main) && !had_roles;
     let roles = gets_roles.then(|| roles(scene, setup, world.particles()));
-    world.continue_with(phase_model(scene, kind, &radii), roles)
+    Ok(world.continue_with(phase_model(scene, kind, &radii), roles)?)
 }
 
 /// The world at t = 0 of the scene proper, after all phases of its set-up, without any output.

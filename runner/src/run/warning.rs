@@ -60,6 +60,14 @@ pub fn in_phase(name: &str) -> String {
     format!("in phase '{name}'")
 }
 
+/// How a step is above a bound in s.
+fn above(bound: f64) -> String {
+    match bound > 0.0 {
+        true => format!("above the estimated stability bound, {bound:.3e} s"),
+        false => "no step is stable with this integrator".to_owned(),
+    }
+}
+
 impl fmt::Display for Warning<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -71,8 +79,8 @@ impl fmt::Display for Warning<'_> {
                 meaning,
             } => write!(
                 f,
-                "{scene}: time.step = {step:?}: above the estimated stability bound, {bound:.3e} s, {} \
-                 ({meaning}; run `gouge stability` for all bounds)",
+                "{scene}: time.step = {step:?}: {}, {} ({meaning}; run `gouge stability` for all bounds)",
+                above(*bound),
                 in_phase(phase)
             ),
             Self::Balance {

@@ -52,6 +52,11 @@ impl Keys {
         self.set(key, &format!("{name:?} with the hash {}", hash(content)));
     }
 
+    /// The value of a key as text.
+    pub fn get(&self, key: &str) -> Option<&str> {
+        self.0.get(key).map(String::as_str)
+    }
+
     /// The value of a key as a number.
     pub fn number(&self, key: &str) -> Option<f64> {
         self.0.get(key)?.parse().ok()

@@ -71,6 +71,8 @@ pub struct Scene {
     pub contacts: Placed<ContactStart>,
     /// Protocol that generates more particles.
     pub setup: Option<Setup>,
+    /// Another run whose final state replaces particles, bonds, contacts and set-up.
+    pub start: Option<StartFile>,
     /// What a run writes and how often.
     pub output: Output,
     /// Name of the scene file.
@@ -83,6 +85,17 @@ pub struct Scene {
     pub keys: Keys,
 }
 
+/// The checkpoint of another run, from whose final state a run begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StartFile {
+    /// The file.
+    pub path: PathBuf,
+    /// SHA-256 of its content.
+    pub sha256: String,
+    /// The error that refuses it, except for the reason.
+    pub refusal: SceneError,
+}
+
 /// `[output]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Output {
@@ -90,6 +103,8 @@ pub struct Output {
     pub interval: f64,
     /// Format of the trajectory.
     pub trajectory: Trajectory,
+    /// Whether each frame is accompanied by one of all contacts and bonds, with their forces.
+    pub links: bool,
     /// Whether the energy balance is kept and written.
     pub energy: bool,
 }
@@ -105,7 +120,7 @@ pub enum Trajectory {
     Extxyz,
 }
 
-const KEYS: [&str; 19] = [
+const KEYS: [&str; 20] = [
     "title",
     "model",
     "reading",
@@ -117,6 +132,7 @@ const KEYS: [&str; 19] = [
     "ambient",
     "external",
     "driving",
+    "start",
     "particles",
     "particles_file",
     "bonds",
@@ -218,7 +234,7 @@ impl Scene {
         let root = Table::root(source, &table);
         let mut scene = Self::from_table(&root, folder)?;
         scene.sha256 = hex(&overrides.sha256(bytes));
-        scene.keys = keys(&root, &table, folder, &scene.output)?;
+        scene.keys = keys(&root, &table, folder, &scene)?;
         scene.check(&root)?;
         Ok(scene)
     }
@@ -239,7 +255,7 @@ impl Scene {
         time.allow(&["step", "end", "integrator"])?;
         let (end, step) = time.duration_and_step("end")?;
         let material = particles::material(root, reading)?;
-        Ok(Self {
+        let mut scene = Self {
             title: root.optional_text("title")?.unwrap_or_default().to_owned(),
             reading,
             integrator: time.choice("integrator", &[&INTEGRATORS[..], &[HALF_STEP]].concat())?,
@@ -254,6 +270,7 @@ impl Scene {
             bonds: particles::bonds(root, folder)?,
             contacts: particles::contacts(root, folder)?,
             setup: setup::setup(root, &domain, reading, material)?,
+            start: particles::start(root, folder)?,
             output: output(root, end)?,
             domain,
             material,
@@ -261,7 +278,13 @@ impl Scene {
             files: files(root, folder)?,
             sha256: String::new(),
             keys: Keys::default(),
-        })
+        };
+        if let Some(start) = &scene.start {
+            scene.files.push(start.path.clone());
+            (scene.particles, scene.setup) = (Vec::new(), None);
+            (scene.bonds, scene.contacts) = (Vec::new(), Vec::new());
+        }
+        Ok(scene)
     }
 
     /// The model of the scene proper, for particles of the given radii.
@@ -389,22 +412,30 @@ fn output(root: &Table, end: f64) -> Result<Output> {
         return Ok(Output {
             interval: default,
             trajectory: Trajectory::None,
+            links: false,
             energy: true,
         });
     };
-    table.allow(&["interval", "trajectory", "energy"])?;
+    table.allow(&["interval", "trajectory", "links", "energy"])?;
     let formats = [
         ("none", Trajectory::None),
         ("vtk", Trajectory::Vtk),
         ("extxyz", Trajectory::Extxyz),
     ];
+    let trajectory = table
+        .optional_choice("trajectory", &formats)?
+        .unwrap_or(Trajectory::None);
+    let links = table.optional_truth("links")?.unwrap_or(false);
+    if links && trajectory == Trajectory::None {
+        let accepted = "needs frames: output.trajectory = \"vtk\" or \"extxyz\"";
+        return Err(table.error("links", accepted));
+    }
     Ok(Output {
         interval: table
             .optional_number("interval", Range::Positive)?
             .unwrap_or(default),
-        trajectory: table
-            .optional_choice("trajectory", &formats)?
-            .unwrap_or(Trajectory::None),
+        trajectory,
+        links,
         energy: table.optional_truth("energy")?.unwrap_or(true),
     })
 }
@@ -413,9 +444,15 @@ fn output(root: &Table, end: f64) -> Result<Output> {
 const FILES: [&str; 3] = ["particles_file", "bonds_file", "contacts_file"];
 
 /// The keys of a scene; files stand for their content, and what depends on other keys by default is written out.
-fn keys(root: &Table, table: &DeTable, folder: &Path, output: &Output) -> Result<Keys> {
+fn keys(root: &Table, table: &DeTable, folder: &Path, scene: &Scene) -> Result<Keys> {
     let mut keys = Keys::of(&root.source(), table);
-    keys.set("output.interval", &format!("{:?}", output.interval));
+    keys.set("output.interval", &format!("{:?}", scene.output.interval));
+    if let Some(start) = &scene.start {
+        keys.set(
+            "start",
+            &format!("the state with the hash {}", &start.sha256[..12]),
+        );
+    }
     for key in FILES {
         if let Some(name) = root.optional_text(key)? {
             let content = std::fs::read(folder.join(name)).unwrap_or_default();

@@ -1,13 +1,16 @@
 //! Particles, bonds and contacts of a scene, from the scene file or from CSV files.
 
+use super::StartFile;
 use super::rows::{Row, side_file};
 use super::table::{Range, Table};
+use super::text::hex;
 use crate::error::SceneError;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
 use gouge_dem::contacts::ContactStart;
 use gouge_dem::model::Reading;
 use gouge_dem::particles::{Particle, Role, moment_of_inertia, sphere_mass};
+use sha2::{Digest, Sha256};
 use std::path::Path;
 
 type Result<T> = std::result::Result<T, SceneError>;
@@ -95,6 +98,28 @@ pub fn mass_problem(material: Material, radius: f64) -> Option<String> {
              with the density {density:?} they are {mass:?} kg and {inertia:?} kg m^2"
         )
     })
+}
+
+/// `start`: the folder of a run, or its checkpoint.
+pub fn start(root: &Table, folder: &Path) -> Result<Option<StartFile>> {
+    let Some(name) = root.optional_text("start")? else {
+        return Ok(None);
+    };
+    let mut path = folder.join(name);
+    if path.is_dir() {
+        path.push("checkpoint");
+    }
+    match std::fs::read(&path) {
+        Ok(bytes) => Ok(Some(StartFile {
+            path,
+            sha256: hex(&Sha256::digest(&bytes)),
+            refusal: root.error("start", ""),
+        })),
+        Err(error) => {
+            let accepted = format!("must be the output folder of a finished run: {error}");
+            Err(root.error("start", &accepted))
+        }
+    }
 }
 
 /// `[[particles]]` or `particles_file`.

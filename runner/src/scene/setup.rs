@@ -258,8 +258,14 @@ fn lattice(table: &Table, sizes: SizeRange, domain: &Domain) -> Result<LatticeTa
     })
 }
 
+/// Most rows or columns of a lattice.
+const MOST_ROWS: u64 = 1_000_000;
+
 fn columns(table: &Table, domain: &Domain, pitch: f64) -> Result<usize> {
-    let columns = match (table.optional_whole("columns")?, domain.width) {
+    let columns = match (
+        table.optional_whole_within("columns", 1, MOST_ROWS)?,
+        domain.width,
+    ) {
         (Some(columns), _) => columns as usize,
         (None, Some(width)) if table.has("pitch") && width < pitch => {
             return Err(table.error("pitch", "must not be above box.width"));
@@ -269,29 +275,24 @@ fn columns(table: &Table, domain: &Domain, pitch: f64) -> Result<usize> {
             return Err(table.error("columns", "missing; required if box.width is absent"));
         }
     };
-    if (1..=1_000_000).contains(&columns) {
-        return Ok(columns);
+    match (1..=MOST_ROWS).contains(&(columns as u64)) {
+        true => Ok(columns),
+        false => {
+            let accepted = format!(
+                "missing; must be an integer from 1 to {MOST_ROWS}, but box.width is {columns} times the pitch"
+            );
+            Err(table.error("columns", &accepted))
+        }
     }
-    let accepted = "must be an integer from 1 to 1000000";
-    Err(match table.has("columns") {
-        true => table.error("columns", accepted),
-        false => table.error(
-            "columns",
-            &format!("missing; {accepted}, but box.width is {columns} times the pitch"),
-        ),
-    })
 }
 
 fn amount(table: &Table, sizes: SizeRange, domain: &Domain, columns: usize) -> Result<Amount> {
     let (rows, area) = (
-        table.optional_whole("rows")?,
+        table.optional_whole_within("rows", 1, MOST_ROWS)?,
         domain.width.zip(domain.height),
     );
     let (key, amount, number) = match (rows, table.has("filling"), area) {
         (Some(rows), false, _) => {
-            if !(1..=1_000_000).contains(&rows) {
-                return Err(table.error("rows", "must be an integer from 1 to 1000000"));
-            }
             let number = rows as f64 * columns as f64;
             ("rows", Amount::Rows(rows as usize), number)
         }

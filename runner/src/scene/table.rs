@@ -225,6 +225,11 @@ impl<'a> Table<'a> {
         self.source.error(at, &self.key(key), &value, accepted)
     }
 
+    fn is_overridden(&self, key: &str) -> bool {
+        let at = self.keys.get(key).map(|(at, _)| *at);
+        at.is_some_and(|at| self.source.overriding(at).is_some())
+    }
+
     fn missing(&self, key: &str, accepted: &str) -> SceneError {
         self.error(key, &format!("missing; {accepted}"))
     }
@@ -256,9 +261,19 @@ impl<'a> Table<'a> {
         let (key, duration) = (duration, self.number(duration, Range::NonNegative)?);
         let step = self.number("step", Range::Positive)?;
         if duration / step > 1e15 {
-            let key = self.key(key);
-            let accepted = format!("must be at least 1e-15 times {key}");
-            return Err(self.error("step", &accepted));
+            // Blame what the user set for this command, if it is one of the two.
+            return Err(
+                match self.is_overridden(key) && !self.is_overridden("step") {
+                    true => self.error(
+                        key,
+                        &format!("must be at most 1e15 times {}", self.key("step")),
+                    ),
+                    false => self.error(
+                        "step",
+                        &format!("must be at least 1e-15 times {}", self.key(key)),
+                    ),
+                },
+            );
         }
         Ok((duration, step))
     }
@@ -271,6 +286,18 @@ impl<'a> Table<'a> {
         match integer_of(value.get_ref()).and_then(|n| u64::try_from(n).ok()) {
             Some(number) => Ok(Some(number)),
             None => Err(self.error(key, "must be an integer, zero or greater, less than 2^63")),
+        }
+    }
+
+    /// An integer from `low` to `high`, if the key is present.
+    pub fn optional_whole_within(&self, key: &str, low: u64, high: u64) -> Result<Option<u64>> {
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        let number = integer_of(value.get_ref()).and_then(|n| u64::try_from(n).ok());
+        match number.filter(|number| (low..=high).contains(number)) {
+            Some(number) => Ok(Some(number)),
+            None => Err(self.error(key, &format!("must be an integer from {low} to {high}"))),
         }
     }
 

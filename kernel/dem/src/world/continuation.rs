@@ -4,9 +4,52 @@ use super::begin::Start;
 use super::simulation::World;
 use super::state::State;
 use super::workspace::Workspace;
+use crate::bonds::Bond;
+use crate::contacts::ContactMemory;
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::particles::{Particles, Role};
+use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
+
+/// What one model takes over from the state of another.
+#[derive(Clone, Debug)]
+pub struct Continuation {
+    /// The particles.
+    pub particles: Particles,
+    pub(super) bonds: Vec<Bond<f64>>,
+    pub(super) contacts: Vec<(Pair, ContactMemory<f64>)>,
+    /// Total driving force in N.
+    pub(super) drive_force: Vec2,
+}
+
+impl Continuation {
+    /// Number of bonds.
+    pub fn bonds(&self) -> usize {
+        self.bonds.len()
+    }
+
+    /// Let all contacts begin anew.
+    pub fn forget_contacts(&mut self) {
+        self.contacts.clear();
+    }
+
+    /// The world of a model at t = 0.
+    ///
+    /// # Errors
+    /// As for [`World::new`].
+    pub fn begin(self, model: Model) -> Result<World, ModelError> {
+        let start = Start {
+            drive_force: self.drive_force,
+            ..Start::default()
+        };
+        let mut world = World::new(model, self.particles, &start)?;
+        world.adopt(self.bonds, self.contacts);
+        world.make_edges_unbreakable();
+        world.begin_ledger();
+        Ok(world)
+    }
+}
 
 impl World {
     /// Continue from the present state, at t = 0, with another model and, if given, other roles.
@@ -24,22 +67,17 @@ impl World {
         if let Some(roles) = roles {
             state.particles.assign(roles);
         }
-        let bonds = state.bonds.take();
-        let contacts = state.contacts.take();
-        let start = Start {
+        let (bonds, contacts) = (state.bonds.take(), state.contacts.take());
+        let continuation = Continuation {
+            bonds: bonds.map_or_else(Vec::new, |bonds| bonds.iter().collect()),
+            contacts: contacts.map_or_else(Vec::new, |contacts| contacts.remembered().collect()),
             drive_force: state.drive.force,
-            ..Start::default()
+            particles: self.state.particles,
         };
-        let mut world = Self::new(model, self.state.particles, &start)?
+        let world = continuation.begin(model)?;
+        Ok(world
             .with_instructions(self.execution.instructions)
-            .with_parts(self.execution.parts);
-        world.adopt(
-            bonds.map_or_else(Vec::new, |bonds| bonds.iter().collect()),
-            contacts.map_or_else(Vec::new, |contacts| contacts.remembered().collect()),
-        );
-        world.make_edges_unbreakable();
-        world.begin_ledger();
-        Ok(world)
+            .with_parts(self.execution.parts))
     }
 
     /// The same world in an earlier state. Buffers and the neighbour list are rebuilt; no later bit depends on them.

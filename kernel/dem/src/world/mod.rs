@@ -15,6 +15,7 @@ mod state;
 mod workspace;
 
 pub use begin::Start;
+pub use continuation::Continuation;
 pub use guard::stable_step_estimate;
 pub use simulation::{Number, World};
 pub use state::{Drive, State};

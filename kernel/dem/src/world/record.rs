@@ -1,6 +1,7 @@
 //! The whole state of a world as named columns, for checkpoints.
 
 use super::begin::Start;
+use super::continuation::Continuation;
 use super::simulation::World;
 use super::state::{Drive, State};
 use crate::balance::Ledger;
@@ -84,6 +85,25 @@ impl World {
         }
         let columns: Vec<&[u64]> = record.columns.iter().map(|one| &one.words[..]).collect();
         restore(model, &columns)
+    }
+
+    /// What a record holds of a state from which a run of another model may begin; `None` if it is damaged.
+    pub fn continuation_of_record(record: &Record) -> Option<Continuation> {
+        let fits = |(column, &(name, shape)): (&Column, &(&str, Shape))| {
+            column.name == name && column.shape == shape && column.is_whole()
+        };
+        let common = record.columns.get(..COLUMNS.len())?;
+        if record.model != NAME || !common.iter().zip(&COLUMNS).all(fits) {
+            return None;
+        }
+        let columns: Vec<&[u64]> = common.iter().map(|one| &one.words[..]).collect();
+        let parts = read_parts(&columns)?;
+        Some(Continuation {
+            particles: parts.particles,
+            bonds: parts.bonds,
+            contacts: parts.contacts,
+            drive_force: parts.drive.force,
+        })
     }
 
     /// The words of the record in sequence.
@@ -200,9 +220,21 @@ fn contact_words((pair, memory): &(Pair, ContactMemory<f64>)) -> [u64; 6] {
     [pair_word(*pair), a, b, c, d, e]
 }
 
-/// The world of a model from columns of the right shapes; `None` if their contents are inconsistent.
-fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
-    let (common, previous) = columns.split_at_checked(COLUMNS.len())?;
+/// What a record holds of any state.
+struct Parts {
+    particles: Particles,
+    bonds: Vec<Bond<f64>>,
+    contacts: Vec<(Pair, ContactMemory<f64>)>,
+    forces: Forces<f64>,
+    drive: Drive<f64>,
+    ledger: Ledger<f64>,
+    bookings: Bookings<f64>,
+    steps: u64,
+    is_evaluated: bool,
+}
+
+/// The parts of a state from columns of the right shapes; `None` if their contents are inconsistent.
+fn read_parts(columns: &[&[u64]]) -> Option<Parts> {
     let &[
         &[steps],
         &[is_evaluated],
@@ -214,7 +246,7 @@ fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
         contacts,
         ledger,
         bookings,
-    ] = common
+    ] = columns
     else {
         return None;
     };
@@ -230,18 +262,29 @@ fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
         && are_valid(contacts.iter().map(|one| one.0), number)
         && forces.force.len() == number
         && forces.torque.len() == number;
-    if !is_consistent {
-        return None;
-    }
-    let mut world = World::new(model, particles, &Start::default()).ok()?;
-    world.adopt(bonds, contacts);
+    is_consistent.then_some(Parts {
+        particles,
+        bonds,
+        contacts,
+        forces,
+        drive: read_drive(drive)?,
+        ledger: Ledger::from_numbers(read_numbers(ledger).try_into().ok()?),
+        bookings: Bookings::from_numbers(read_numbers(bookings).try_into().ok()?),
+        steps,
+        is_evaluated: is_evaluated == 1,
+    })
+}
+
+/// The world of a model from columns of the right shapes; `None` if their contents are inconsistent.
+fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
+    let (common, previous) = columns.split_at_checked(COLUMNS.len())?;
+    let parts = read_parts(common)?;
+    let mut world = World::new(model, parts.particles, &Start::default()).ok()?;
+    world.adopt(parts.bonds, parts.contacts);
     let state = &mut world.state;
-    (state.steps, state.is_evaluated) = (steps, is_evaluated == 1);
-    state.forces = forces;
-    state.drive = read_drive(drive)?;
-    let ledger = Ledger::from_numbers(read_numbers(ledger).try_into().ok()?);
-    state.ledger = state.ledger.map(|_| ledger);
-    state.bookings = Bookings::from_numbers(read_numbers(bookings).try_into().ok()?);
+    (state.steps, state.is_evaluated) = (parts.steps, parts.is_evaluated);
+    (state.forces, state.drive, state.bookings) = (parts.forces, parts.drive, parts.bookings);
+    state.ledger = state.ledger.map(|_| parts.ledger);
     if model.integrator.needs_previous() {
         state.previous = read_previous(previous, &state.previous)?;
     }

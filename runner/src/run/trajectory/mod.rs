@@ -1,5 +1,6 @@
 //! Frames of a trajectory, for ParaView (VTK) and OVITO (extended XYZ).
 
+mod dump;
 mod extxyz;
 mod list;
 mod vtk;
@@ -17,6 +18,14 @@ use std::path::{Path, PathBuf};
 
 /// Folder of the frames, inside the output folder.
 pub const FOLDER: &str = "trajectory";
+
+/// Beginning and ending of the names of frames.
+const KINDS: [(&str, &str); 4] = [
+    ("frame", "vtk"),
+    ("frame", "xyz"),
+    ("links", "vtk"),
+    ("links", "dump"),
+];
 
 /// The content of a frame, for any model.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +61,23 @@ impl Frame {
     }
 }
 
+/// All contacts and bonds at the time of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinkFrame {
+    /// Time in s.
+    pub time: f64,
+    /// Number of steps.
+    pub steps: u64,
+    /// Whether the box is periodic in x.
+    pub is_periodic: bool,
+    /// Lower left and upper right corner of all that is shown, in m.
+    pub bounds: [Vec2; 2],
+    /// The centre of i, and that of j or of its nearest image, in m.
+    pub segments: Vec<[Vec2; 2]>,
+    /// Their data, in the same order.
+    pub links: Table,
+}
+
 /// The frames of a run.
 #[derive(Debug)]
 pub struct Frames {
@@ -71,8 +97,8 @@ impl Frames {
         }
         let folder = folder.join(FOLDER);
         std::fs::create_dir_all(&folder).map_err(|error| Error::file("create", &folder, error))?;
-        if scene.output.trajectory == Trajectory::Vtk {
-            list::write(scene, &folder, samples)?;
+        for list in lists(scene) {
+            list::write(list, scene, &folder, samples)?;
         }
         Ok(Some(Self {
             folder,
@@ -85,17 +111,31 @@ impl Frames {
     /// # Errors
     /// Failures of the file system.
     pub fn write(&mut self, scene: &Scene, sample: u64, world: &World) -> Result<(), Error> {
+        let is_vtk = scene.output.trajectory == Trajectory::Vtk;
         let frame = dem::frame(scene, world);
-        let (ending, text) = match scene.output.trajectory {
-            Trajectory::Extxyz => ("xyz", extxyz::text(&frame)),
-            Trajectory::None | Trajectory::Vtk => ("vtk", vtk::text(&frame)?),
+        let (ending, text) = match is_vtk {
+            true => ("vtk", vtk::text(&frame)?),
+            false => ("xyz", extxyz::text(&frame)),
         };
-        let path = self.folder.join(format!("frame_{sample:06}.{ending}"));
+        self.put(&format!("frame_{sample:06}.{ending}"), &text)?;
+        if scene.output.links {
+            let frame = dem::link_frame(scene, world);
+            let (ending, text) = match is_vtk {
+                true => ("vtk", vtk::links(&frame)?),
+                false => ("dump", dump::text(&frame)),
+            };
+            self.put(&format!("links_{sample:06}.{ending}"), &text)?;
+        }
+        for list in lists(scene) {
+            list::append(list, scene, &self.folder, sample)?;
+        }
+        Ok(())
+    }
+
+    fn put(&mut self, name: &str, text: &str) -> Result<(), Error> {
+        let path = self.folder.join(name);
         write_soon(&path, text.as_bytes())?;
         self.unsafe_files.push(path);
-        if scene.output.trajectory == Trajectory::Vtk {
-            list::append(scene, &self.folder, sample)?;
-        }
         Ok(())
     }
 
@@ -112,15 +152,27 @@ impl Frames {
     }
 }
 
+/// The lists of frames that a scene needs.
+fn lists(scene: &Scene) -> impl Iterator<Item = list::List> {
+    let is_vtk = scene.output.trajectory == Trajectory::Vtk;
+    let grains = is_vtk.then_some(list::GRAINS);
+    let links = (is_vtk && scene.output.links).then_some(list::LINKS);
+    grains.into_iter().chain(links)
+}
+
 /// Whether a file in the folder of the frames has a name that a run gives.
 pub fn is_frame(name: &OsStr) -> bool {
     let Some(name) = name.to_str() else {
         return false;
     };
-    let number = name
-        .strip_suffix(".vtk")
-        .or_else(|| name.strip_suffix(".xyz"))
-        .and_then(|name| name.strip_prefix("frame_"));
-    let is_number = |text: &str| text.len() >= 6 && text.bytes().all(|byte| byte.is_ascii_digit());
-    name == list::NAME || number.is_some_and(is_number)
+    let parts = name.split_once('_').zip(name.rsplit_once('.'));
+    let is_numbered = parts.is_some_and(|((kind, number), (_, ending))| {
+        let number = number
+            .strip_suffix(ending)
+            .and_then(|rest| rest.strip_suffix('.'));
+        let is_number =
+            |text: &str| text.len() >= 6 && text.bytes().all(|byte| byte.is_ascii_digit());
+        number.is_some_and(is_number) && KINDS.contains(&(kind, ending))
+    });
+    is_numbered || [list::GRAINS.0, list::LINKS.0].contains(&name)
 }

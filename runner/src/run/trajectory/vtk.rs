@@ -1,7 +1,7 @@
 //! Legacy VTK files: one vertex per particle, one segment per line.
 
 use super::super::table::Values;
-use super::Frame;
+use super::{Frame, LinkFrame};
 use crate::error::Error;
 use gouge_common::geometry::Vec2;
 use std::path::Path;
@@ -14,14 +14,44 @@ use vtkio::model::{
 /// # Errors
 /// A frame that the library cannot write.
 pub fn text(frame: &Frame) -> Result<String, Error> {
+    file(frame.time, piece(frame))
+}
+
+/// Links as text: a segment from the centre of i to that of j, or beyond the seam to its image; their data belong to
+/// the segments.
+///
+/// # Errors
+/// A frame that the library cannot write.
+pub fn links(frame: &LinkFrame) -> Result<String, Error> {
+    let number = frame.segments.len() as u32;
+    let lines: Vec<u32> = (0..number).flat_map(|n| [2, 2 * n, 2 * n + 1]).collect();
+    let points: Vec<Vec2> = frame.segments.iter().copied().flatten().collect();
+    let piece = PolyDataPiece {
+        points: flat(&points).into(),
+        verts: None,
+        lines: (number > 0).then_some(VertexNumbers::Legacy {
+            num_cells: number,
+            vertices: lines,
+        }),
+        polys: None,
+        strips: None,
+        data: Attributes {
+            point: vec![],
+            cell: frame.links.columns.iter().map(scalar).collect(),
+        },
+    };
+    file(frame.time, piece)
+}
+
+fn file(time: f64, piece: PolyDataPiece) -> Result<String, Error> {
     let file = Vtk {
         version: Version::new_legacy(4, 2),
-        title: format!("t = {:?} s", frame.time),
+        title: format!("t = {time:?} s"),
         byte_order: ByteOrder::BigEndian,
         file_path: None,
         data: DataSet::PolyData {
             meta: None,
-            pieces: vec![Piece::Inline(Box::new(piece(frame)))],
+            pieces: vec![Piece::Inline(Box::new(piece))],
         },
     };
     let mut text = String::new();

@@ -1,0 +1,117 @@
+//! What `gouge run` prints at its end: the files, what the run shows, and how to look at it.
+
+use gouge_runner::run::{Friction, Summary};
+use gouge_runner::scene::{Scene, Trajectory};
+use std::fmt::Write;
+use std::path::Path;
+
+/// The account of a finished run in a folder.
+pub fn account(scene: &Scene, summary: &Summary, folder: &Path) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, content: &str| {
+        let _ = writeln!(text, "{name:16}{content}");
+    };
+    line("status", &summary.status);
+    line(
+        "run",
+        &format!(
+            "{} particles, {} steps until {:.4e} s, in {:.1} s of wall time",
+            summary.particles, summary.steps, summary.time, summary.wall_seconds
+        ),
+    );
+    if summary.bonds_initial > 0 {
+        let (broken, initial) = (summary.bonds_broken, summary.bonds_initial);
+        line("bonds", &format!("{broken} of {initial} broken"));
+    }
+    if let Some(friction) = &summary.friction {
+        friction_lines(friction)
+            .iter()
+            .for_each(|(name, content)| line(name, content));
+    } else if scene.driving.is_some() {
+        line(
+            "friction",
+            "too few samples while the driven grains slide under load, or no energies",
+        );
+    }
+    line("energy balance", &balance(summary));
+    line(
+        "warnings",
+        &match summary.warnings.len() {
+            0 => "none".to_owned(),
+            number => format!("{number}, listed in summary.json and above"),
+        },
+    );
+    text.push('\n');
+    text + &files(scene, folder)
+}
+
+fn balance(summary: &Summary) -> String {
+    match summary.balance_error {
+        Some(error) => format!("closes to {:.1e} of its largest term", error),
+        None => "not watched, because output.energy is false".to_owned(),
+    }
+}
+
+fn friction_lines(friction: &Friction) -> Vec<(&'static str, String)> {
+    let [low, high] = friction.interval;
+    let mut lines = vec![
+        (
+            "friction",
+            format!(
+                "{:.3}, 95 % interval {low:.3} to {high:.3}: work of the drive over load times slip",
+                friction.coefficient
+            ),
+        ),
+        (
+            "",
+            format!(
+                "from {:.3e} s to the end, {:.3e} m of slip, interval from ten blocks",
+                friction.since, friction.slip
+            ),
+        ),
+        (
+            "",
+            format!(
+                "instantaneous samples: mean {:.3}, standard deviation {:.3}",
+                friction.samples_mean, friction.samples_deviation
+            ),
+        ),
+    ];
+    if friction.is_correlated() {
+        let content = format!(
+            "neighbouring blocks are correlated ({:.2}): the interval is too narrow; run longer",
+            friction.correlation
+        );
+        lines.push(("", content));
+    }
+    lines
+}
+
+fn files(scene: &Scene, folder: &Path) -> String {
+    let mut files = vec![
+        ("picture.svg", "final state; opens in a browser"),
+        (
+            "series.csv",
+            "energies, friction and fragments over time; opens in pandas",
+        ),
+        (
+            "particles.csv",
+            "final particles; another scene can read them as particles_file",
+        ),
+        ("summary.json", "this account and more"),
+        (
+            "checkpoint",
+            "final state to the bit, for --resume and the key start",
+        ),
+    ];
+    match scene.output.trajectory {
+        Trajectory::None => {}
+        Trajectory::Vtk => files.push(("trajectory/run.vtk.series", "frames; opens in ParaView")),
+        Trajectory::Extxyz => files.push(("trajectory/frame_000000.xyz", "frames; opens in OVITO")),
+    }
+    let path = |name: &str| folder.join(name).display().to_string();
+    let width = files.iter().map(|(name, _)| path(name).len()).max();
+    let width = width.unwrap_or_default();
+    let line = |(name, content): &(&str, &str)| format!("{:width$}  {content}\n", path(name));
+    files.iter().map(line).collect()
+}
