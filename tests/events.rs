@@ -53,7 +53,7 @@ fn watch(scene: &Scene, folder: &Path, options: RunOptions) -> (Vec<Seen>, Resul
     let mut events = Vec::new();
     let mut observer = |event: Event<'_>| events.push(seen(event));
     let outcome = run(scene, folder, options, &mut observer);
-    (events, outcome)
+    (events, outcome.map(|_| ()))
 }
 
 /// Checkpoints only at the beginning of phases.

@@ -62,7 +62,7 @@ fn summaries_of_built_in_scenes() {
 /// Recorded before the writers of series and frames became independent of the model.
 #[test]
 fn series_particles_and_frames_of_a_chain() {
-    let chain = include_str!("recorded/checkpoint-3/scene.toml");
+    let chain = include_str!("recorded/chain.toml");
     for (format, ending) in [("vtk", "vtk"), ("extxyz", "xyz")] {
         let folder = tempfile::tempdir().expect("a folder");
         let draft = Draft::parse(chain).with("output.trajectory", format);

@@ -78,7 +78,9 @@ fn check_extension(draft: &Draft, ends: &[f64]) {
             );
         }
         complete(&scene, &out, stage > 0);
-        assert_eq!(summary(&out)["status"], "done");
+        // The coarse step of the fault makes its runs untrusted, which are finished, too.
+        let status = summary(&out)["status"].clone();
+        assert!(status == "done" || status == "untrusted", "{status}");
     }
     complete(&until(ends[ends.len() - 1]), &reference, false);
     assert_same(&out, &reference);

@@ -1,0 +1,105 @@
+//! The friction of a whole run and its confidence interval.
+
+use gouge_runner::run::{DriveSample, Friction};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+/// Samples of a block that slides at 2 m/s under 10 N while it rises at 0.1 m/s, with a coefficient of friction for
+/// each interval between samples.
+fn sliding(coefficients: &[f64]) -> Vec<DriveSample> {
+    let (load, speed, rise, step) = (10.0, 2.0, 0.1, 1e-3);
+    let sample = |number: usize, work: f64| DriveSample {
+        time: number as f64 * step,
+        work,
+        vertical_force: -load,
+        velocity: speed,
+        height: number as f64 * rise * step,
+        coefficient: 0.4,
+    };
+    let mut samples = vec![sample(0, 0.0)];
+    let mut work = 0.0;
+    for (number, coefficient) in coefficients.iter().enumerate() {
+        // The weight of the load takes back what lifting it costs the vertical force.
+        work += (coefficient * load * speed - load * rise) * step;
+        samples.push(sample(number + 1, work));
+    }
+    samples
+}
+
+#[test]
+fn friction_is_the_work_of_the_horizontal_force_over_load_times_slip() {
+    let found = Friction::of(&sliding(&[0.3; 100])).expect("friction");
+    let errors = [
+        found.coefficient - 0.3,
+        found.interval[0] - 0.3,
+        found.interval[1] - 0.3,
+        found.since - 0.05,
+        found.slip - 0.1,
+        found.samples_mean - 0.4,
+    ];
+    assert!(errors.iter().all(|error| error.abs() < 1e-12), "{found:?}");
+}
+
+#[test]
+fn only_the_second_half_counts() {
+    let coefficients: Vec<f64> = (0..100).map(|n| if n < 50 { 9.0 } else { 0.3 }).collect();
+    let found = Friction::of(&sliding(&coefficients)).expect("friction");
+    assert!((found.coefficient - 0.3).abs() < 1e-12, "{found:?}");
+}
+
+#[test]
+fn a_block_that_does_not_slide_under_load_has_no_friction() {
+    assert_eq!(Friction::of(&[]), None);
+    assert_eq!(Friction::of(&sliding(&[0.3; 38])), None, "too few samples");
+    let mut resting = sliding(&[0.3; 100]);
+    resting.iter_mut().for_each(|one| one.velocity = 0.0);
+    assert_eq!(Friction::of(&resting), None);
+    let mut pulled = sliding(&[0.3; 100]);
+    pulled.iter_mut().for_each(|one| one.vertical_force = 1.0);
+    assert_eq!(Friction::of(&pulled), None);
+}
+
+/// Coefficients around 0.3 whose deviations forget their past within about `memory` samples.
+fn scattered(random: &mut Pcg64, memory: f64, number: usize) -> Vec<f64> {
+    let keep = (-1.0 / memory).exp();
+    let mut deviation = 0.0;
+    let mut next = || {
+        // The sum of twelve uniform numbers is almost normal.
+        let normal = (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0;
+        deviation = keep * deviation + (1.0 - keep * keep).sqrt() * normal;
+        0.3 + 0.1 * deviation
+    };
+    (0..100).for_each(|_| {
+        next();
+    });
+    (0..number).map(|_| next()).collect()
+}
+
+/// Of 1000 intervals, 95 % contain the coefficient; four standard deviations of that number are 2.8 %.
+#[test]
+fn intervals_contain_the_coefficient_as_often_as_they_say() {
+    let mut random = Pcg64::seed_from_u64(7);
+    for memory in [0.1, 5.0] {
+        let is_covered = |_: &i32| {
+            let samples = sliding(&scattered(&mut random, memory, 2000));
+            let [low, high] = Friction::of(&samples).expect("friction").interval;
+            (low..high).contains(&0.3)
+        };
+        let covered = (0..1000).filter(is_covered).count();
+        assert!((922..=978).contains(&covered), "{memory}: {covered}");
+    }
+}
+
+#[test]
+fn blocks_shorter_than_the_memory_are_told() {
+    let mut random = Pcg64::seed_from_u64(8);
+    let mut correlated = |memory: f64| {
+        let is_told = |_: &i32| {
+            let samples = sliding(&scattered(&mut random, memory, 400));
+            Friction::of(&samples).expect("friction").is_correlated()
+        };
+        (0..200).filter(is_told).count()
+    };
+    assert!(correlated(0.1) <= 10, "independent blocks");
+    assert!(correlated(60.0) >= 60, "blocks of twenty samples");
+}
