@@ -9,7 +9,7 @@ use super::bytes::{Reader, put_record, put_text, put_words};
 use super::fingerprint::{Fingerprint, Kinship};
 use super::folder::write_whole;
 use super::friction::DriveSample;
-use super::phases::{PhaseKind, phase_model};
+use super::phases::{PhaseKind, phase_model, phases};
 use crate::error::Error;
 use crate::machine::with_chosen_execution;
 use crate::scene::{Keys, Scene};
@@ -198,6 +198,20 @@ fn refusal(path: &Path, reason: &str) -> Error {
         path: path.to_owned(),
         reason: reason.to_owned(),
     }
+}
+
+/// The world in the bytes of a checkpoint of a scene.
+///
+/// # Errors
+/// What is wrong with the bytes, or why they do not belong to the scene.
+pub fn world_of_checkpoint(bytes: &[u8], scene: &Scene) -> Result<World, String> {
+    let (saved, kinship) = Checkpoint::parse(bytes, scene)?;
+    if let Kinship::Other(reason) = kinship {
+        return Err(reason);
+    }
+    let phases = phases(scene);
+    let phase = (saved.phase as usize).min(phases.len() - 1);
+    world_of_record(scene, phases[phase].kind, &saved.state).ok_or_else(|| UNFIT.to_owned())
 }
 
 /// The world of a scene in a recorded state of a phase of this kind; none if the record is not such a state.

@@ -25,7 +25,7 @@ mod trajectory;
 mod transitions;
 mod warning;
 
-pub use checkpoint::world_of_record;
+pub use checkpoint::{world_of_checkpoint, world_of_record};
 pub use folder::write_whole;
 pub use friction::{DriveSample, Friction};
 pub use links::links_of;

@@ -4,9 +4,6 @@ use super::super::table::Values;
 use super::LinkFrame;
 use std::fmt::Write;
 
-/// Names that OVITO knows, in place of ours.
-const NAMES: [(&str, &str); 3] = [("i", "batom1"), ("j", "batom2"), ("kind", "btype")];
-
 /// A frame as text. Bond types count from 1: weak, strong.
 pub fn text(frame: &LinkFrame) -> String {
     let columns = &frame.links.columns;
@@ -23,9 +20,8 @@ pub fn text(frame: &LinkFrame) -> String {
         low.x, high.x, low.y, high.y
     );
     text.push_str("ITEM: ENTRIES");
-    for (own, _) in columns {
-        let known = NAMES.iter().find(|(ours, _)| ours == own);
-        let _ = write!(text, " {}", known.map_or(*own, |(_, theirs)| theirs));
+    for (name, _) in columns {
+        let _ = write!(text, " {name}");
     }
     text.push('\n');
     for row in 0..number {
