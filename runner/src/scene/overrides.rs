@@ -164,7 +164,10 @@ impl Override {
     /// The value as TOML.
     fn toml(&self) -> Result<Spanned<DeValue<'_>>> {
         DeValue::parse(&self.value).map_err(|problem| {
-            let accepted = if is_word(&self.value) {
+            let lower = self.value.to_lowercase();
+            let accepted = if ["true", "false"].contains(&lower.as_str()) {
+                format!("must be a TOML value; TOML writes {lower}")
+            } else if is_word(&self.value) {
                 let (key, value) = (self.names.join("."), shortened(&self.value));
                 format!("a string needs quotes: --set '{key}=\"{value}\"'")
             } else {

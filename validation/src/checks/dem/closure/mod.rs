@@ -9,6 +9,7 @@ mod momenta;
 mod printed;
 mod residual;
 mod spheres;
+mod whole;
 
 use crate::checks::Topic;
 
@@ -27,6 +28,7 @@ pub fn topic() -> Topic {
             momenta::checks(),
             printed::checks(),
             many::checks(),
+            whole::checks(),
         ]
         .into_iter()
         .flatten()
