@@ -12,6 +12,10 @@ fn table(source: Source) -> &'static str {
     }
 }
 
+/// Largest number of equations that a check stands for. One that covers more, such as a symmetry of the
+/// whole model, says little about each.
+const MOST: usize = 24;
+
 /// A numbered equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Equation {
@@ -40,18 +44,41 @@ impl Equation {
         anchor(self.source, &self.number)
     }
 
-    /// The checks among the given ones that stand for it.
-    fn checks<'a>(&self, entries: &'a [Entry]) -> Vec<&'a Record> {
+    /// The checks among the given ones that cover it.
+    fn checks<'a>(&self, entries: &'a [Entry]) -> Checks<'a> {
         let records = entries.iter().map(|entry| &entry.record);
-        records.filter(|record| self.is_covered(record)).collect()
+        let covering = records.filter(|record| self.is_covered(record));
+        let mut counted: Vec<(usize, &Record)> = covering.map(|one| (covered(one), one)).collect();
+        counted.sort_by_key(|(covered, _)| *covered);
+        let (own, broad): (Vec<_>, Vec<_>) = counted.into_iter().partition(|one| one.0 <= MOST);
+        let records = |counted: Vec<(usize, &'a Record)>| counted.into_iter().map(|one| one.1);
+        Checks {
+            own: records(own).collect(),
+            broad: records(broad).collect(),
+        }
     }
 
     fn is_covered(&self, record: &Record) -> bool {
         let mut citations = record.equations.citations().iter();
-        citations.any(|citation| {
-            citation.source == self.source && citation.equations().contains(&self.number)
-        })
+        self.is_implemented()
+            && citations.any(|citation| {
+                citation.source == self.source && citation.equations().contains(&self.number)
+            })
     }
+}
+
+/// The checks that cover an equation, those that cover the fewest equations first.
+struct Checks<'a> {
+    /// Those that stand for it.
+    own: Vec<&'a Record>,
+    /// Those that cover too many equations.
+    broad: Vec<&'a Record>,
+}
+
+/// Number of equations that a check covers.
+fn covered(record: &Record) -> usize {
+    let citations = record.equations.citations().iter();
+    citations.map(|citation| citation.equations().len()).sum()
 }
 
 /// The anchor of the row of an equation.
@@ -125,7 +152,7 @@ impl Coverage {
         let mut coverage = Self::default();
         for equation in equations() {
             coverage.all += 1;
-            match equation.checks(entries).is_empty() {
+            match equation.checks(entries).own.is_empty() {
                 false => coverage.checked += 1,
                 true if equation.is_implemented() => coverage.tested += 1,
                 true => coverage.missing += 1,
@@ -137,13 +164,13 @@ impl Coverage {
 
 /// The chapter; without all checks it shows only the equations that the given ones cover.
 pub fn chapter(entries: &[Entry], is_complete: bool) -> Markup {
-    let rows: Vec<(Equation, Vec<&Record>)> = equations()
+    let rows: Vec<(Equation, Checks)> = equations()
         .into_iter()
         .map(|equation| {
             let checks = equation.checks(entries);
             (equation, checks)
         })
-        .filter(|(_, checks)| is_complete || !checks.is_empty())
+        .filter(|(_, checks)| is_complete || !checks.own.is_empty())
         .collect();
     Fold {
         id: "equations",
@@ -155,6 +182,7 @@ pub fn chapter(entries: &[Entry], is_complete: bool) -> Markup {
         p.about {
             "Every numbered equation of the thesis, the code that implements it, and the checks of this report that stand for it. "
             "If no check does, the row says why, or names the tests of " code { "cargo test" } " that do. "
+            "A check that covers more than " (MOST) " equations, such as a symmetry of the whole model, is listed last and not counted. "
             "Formulas are the implemented ones, from " code { "docs/thesis/equations.md" } ", which also lists the errata."
         }
         div.data {
@@ -166,7 +194,7 @@ pub fn chapter(entries: &[Entry], is_complete: bool) -> Markup {
     })
 }
 
-fn row(equation: &Equation, checks: &[&Record]) -> Markup {
+fn row(equation: &Equation, checks: &Checks) -> Markup {
     html! {
         tr id=(equation.anchor()) {
             td { "(" (equation.number) ")" }
@@ -183,16 +211,17 @@ fn row(equation: &Equation, checks: &[&Record]) -> Markup {
 }
 
 /// What stands for an equation: checks, or tests, or the reason why nothing does.
-fn standing(equation: &Equation, checks: &[&Record]) -> Markup {
+fn standing(equation: &Equation, checks: &Checks) -> Markup {
     html! {
-        @for check in checks { (link(check)) " " }
-        @if checks.is_empty() {
-            @if equation.is_implemented() {
-                "No check; " code { "cargo test" } ": "
-                @for test in &equation.tests { code { (test) } " " }
-            } @else {
-                "No check: " (equation.formula) "."
-            }
+        @for check in &checks.own { (link(check)) " " }
+        @if !equation.is_implemented() {
+            "No check: " (equation.formula) "."
+        } @else if checks.own.is_empty() {
+            "No check of its own; " code { "cargo test" } ": "
+            @for test in &equation.tests { code { (test) } " " }
+        }
+        @if !checks.broad.is_empty() {
+            span.broad { "Also, with many others: " @for check in &checks.broad { (link(check)) " " } }
         }
     }
 }
@@ -219,6 +248,7 @@ mod tests {
         let entries = [
             entry(covering("laws.some", "(34)-(36), E15")),
             entry(covering("laws.other", "(36)")),
+            entry(covering("laws.all", "(3)-(58)")),
         ];
         let page = chapter(&entries, true).into_string();
         let row = |number: u32| {
@@ -232,7 +262,13 @@ mod tests {
         assert!(linked(35, "laws.some") && !linked(35, "laws.other"));
         assert!(linked(36, "laws.some") && linked(36, "laws.other"));
         assert!(!row(36).contains("No check"));
-        assert!(row(33).contains("No check; ") && row(33).contains("a_new_bond_is_unstrained"));
+        assert!(linked(33, "laws.all") && !linked(23, "laws.all"));
+        let place = |id: &str| row(36).find(id);
+        assert!(place("laws.other") < place("laws.some") && place("laws.some") < place("laws.all"));
+        assert!(
+            row(33).contains("No check of its own; ")
+                && row(33).contains("a_new_bond_is_unstrained")
+        );
         assert!(row(23).contains("No check: not implemented: the area in three dimensions"));
         assert!(row(15).contains("see (14)"));
         let part = chapter(&entries, false).into_string();
@@ -244,6 +280,7 @@ mod tests {
         let entries = [
             entry(covering("laws.some", "(34)-(36)")),
             entry(covering("laws.other", "(36), E1")),
+            entry(covering("laws.all", "(3)-(58)")),
         ];
         let found = Coverage::of(&entries);
         assert_eq!((found.all, found.checked, found.missing), (137, 3, 1));

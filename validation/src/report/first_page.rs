@@ -51,9 +51,10 @@ pub fn first_page(entries: &[Entry], facts: &Facts) -> Markup {
             }
             p {
                 b { "Scope and limits. " }
-                (scope(coverage))
+                (scope(coverage, facts.is_complete))
                 " Results hold for the scenes and parameters that each check states. "
                 "Crumbling is chaotic, so scenes of many grains agree with other programs only on average. "
+                "Some figures show measured impacts of single spheres; no check rests on them. "
                 "Chapters on speed and on the author's program show stored measurements."
             }
             (table(entries, coverage, facts))
@@ -83,18 +84,20 @@ fn verdict(entries: &[Entry], facts: &Facts) -> Markup {
 }
 
 /// Which equations are covered, in words.
-fn scope(coverage: Coverage) -> String {
+fn scope(coverage: Coverage, is_complete: bool) -> String {
     let Coverage {
         all,
         checked,
         tested,
         missing,
     } = coverage;
+    let covered =
+        format!("Checks stand for {checked} of the {all} numbered equations of the thesis");
+    if !is_complete {
+        return format!("{covered}.");
+    }
     let verb = if missing == 1 { "is" } else { "are" };
-    format!(
-        "Checks of this report stand for {checked} of the {all} numbered equations of the thesis; \
-         {tested} have only unit tests, and {missing} {verb} not implemented."
-    )
+    format!("{covered}; {tested} have only unit tests, and {missing} {verb} not implemented.")
 }
 
 fn table(entries: &[Entry], coverage: Coverage, facts: &Facts) -> Markup {
@@ -110,7 +113,7 @@ fn table(entries: &[Entry], coverage: Coverage, facts: &Facts) -> Markup {
             @if let Some(digits) = Digits::of(records()) {
                 tr { th { "correct digits" } td {
                     "fewest " (format!("{:.1}", digits.fewest)) ", median " (format!("{:.1}", digits.median))
-                    " in the " (digits.checks) " checks that demand three or more"
+                    "; checks that demand at least three: " (digits.checks)
                 } }
             }
             tr { th { "equations" } td { (coverage.checked) " of " (coverage.all) " with a check" } }
@@ -179,7 +182,7 @@ mod tests {
             "Failed: pairs.bad",
             "2026-11-29",
             "0123456789ab with uncommitted changes",
-            "stand for 3 of the 137 numbered equations",
+            "stand for 3 of the 137 numbered equations of the thesis; 133 have only unit tests, and 1 is not implemented",
             "step by step 1 of 1 cases; digits: fewest 13.0, median 13.0",
             "verification, not validation",
             "instructions: portable",
