@@ -27,13 +27,12 @@ impl ScaleBar {
         }
         let decade = most.log10().floor() as i32;
         // One decade more, in case the logarithm was rounded down.
-        let lengths = [decade - 1, decade, decade + 1].into_iter();
-        let rounds = lengths.flat_map(|decade| [1, 2, 5].map(|digit| (digit, decade)));
-        let fitting = rounds.filter_map(|(digit, decade)| {
+        let decades = [decade + 1, decade, decade - 1].into_iter();
+        let mut rounds = decades.flat_map(|decade| [5, 2, 1].map(|digit| (digit, decade)));
+        let (length, digit, decade) = rounds.find_map(|(digit, decade)| {
             let length: f64 = format!("{digit}e{decade}").parse().ok()?;
             (0.0 < length && length <= most).then_some((length, digit, decade))
-        });
-        let (length, digit, decade) = fitting.last()?;
+        })?;
         Some(Self {
             length,
             label: label(length, digit, decade),

@@ -1,6 +1,6 @@
 //! Every numbered equation with the checks that stand for it.
 
-use super::fold::{Fold, link};
+use super::fold::{Fold, counted, link};
 use super::{Entry, Record};
 use crate::checks::Source;
 use maud::{Markup, html};
@@ -175,7 +175,7 @@ pub fn chapter(entries: &[Entry], is_complete: bool) -> Markup {
     Fold {
         id: "equations",
         title: "Equations",
-        count: &format!("{} numbered equations", rows.len()),
+        count: &counted(rows.len(), "numbered equation"),
         class: "lookup",
     }
     .around(html! {

@@ -37,6 +37,14 @@ pub fn link(record: &Record) -> Markup {
     }
 }
 
+/// A number of things, in words: `1 check`, `2 checks`.
+pub fn counted(number: usize, thing: &str) -> String {
+    match number {
+        1 => format!("1 {thing}"),
+        _ => format!("{number} {thing}s"),
+    }
+}
+
 /// A number with one decimal, or a dash.
 pub fn decimal(number: Option<f64>) -> String {
     number.map_or("–".to_owned(), |number| format!("{number:.1}"))

@@ -2,7 +2,7 @@
 
 use super::article::article;
 use super::first_page::{Facts, first_page};
-use super::fold::{Fold, decimal, link, ratio};
+use super::fold::{Fold, counted, decimal, link, ratio};
 use super::judged::{Digits, digits, fewest_digits_first, used, weakest_first};
 use super::{Entry, Picture, Record, equations, original, pictures, sources, speed};
 use crate::checks::Topic;
@@ -149,7 +149,7 @@ fn weakest(entries: &[Entry]) -> Markup {
 fn list<'a>(records: impl Iterator<Item = &'a Record>) -> Markup {
     html! {
         table.weakest {
-            thead { tr { th { "check" } th.n { "error / tolerance" } th.n { "digits" } th { "tolerance" } th { "claim" } } }
+            thead { tr { th { "check" } th.n { "error / tolerance" } th.n { "digits" } th { "origin of the tolerance" } th { "claim" } } }
             tbody {
                 @for record in records {
                     tr {
@@ -212,8 +212,8 @@ fn filters(shown: &[Shown]) -> Markup {
 fn chapter(shown: &Shown) -> Markup {
     let (all, passed) = (shown.entries.len(), shown.passed());
     let count = match all - passed {
-        0 => format!("{all} checks, all pass"),
-        failed => format!("{all} checks, {failed} fail"),
+        0 => format!("{}, all pass", counted(all, "check")),
+        failed => format!("{}, {failed} failed", counted(all, "check")),
     };
     Fold {
         id: shown.topic.id,
@@ -241,7 +241,7 @@ fn code(entries: &[Entry]) -> Markup {
     Fold {
         id: "code",
         title: "Code of the checks",
-        count: &format!("{} files", files.len()),
+        count: &counted(files.len(), "file"),
         class: "lookup",
     }
     .around(html! {

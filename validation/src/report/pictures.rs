@@ -1,6 +1,6 @@
 //! Pictures of the built-in scenes.
 
-use super::fold::Fold;
+use super::fold::{Fold, counted};
 use gouge_runner::error::Error;
 use gouge_runner::run::{advance, draw_picture, run_setup};
 use gouge_runner::scene::{Scene, builtin};
@@ -64,7 +64,7 @@ pub fn chapter(pictures: &[Picture]) -> Markup {
     Fold {
         id: "scenes",
         title: "Built-in scenes",
-        count: &format!("{} pictures", pictures.len()),
+        count: &counted(pictures.len(), "picture"),
         class: "other",
     }
     .around(gallery(pictures))
