@@ -58,13 +58,13 @@ pub fn page(topics: &[Topic], entries: &[Entry], drawn: &[Picture], facts: &Fact
                 (weakest(entries))
                 (how_to_read())
                 (filters(&shown))
-                (equations::chapter(entries, facts.is_complete))
                 @for shown in &shown { (chapter(shown)) }
                 @if !drawn.is_empty() {
                     (pictures::chapter(drawn))
                     (original::chapter())
                     (speed::chapter())
                 }
+                (equations::chapter(entries, facts.is_complete))
                 (code(entries))
                 script { (PreEscaped(SCRIPT)) }
             }
@@ -84,15 +84,15 @@ fn contents(shown: &[Shown], is_complete: bool) -> Markup {
             ("scenes", "Built-in scenes"),
             ("original", "The author's program"),
             ("speed", "Speed"),
-            ("code", "Code of the checks"),
         ],
-        false => &[("code", "Code of the checks")],
+        false => &[],
     };
     html! {
         nav {
             h2 { "Contents" }
             p {
-                a href="#weakest" { "Weakest checks" } " · " a href="#how" { "How to read this page" } " · " a href="#equations" { "Equations" }
+                a href="#weakest" { "Weakest checks" } " · " a href="#how" { "How to read this page" } " · "
+                a href="#equations" { "Equations with their checks" } " · " a href="#code" { "Code of the checks" }
                 @for (id, title) in others { " · " a href=(format!("#{id}")) { (title) } }
             }
             table.summary {
