@@ -37,11 +37,12 @@ macro_rules! topics {
 }
 
 topics! {
+    references: "references",
+    benchmarks: "benchmarks",
     identities: "identities",
     laws: "laws",
     pairs: "pairs",
     calibration: "calibration",
-    benchmarks: "benchmarks",
     beams: "beams",
     strength: "strength",
     time_step: "time-step",
@@ -49,7 +50,6 @@ topics! {
     closure: "closure",
     extremes: "extremes",
     estimators: "estimators",
-    references: "references",
     economy: "economy",
     work_precision: "work-precision",
 }

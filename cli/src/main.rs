@@ -25,7 +25,7 @@ static ALLOCATOR: MiMalloc = MiMalloc;
 
 /// A verified discrete element model of shearing brittle surfaces.
 #[derive(Parser)]
-#[command(version)]
+#[command(version = gouge_runner::build::VERSION)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

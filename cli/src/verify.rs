@@ -9,7 +9,7 @@ const PROGRAM: &str = "gouge-verify";
 /// The folder from which this program was built.
 const SOURCES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 /// What the checks are built from, in that folder.
-const PARTS: [&str; 7] = [
+const PARTS: [&str; 8] = [
     "Cargo.toml",
     "Cargo.lock",
     "kernel",
@@ -17,6 +17,7 @@ const PARTS: [&str; 7] = [
     "validation",
     "references",
     "tools/equations",
+    "docs/thesis",
 ];
 
 /// Run the checks and exit with their status.

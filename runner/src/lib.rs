@@ -1,5 +1,6 @@
 //! Scenes in, outputs out: scene files, built-in scenes, runs, checkpoints, pictures, comparisons.
 
+pub mod build;
 pub mod commands;
 pub mod compare;
 pub mod error;

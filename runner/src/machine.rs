@@ -64,6 +64,14 @@ fn chosen_threads() -> Result<Option<usize>, String> {
     }
 }
 
+/// The choices of the environment.
+///
+/// # Errors
+/// Instructions that this machine does not have, or an invalid number of threads.
+pub fn chosen() -> Result<Machine, Error> {
+    CHOSEN.clone().map_err(Error::Argument)
+}
+
 /// Whether the thread that starts the pool becomes one of its threads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CallingThread {
@@ -80,7 +88,7 @@ pub enum CallingThread {
 /// # Errors
 /// Instructions that this machine does not have, or an invalid number of threads.
 pub fn start_pool(caller: CallingThread) -> Result<Machine, Error> {
-    let machine = CHOSEN.clone().map_err(Error::Argument)?;
+    let machine = chosen()?;
     let mut pool = ThreadPoolBuilder::new().num_threads(machine.threads.unwrap_or_default());
     if caller == CallingThread::JoinsPool {
         pool = pool.use_current_thread();

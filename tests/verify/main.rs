@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 fn verify(arguments: &[&str], folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_gouge-verify"))
@@ -23,9 +23,47 @@ fn a_pattern_that_matches_no_check_is_refused() {
     assert!(!folder.exists(), "nothing is written");
 }
 
-/// The report page in a folder, without timings and with figure files inserted.
+#[test]
+fn a_closed_pipe_stops_the_lines_but_not_the_reports() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_gouge-verify"))
+        .args(["--only", "identities", "--out"])
+        .arg(folder.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{message}");
+    assert_eq!(message, "");
+    assert!(folder.path().join("report.html").exists());
+    assert!(folder.path().join("report.json").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_device_is_an_error_but_the_reports_are_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
+    let output = Command::new(env!("CARGO_BIN_EXE_gouge-verify"))
+        .args(["--only", "identities", "--out"])
+        .arg(folder.path())
+        .stdout(full.expect("the device"))
+        .output()
+        .expect("the program starts");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("standard output"), "{message}");
+    assert!(folder.path().join("report.html").exists());
+}
+
+/// The report page in a folder, without timings and the date, and with figure files inserted.
 fn page(folder: &Path) -> String {
     let page = std::fs::read_to_string(folder.join("report.html")).expect("the page");
+    let (before, rest) = page.split_once("<time>").expect("the date");
+    let page = before.to_owned() + rest.split_once("</time>").expect("its end").1;
     let mut parts = page.split("<td class=\"n time\">");
     let mut timeless = parts.next().expect("the head").to_owned();
     for part in parts {

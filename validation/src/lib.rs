@@ -1,6 +1,7 @@
 //! Checks, oracles and the report for the kernels.
 
 pub mod checks;
+mod lines;
 pub mod measurements;
 pub mod oracles;
 pub mod references;

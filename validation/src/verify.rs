@@ -1,26 +1,30 @@
 //! `gouge verify`: runs the register of checks, prints one line per check, and writes the reports.
 
 use crate::checks::{Check, Effort, Topic, register};
+use crate::lines::Lines;
 use crate::report::{self, Entry, Figures, Record};
 use gouge_runner::error::Error;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::collections::BTreeMap;
+use std::io::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::time::Instant;
 
 /// Runs the checks whose identifier contains a pattern, prints one line per check and writes the
-/// reports.
+/// reports. The reports are written even if the lines cannot be printed.
 ///
 /// # Errors
-/// A pattern that matches no check, failures of the file system, failed checks.
+/// A pattern that matches no check, failures of the file system, failed checks, and lines that cannot
+/// be printed, unless standard output is a pipe that was closed.
 pub fn verify(only: Option<&str>, folder: &Path, figures: Figures) -> Result<(), Error> {
     let topics = register();
     let checks = chosen(&topics, only)?;
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
     let progress = bar(checks.len());
-    let entries = run_all(&checks, &progress);
+    let mut lines = Lines::new(std::io::stdout());
+    let entries = run_all(&checks, &progress, &mut lines);
     progress.set_message("pictures");
     let pictures = match only {
         None => report::pictures()?,
@@ -28,12 +32,11 @@ pub fn verify(only: Option<&str>, folder: &Path, figures: Figures) -> Result<(),
     };
     progress.finish_and_clear();
     report::write(folder, &topics, &entries, &pictures, figures)?;
-    match entries
-        .iter()
-        .filter(|entry| !entry.record.passed())
-        .count()
-    {
-        0 => Ok(()),
+    let failed = entries.iter().filter(|entry| !entry.record.passed());
+    match failed.count() {
+        0 => lines
+            .finish()
+            .map_err(|error| Error::file("write", Path::new("standard output"), error)),
         failed => Err(Error::Checks(failed, entries.len())),
     }
 }
@@ -65,15 +68,14 @@ fn bar(checks: usize) -> ProgressBar {
 }
 
 /// Runs short checks on all cores, then long ones, which may measure time, one after the other.
-fn run_all(checks: &[&Check], progress: &ProgressBar) -> Vec<Entry> {
+fn run_all(checks: &[&Check], progress: &ProgressBar, lines: &mut Lines<impl Write>) -> Vec<Entry> {
     let (long, short): (Vec<usize>, Vec<usize>) =
         (0..checks.len()).partition(|&place| checks[place].effort == Effort::Report);
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let mut lines = Lines::default();
     let mut entries = BTreeMap::new();
     for (places, threads) in [(short, threads), (long, 1)] {
         run_on(threads, checks, &places, progress, |place, entry| {
-            lines.add(place, entry.record.line(), progress);
+            progress.suspend(|| lines.add(place, entry.record.line()));
             entries.insert(place, entry);
         });
     }
@@ -128,23 +130,5 @@ fn run(check: &Check) -> Entry {
     Entry {
         record: Record::new(check, &outcome, began.elapsed().as_secs_f64()),
         exhibits: outcome.map_or_else(|_| Vec::new(), |finding| finding.exhibits),
-    }
-}
-
-/// Lines for standard output. A line is held back until all lines before it have been printed, so that
-/// the order is that of the register.
-#[derive(Default)]
-struct Lines {
-    waiting: BTreeMap<usize, String>,
-    next: usize,
-}
-
-impl Lines {
-    fn add(&mut self, place: usize, line: String, progress: &ProgressBar) {
-        self.waiting.insert(place, line);
-        while let Some(line) = self.waiting.remove(&self.next) {
-            progress.suspend(|| println!("{line}"));
-            self.next += 1;
-        }
     }
 }

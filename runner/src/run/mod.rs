@@ -16,6 +16,7 @@ mod outcome;
 mod phases;
 mod picture;
 mod sampling;
+mod scale_bar;
 mod scene_run;
 mod series;
 mod setup_states;

@@ -2,6 +2,7 @@
 
 use super::dem::lines;
 use super::folder::{PICTURE, write_whole};
+use super::scale_bar::ScaleBar;
 use crate::error::Error;
 use crate::scene::Scene;
 use gouge_dem::World;
@@ -15,6 +16,14 @@ use svg::node::element::{Circle, Group, Line, Rectangle, Text};
 const SIZE: f64 = 1000.0;
 /// Difference in hue between consecutive fragments, in degrees: the golden angle separates hues best.
 const HUE: f64 = 137.507_764;
+/// Longest scale bar, as a part of the longer edge.
+const LONGEST_BAR: f64 = 0.25;
+/// Height in pixels of the strip for the scale bar, below the grains.
+const STRIP: f64 = 70.0;
+/// Distance in pixels of the scale bar from the edges and from its label.
+const MARGIN: f64 = 16.0;
+/// Size of letters in pixels.
+const LETTERS: f64 = 32.0;
 
 /// The region that the picture shows.
 struct View {
@@ -68,10 +77,18 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, is_untrusted: bool) ->
     write_whole(&folder.join(PICTURE), text.as_bytes())
 }
 
-/// The state of a scene as a picture.
+/// The state of a scene as a picture with a scale bar.
 pub fn draw_picture(scene: &Scene, world: &World) -> Document {
     let view = View::of(scene, world.particles());
-    let [width, height] = view.at(view.high[0], view.low[1]);
+    let [mut width, mut height] = view.at(view.high[0], view.low[1]);
+    let mut below = Group::new();
+    if let Some(bar) = ScaleBar::within(LONGEST_BAR * SIZE / view.scale()) {
+        below = draw_bar(&view, &bar, height);
+        // A letter is about 0.6 times as wide as high.
+        let label = 0.6 * LETTERS * bar.label.chars().count() as f64;
+        width = width.max(bar.length * view.scale() + label + 3.0 * MARGIN);
+        height += STRIP;
+    }
     Document::new()
         .set("viewBox", (0.0, 0.0, width.round(), height.round()))
         .set("width", width.round())
@@ -89,6 +106,42 @@ pub fn draw_picture(scene: &Scene, world: &World) -> Document {
         )
         .add(grains(&view, world))
         .add(bonds(&view, scene, world))
+        .add(below)
+}
+
+/// The scale bar on a white strip below the given height in pixels, which hides what protrudes from the box.
+fn draw_bar(view: &View, bar: &ScaleBar, top: f64) -> Group {
+    let (middle, end) = (top + 0.5 * STRIP, MARGIN + bar.length * view.scale());
+    let line = |[x1, y1]: [f64; 2], [x2, y2]: [f64; 2]| {
+        Line::new()
+            .set("x1", rounded(x1))
+            .set("y1", rounded(y1))
+            .set("x2", rounded(x2))
+            .set("y2", rounded(y2))
+    };
+    let cap = |x: f64| line([x, middle - 8.0], [x, middle + 8.0]);
+    let label = Text::new(bar.label.as_str())
+        .set("x", rounded(end + MARGIN))
+        .set("y", rounded(middle + 0.35 * LETTERS))
+        .set("font-family", "sans-serif")
+        .set("font-size", LETTERS)
+        .set("stroke", "none")
+        .set("fill", "#222");
+    let strip = Rectangle::new()
+        .set("y", rounded(top))
+        .set("width", "100%")
+        .set("height", STRIP)
+        .set("stroke", "none")
+        .set("fill", "white");
+    Group::new()
+        .set("class", "scale")
+        .set("stroke", "#222")
+        .set("stroke-width", 4)
+        .add(strip)
+        .add(line([MARGIN, middle], [end, middle]))
+        .add(cap(MARGIN))
+        .add(cap(end))
+        .add(label)
 }
 
 fn grains(view: &View, world: &World) -> Group {

@@ -15,7 +15,7 @@ static ALLOCATOR: MiMalloc = MiMalloc;
 
 /// Run the checks and write report.html and report.json
 #[derive(Parser)]
-#[command(version)]
+#[command(name = "gouge-verify", version = gouge_runner::build::VERSION)]
 struct Arguments {
     /// Only checks whose identifier contains this
     #[arg(long)]

@@ -38,6 +38,24 @@ impl Citation {
         let source = Source::ALL.into_iter().find(|one| one.name() == name)?;
         Some(Self { source, place })
     }
+
+    /// Numbers of the cited equations, with ranges written out; none if something else is cited.
+    pub fn equations(&self) -> Vec<String> {
+        numbers(self.place).unwrap_or_default()
+    }
+}
+
+/// Numbers of an equation `(3.4)` or of a range of them `(A17)-(A19)`.
+fn numbers(place: &str) -> Option<Vec<String>> {
+    let number = |text: &'_ str| Some(text.strip_prefix('(')?.strip_suffix(')')?.to_owned());
+    let Some((first, last)) = place.split_once('-') else {
+        return Some(vec![number(place)?]);
+    };
+    let (first, last) = (number(first)?, number(last)?);
+    let prefix = first.trim_end_matches(|c: char| c.is_ascii_digit());
+    let counter = |text: &str| text.strip_prefix(prefix)?.parse::<u32>().ok();
+    let range = counter(&first)?..=counter(&last)?;
+    Some(range.map(|counter| format!("{prefix}{counter}")).collect())
 }
 
 impl fmt::Display for Citation {
@@ -87,5 +105,25 @@ impl fmt::Display for Evidence {
 impl Serialize for Evidence {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Citation, Source};
+
+    #[test]
+    fn cited_equations_are_written_out() {
+        let of = |place| {
+            let source = Source::Thesis;
+            Citation { source, place }.equations()
+        };
+        assert_eq!(of("(42)"), ["42"]);
+        assert_eq!(of("(9)-(11)"), ["9", "10", "11"]);
+        assert_eq!(of("(A9)-(A10)"), ["A9", "A10"]);
+        assert_eq!(of("(3.4)-(3.5)"), ["3.4", "3.5"]);
+        for other in ["E15", "section 4.1", "figure 8"] {
+            assert!(of(other).is_empty(), "{other}");
+        }
     }
 }

@@ -19,6 +19,20 @@ pub enum Origin {
     Statistical,
 }
 
+impl Origin {
+    /// All origins.
+    pub const ALL: [Self; 3] = [Self::Exact, Self::Convergent, Self::Statistical];
+
+    /// Its name, as in `report.json`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Convergent => "convergent",
+            Self::Statistical => "statistical",
+        }
+    }
+}
+
 /// The expected and the measured value, their error, and its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measurement {

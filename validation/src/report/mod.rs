@@ -1,19 +1,31 @@
 //! The output of `gouge verify`: a page for people and a file for programs.
 
 mod apart;
+mod article;
+mod date;
+mod equations;
+#[cfg(test)]
+mod examples;
+mod first_page;
+mod fold;
+mod judged;
 mod machine;
 mod original;
+mod outside;
 mod page;
 mod pictures;
 mod plot;
 mod record;
+mod sources;
 mod speed;
+mod thin;
 
 pub use machine::words as machine_words;
 pub use pictures::{Picture, pictures};
 pub use record::Record;
 
 use crate::checks::{Exhibit, Topic};
+use first_page::Facts;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use serde::Serialize;
@@ -30,7 +42,9 @@ pub struct Entry {
 #[derive(Serialize)]
 struct Report<'a> {
     version: &'static str,
-    machine: String,
+    date: &'a str,
+    commit: &'static str,
+    machine: &'a str,
     checks: Vec<&'a Record>,
 }
 
@@ -43,10 +57,13 @@ pub enum Figures {
     Apart,
 }
 
+/// Largest size of a self-contained page in bytes.
+const LARGEST_PAGE: usize = 5_000_000;
+
 /// Writes `report.json` and `report.html`.
 ///
 /// # Errors
-/// Failures of the file system.
+/// Failures of the file system; a self-contained page that is larger than 5 MB, after it was written.
 pub fn write(
     folder: &Path,
     topics: &[Topic],
@@ -54,20 +71,42 @@ pub fn write(
     pictures: &[Picture],
     figures: Figures,
 ) -> Result<(), Error> {
+    let facts = Facts {
+        date: date::today(),
+        commit: gouge_runner::build::COMMIT,
+        machine: machine::words(),
+        instructions: gouge_runner::machine::chosen()?.instructions.name(),
+        is_complete: entries.len() == topics.iter().map(|topic| topic.checks.len()).sum::<usize>(),
+    };
     let report = Report {
         version: env!("CARGO_PKG_VERSION"),
-        machine: machine::words(),
+        date: &facts.date,
+        commit: facts.commit,
+        machine: &facts.machine,
         checks: entries.iter().map(|entry| &entry.record).collect(),
     };
     let path = folder.join("report.json");
     let text = serde_json::to_string_pretty(&report)
         .map_err(|error| Error::file("write", &path, std::io::Error::other(error)))?;
     write_whole(&path, (text + "\n").as_bytes())?;
-    let page = page::page(topics, entries, pictures, &report.machine).into_string();
+    let page = page::page(topics, entries, pictures, &facts).into_string();
     match figures {
-        Figures::Inside => write_whole(&folder.join("report.html"), page.as_bytes()),
+        Figures::Inside => write_inside(folder, &page),
         Figures::Apart => write_apart(folder, &page),
     }
+}
+
+fn write_inside(folder: &Path, page: &str) -> Result<(), Error> {
+    let path = folder.join("report.html");
+    write_whole(&path, page.as_bytes())?;
+    if page.len() > LARGEST_PAGE {
+        let size = format!(
+            "it has {} bytes; a page has at most {LARGEST_PAGE}",
+            page.len()
+        );
+        return Err(Error::file("accept", &path, std::io::Error::other(size)));
+    }
+    Ok(())
 }
 
 fn write_apart(folder: &Path, page: &str) -> Result<(), Error> {

@@ -1,6 +1,7 @@
 //! The chapter on the program of the thesis's author: the effect of its moment of inertia on friction,
 //! from recorded runs.
 
+use super::fold::Fold;
 use crate::measurements::{FrictionRun, Paired, friction_runs};
 use gouge_dem::model::Reading;
 use maud::{Markup, html};
@@ -95,9 +96,13 @@ pub fn chapter() -> Markup {
         ),
         Compared::of("broken bonds", None, &runs, |run| run.bonds_broken),
     ];
-    html! {
-        section id="original" {
-            h2 { "The author's program" }
+    Fold {
+        id: "original",
+        title: "The author's program",
+        count: "stored measurements",
+        class: "other",
+    }
+    .around(html! {
             p.about {
                 "The author's program uses the moment of inertia 3/5 m r^2 instead of the printed 2/5 m r^2 (thesis E64), so every grain resists rotation 1.5 times too much. "
                 "The effect on friction was measured on the small fault, the scene " code { "granite-fault-small" }
@@ -115,8 +120,7 @@ pub fn chapter() -> Markup {
                     @for one in &compared { (one.row()) }
                 }
             }
-        }
-    }
+    })
 }
 
 #[cfg(test)]

@@ -1,17 +1,47 @@
 //! The page for people.
 
-use super::{Entry, Picture, Record, original, pictures, plot, speed};
-use crate::checks::{Exhibit, Table, Topic};
+use super::article::article;
+use super::first_page::{Facts, first_page};
+use super::fold::{Fold, counted, decimal, link, ratio};
+use super::judged::{Digits, digits, fewest_digits_first, used, weakest_first};
+use super::{Entry, Picture, Record, equations, original, pictures, sources, speed};
+use crate::checks::Topic;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::collections::BTreeMap;
 
 const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// Length of the lists of weakest checks.
+const WEAKEST: usize = 10;
+
+/// A chapter with the checks that were run.
+struct Shown<'a> {
+    topic: &'a Topic,
+    entries: Vec<&'a Entry>,
+}
+
+impl Shown<'_> {
+    fn records(&self) -> impl Iterator<Item = &Record> {
+        self.entries.iter().map(|entry| &entry.record)
+    }
+    fn passed(&self) -> usize {
+        self.records().filter(|record| record.passed()).count()
+    }
+    fn largest(&self) -> f64 {
+        self.records().map(used).fold(0.0, f64::max)
+    }
+    fn seconds(&self) -> f64 {
+        self.records().map(|record| record.seconds).sum()
+    }
+}
 
 /// The whole page.
-pub fn page(topics: &[Topic], entries: &[Entry], drawn: &[Picture], machine: &str) -> Markup {
-    let shown: Vec<(&Topic, Vec<&Entry>)> = topics
+pub fn page(topics: &[Topic], entries: &[Entry], drawn: &[Picture], facts: &Facts) -> Markup {
+    let shown: Vec<Shown> = topics
         .iter()
-        .map(|topic| (topic, of_topic(topic, entries)))
-        .filter(|(_, entries)| !entries.is_empty())
+        .map(|topic| of_topic(topic, entries))
+        .filter(|chapter| !chapter.entries.is_empty())
         .collect();
     html! {
         (DOCTYPE)
@@ -23,68 +53,111 @@ pub fn page(topics: &[Topic], entries: &[Entry], drawn: &[Picture], machine: &st
                 style { (PreEscaped(STYLE)) }
             }
             body {
-                (head(entries, machine))
-                (summary(&shown))
+                (first_page(entries, facts))
+                (contents(&shown, !drawn.is_empty()))
+                (weakest(entries))
                 (how_to_read())
-                @for (topic, entries) in &shown { (chapter(topic, entries)) }
+                (filters(&shown))
+                @for shown in &shown { (chapter(shown)) }
                 @if !drawn.is_empty() {
+                    (pictures::chapter(drawn))
                     (original::chapter())
                     (speed::chapter())
-                    (pictures::chapter(drawn))
                 }
+                (equations::chapter(entries, facts.is_complete))
+                (code(entries))
+                script { (PreEscaped(SCRIPT)) }
             }
         }
     }
 }
 
-fn of_topic<'a>(topic: &Topic, entries: &'a [Entry]) -> Vec<&'a Entry> {
+fn of_topic<'a>(topic: &'a Topic, entries: &'a [Entry]) -> Shown<'a> {
     let belongs = |entry: &&Entry| topic.checks.iter().any(|check| check.id == entry.record.id);
-    entries.iter().filter(belongs).collect()
+    let entries = entries.iter().filter(belongs).collect();
+    Shown { topic, entries }
 }
 
-fn passed(entries: &[&Entry]) -> usize {
-    entries.iter().filter(|entry| entry.record.passed()).count()
-}
-
-fn head(entries: &[Entry], machine: &str) -> Markup {
-    let all: Vec<&Entry> = entries.iter().collect();
-    let failed: Vec<&Record> = all
-        .iter()
-        .map(|entry| &entry.record)
-        .filter(|record| !record.passed())
-        .collect();
-    html! {
-        header {
-            h1 { "gouge: verification report" }
-            p {
-                "A discrete element model of shearing brittle surfaces, after S. Kiiskinen, "
-                cite { "Modeling Friction between Shearing Brittle Surfaces with a Discrete Element Method" }
-                " (Jyväskylä, 2018), and the evidence that the program computes it correctly."
-            }
-            p.verdict {
-                b { (passed(&all)) " of " (all.len()) " checks pass." }
-                " Version " (env!("CARGO_PKG_VERSION")) "; " (machine) "."
-            }
-            @if !failed.is_empty() {
-                p.fail { "Failed: " @for record in &failed { a href=(format!("#{}", record.id)) { (record.id) } " " } }
-            }
-        }
-    }
-}
-
-fn summary(shown: &[(&Topic, Vec<&Entry>)]) -> Markup {
+fn contents(shown: &[Shown], is_complete: bool) -> Markup {
+    let others: &[(&str, &str)] = match is_complete {
+        true => &[
+            ("scenes", "Built-in scenes"),
+            ("original", "The author's program"),
+            ("speed", "Speed"),
+        ],
+        false => &[],
+    };
     html! {
         nav {
+            h2 { "Contents" }
+            p {
+                a href="#weakest" { "Weakest checks" } " · " a href="#how" { "How to read this page" } " · "
+                a href="#equations" { "Equations with their checks" } " · " a href="#code" { "Code of the checks" }
+                @for (id, title) in others { " · " a href=(format!("#{id}")) { (title) } }
+            }
             table.summary {
-                tr { th { "chapter" } th.n { "checks" } th.n { "pass" } th.n { "fewest digits" } th.n { "median digits" } th.n { "time / s" } }
-                @for (topic, entries) in shown {
+                thead { tr {
+                    th { "chapter" } th.n { "checks" } th.n { "pass" } th.n { "largest error / tolerance" }
+                    th.n { "checks with digits" } th.n { "fewest digits" } th.n { "median digits" } th.n { "time / s" }
+                } }
+                tbody { @for shown in shown { (contents_row(shown)) } }
+            }
+        }
+    }
+}
+
+fn contents_row(shown: &Shown) -> Markup {
+    let digits = Digits::of(shown.records());
+    html! {
+        tr {
+            td { a href=(format!("#{}", shown.topic.id)) { (shown.topic.title) } }
+            td.n { (shown.entries.len()) }
+            td.n { (shown.passed()) }
+            td.n { (ratio(shown.largest())) }
+            td.n { (digits.as_ref().map_or(0, |digits| digits.checks)) }
+            td.n { (decimal(digits.as_ref().map(|digits| digits.fewest))) }
+            td.n { (decimal(digits.as_ref().map(|digits| digits.median))) }
+            td.n.time { (format!("{:.1}", shown.seconds())) }
+        }
+    }
+}
+
+/// The checks that failed or came closest to failing, and those with the fewest digits.
+fn weakest(entries: &[Entry]) -> Markup {
+    let by_tolerance = weakest_first(entries);
+    let failed = by_tolerance
+        .iter()
+        .filter(|record| !record.passed())
+        .count();
+    let by_digits = fewest_digits_first(by_tolerance.iter().copied());
+    html! {
+        section id="weakest" {
+            h2 { "Weakest checks" }
+            p.about {
+                "Failed checks first, then those that used most of their tolerance. "
+                "A ratio near one is no weakness if the tolerance is a predicted error; the reason is given with each check."
+            }
+            (list(by_tolerance.iter().take(failed.max(WEAKEST)).copied()))
+            @if !by_digits.is_empty() {
+                p.about { "Fewest digits among the checks that demand three or more:" }
+                (list(by_digits.iter().take(WEAKEST).map(|(_, record)| *record)))
+            }
+        }
+    }
+}
+
+fn list<'a>(records: impl Iterator<Item = &'a Record>) -> Markup {
+    html! {
+        table.weakest {
+            thead { tr { th { "check" } th.n { "error / tolerance" } th.n { "digits" } th { "origin of the tolerance" } th { "claim" } } }
+            tbody {
+                @for record in records {
                     tr {
-                        td { a href=(format!("#{}", topic.id)) { (topic.title) } }
-                        td.n { (entries.len()) }
-                        td.n { (passed(entries)) }
-                        td.n { (format!("{:.1}", digits(entries, 0.0))) }
-                        td.n { (format!("{:.1}", digits(entries, 0.5))) }
-                        td.n.time { (format!("{:.1}", entries.iter().map(|entry| entry.record.seconds).sum::<f64>())) }
+                        td { (link(record)) }
+                        td.n { (ratio(used(record))) }
+                        td.n { (decimal(digits(record))) }
+                        td { (record.tolerance_origin.name()) }
+                        td { (record.claim) }
                     }
                 }
             }
@@ -92,28 +165,21 @@ fn summary(shown: &[(&Topic, Vec<&Entry>)]) -> Markup {
     }
 }
 
-/// A quantile of the correct digits.
-fn digits(entries: &[&Entry], quantile: f64) -> f64 {
-    let mut digits: Vec<f64> = entries.iter().map(|entry| entry.record.digits).collect();
-    digits.sort_by(f64::total_cmp);
-    let place = quantile * (digits.len().saturating_sub(1)) as f64;
-    digits.get(place as usize).copied().unwrap_or(f64::NAN)
-}
-
 fn how_to_read() -> Markup {
     html! {
-        section {
+        section id="how" {
             h2 { "How to read this page" }
             p {
-                "Each check states a claim, the scene that was run, and the oracle that the result was compared with. Oracles never call the kernel: "
-                "each is a closed form, an independent high-order integration, data of another program, or an invariant. "
-                "If a check compares many values, the page shows the one with the largest ratio of error to tolerance."
+                "If a check compares many values, the page shows the one with the largest ratio of error to tolerance. "
+                "The tolerance of a check has one of three origins. " b { "Exact" } ": rounding only, in units in the last place or with a stated bound for cancellation; a check that counts wrong cases tolerates none. "
+                b { "Convergent" } ": the order of the method and a known or predicted constant. "
+                b { "Statistical" } ": a margin, a significance level and a power fixed in advance."
             }
             p {
-                "The tolerance of a check has one of three origins. " b { "Exact" } ": rounding only, in units in the last place or with a stated bound for cancellation. "
-                b { "Convergent" } ": the order of the method and a known or predicted constant. "
-                b { "Statistical" } ": a margin, a significance level and a power fixed in advance. "
-                "Digits are -log10 of the relative error, at most 16; where zero is expected, of the absolute error. "
+                "Digits are -log10 of the relative error, at most 16. If zero is expected, the error is relative to the size that the check states. "
+                "Only checks whose tolerance demands at least three digits have digits; statistical checks, observed orders and counts have only the ratio of error to tolerance."
+            }
+            p {
                 "In figures, lines are theory or data of others and marks are results of the kernel, unless the legend says otherwise. All quantities are in SI units. "
                 "“thesis (42)” is equation (42) of the thesis, and “thesis E15” is section E15 of docs/thesis/errata.md; "
                 "a number in parentheses without a source is an equation of the thesis."
@@ -122,78 +188,73 @@ fn how_to_read() -> Markup {
     }
 }
 
-fn chapter(topic: &Topic, entries: &[&Entry]) -> Markup {
+/// The form by which a script filters the checks; hidden without it.
+fn filters(shown: &[Shown]) -> Markup {
     html! {
-        section id=(topic.id) {
-            h2 { (topic.title) }
-            p.about { (topic.about) }
-            @for entry in entries { (article(entry)) }
-        }
-    }
-}
-
-fn article(entry: &Entry) -> Markup {
-    let record = &entry.record;
-    html! {
-        article id=(record.id) {
-            h3 { span class=(record.status) { (record.status) } " " (record.claim) }
-            @if let Some(failure) = &record.failure { p.fail { "No measurement: " (failure) } }
-            dl {
-                dt { "check" } dd { code { (record.id) } ", covers " (record.equations) }
-                dt { "scene" } dd { (record.scene) }
-                dt { "compared with" } dd { (record.oracle) }
-                dt { "error" } dd { (record.norm) }
-                dt { "tolerance" } dd { b { (format!("{:?}", record.tolerance_origin).to_lowercase()) } ": " (record.tolerance_reason) }
+        form #filters hidden {
+            label { "equation " input #filter-equation type="search" size="6" placeholder="42"; }
+            label { "chapter "
+                select #filter-chapter {
+                    option value="" { "all" }
+                    @for shown in shown { option value=(shown.topic.id) { (shown.topic.title) } }
+                }
             }
-            (numbers(record))
-            @for exhibit in &entry.exhibits { (show(exhibit)) }
-        }
-    }
-}
-
-fn numbers(record: &Record) -> Markup {
-    html! {
-        table.numbers {
-            tr { th.n { "expected" } th.n { "measured" } th.n { "error" } th.n { "tolerance" } th.n { "digits" } th.n { "time / s" } }
-            tr {
-                td.n { (number(record.expected)) }
-                td.n { (number(record.measured)) }
-                td.n { (format!("{:.2e}", record.error)) }
-                td.n { (format!("{:.2e}", record.tolerance)) }
-                td.n { (format!("{:.1}", record.digits)) }
-                td.n.time { (format!("{:.2}", record.seconds)) }
+            label { "status "
+                select #filter-status { option value="" { "all" } option value="pass" { "pass" } option value="fail" { "fail" } }
             }
+            button #open-all type="button" { "Open all" }
+            button #close-all type="button" { "Close all" }
+            output #filter-count {}
         }
     }
 }
 
-/// A number with all significant digits; small whole numbers without an exponent.
-fn number(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e6 {
-        format!("{value}")
-    } else {
-        format!("{value:.12e}")
+fn chapter(shown: &Shown) -> Markup {
+    let (all, passed) = (shown.entries.len(), shown.passed());
+    let count = match all - passed {
+        0 => format!("{}, all pass", counted(all, "check")),
+        failed => format!("{}, {failed} failed", counted(all, "check")),
+    };
+    Fold {
+        id: shown.topic.id,
+        title: shown.topic.title,
+        count: &count,
+        class: "checks",
     }
+    .around(html! {
+        p.about { (shown.topic.about) }
+        @for entry in &shown.entries { (article(entry)) }
+    })
 }
 
-fn show(exhibit: &Exhibit) -> Markup {
-    match exhibit {
-        Exhibit::Plot(plot) => plot::figure(plot),
-        Exhibit::Table(table) => data(table),
-        Exhibit::Text(text) => html! { p { (text) } },
+/// The files in which the checks are defined.
+fn code(entries: &[Entry]) -> Markup {
+    let mut files: BTreeMap<String, Vec<(usize, &Record)>> = BTreeMap::new();
+    for record in entries.iter().map(|entry| &entry.record) {
+        if let Some(place) = sources::place(record.id) {
+            files
+                .entry(place.file)
+                .or_default()
+                .push((place.line, record));
+        }
     }
-}
-
-fn data(table: &Table) -> Markup {
-    html! {
-        div.data {
-            table {
-                caption { (table.title) }
-                tr { @for name in &table.columns { th { (name) } } }
-                @for row in &table.rows {
-                    tr { @for cell in row { td { (cell) } } }
+    Fold {
+        id: "code",
+        title: "Code of the checks",
+        count: &counted(files.len(), "file"),
+        class: "lookup",
+    }
+    .around(html! {
+        table.code {
+            thead { tr { th { "file" } th { "checks, with their lines" } } }
+            tbody {
+                @for (file, records) in &files {
+                    tr id=(file) {
+                        td { code { (file) } }
+                        td { @for (line, record) in records { (link(record)) " (" (line) ") " } }
+                    }
                 }
             }
         }
-    }
+    })
 }

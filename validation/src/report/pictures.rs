@@ -1,5 +1,6 @@
 //! Pictures of the built-in scenes.
 
+use super::fold::{Fold, counted};
 use gouge_runner::error::Error;
 use gouge_runner::run::{advance, draw_picture, run_setup};
 use gouge_runner::scene::{Scene, builtin};
@@ -14,12 +15,18 @@ pub struct Picture {
     svg: String,
 }
 
-/// Largest number of steps for which a scene is run to its end for its picture: a few seconds.
+/// Largest number of steps that a scene is run for its picture: a few seconds.
 const MOST_STEPS: u64 = 1_500_000;
-/// Largest product of grains and steps for which a scene is run to its end for its picture.
-const MOST_WORK: u64 = 400_000_000;
+/// Largest product of grains and steps of such a run: about twenty seconds.
+const MOST_WORK: u64 = 900_000_000;
 
-/// Pictures of all built-in scenes, at their end, or at t = 0 if the run would take too long.
+/// The number of steps that a scene is run for its picture.
+fn steps_of(scene: &Scene, particles: usize) -> u64 {
+    let affordable = MOST_WORK / particles.max(1) as u64;
+    scene.steps().min(MOST_STEPS).min(affordable)
+}
+
+/// Pictures of all built-in scenes, at their end, or as far as a short run gets.
 ///
 /// # Errors
 /// States that are no longer finite.
@@ -27,33 +34,50 @@ pub fn pictures() -> Result<Vec<Picture>, Error> {
     let draw = |&(name, purpose, _): &(&'static str, &'static str, &str)| {
         let scene = Scene::load(name)?;
         let mut world = run_setup(&scene)?;
-        let work = scene.steps() * world.particles().len() as u64;
-        let runs = scene.steps() <= MOST_STEPS && work <= MOST_WORK;
-        if runs {
-            advance(&mut world, scene.steps(), "run")?;
-        }
+        let steps = steps_of(&scene, world.particles().len());
+        advance(&mut world, steps, "run")?;
         Ok(Picture {
             name,
             purpose,
-            moment: format!("t = {:.3e} s", world.time()),
+            moment: moment(&scene, world.time(), steps),
             svg: draw_picture(&scene, &world).to_string(),
         })
     };
     builtin::SCENES.par_iter().map(draw).collect()
 }
 
+/// The time of a picture, and what part of the scene that is.
+fn moment(scene: &Scene, time: f64, steps: u64) -> String {
+    let part = steps as f64 / scene.steps().max(1) as f64;
+    match part {
+        1.0 => format!("at the end, t = {:.3} ms", 1e3 * time),
+        part => format!(
+            "at t = {:.3} ms, {:.0} % of the scene",
+            1e3 * time,
+            100.0 * part
+        ),
+    }
+}
+
 /// The chapter of all pictures.
 pub fn chapter(pictures: &[Picture]) -> Markup {
+    Fold {
+        id: "scenes",
+        title: "Built-in scenes",
+        count: &counted(pictures.len(), "picture"),
+        class: "other",
+    }
+    .around(gallery(pictures))
+}
+
+fn gallery(pictures: &[Picture]) -> Markup {
     html! {
-        section id="scenes" {
-            h2 { "Built-in scenes" }
-            p.about { "Fragments are coloured; single grains are white, driven and fixed grains grey." }
-            div.pictures {
-                @for picture in pictures {
-                    figure {
-                        (PreEscaped(without_size(&picture.svg)))
-                        figcaption { b { (picture.name) } ": " (picture.purpose) "; " (picture.moment) }
-                    }
+        p.about { "Fragments are coloured; single grains are white, driven and fixed grains grey. Each picture has its scale below it." }
+        div.pictures {
+            @for picture in pictures {
+                figure {
+                    (PreEscaped(without_size(&picture.svg)))
+                    figcaption { b { (picture.name) } ": " (picture.purpose) "; " (picture.moment) "." }
                 }
             }
         }
@@ -69,4 +93,51 @@ fn without_size(svg: &str) -> String {
     let sized = |word: &&str| !word.starts_with("width=") && !word.starts_with("height=");
     let kept: Vec<&str> = head.split(' ').filter(sized).collect();
     kept.join(" ") + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::steps_of;
+    use gouge_runner::run::{draw_picture, run_setup};
+    use gouge_runner::scene::Scene;
+
+    /// The numbers of an attribute, in the order of the elements.
+    fn numbers(svg: &str, attribute: &str) -> Vec<f64> {
+        let start = format!(" {attribute}=\"");
+        let parts = svg.split(&start).skip(1);
+        let values = parts.filter_map(|part| part.split('"').next()?.parse().ok());
+        values.collect()
+    }
+
+    #[test]
+    fn the_scale_bar_has_the_scale_of_the_grains() -> Result<(), Box<dyn std::error::Error>> {
+        for (name, label) in [("head-on", "1 mm"), ("three-point-bend", "10 mm")] {
+            let scene = Scene::load(name)?;
+            let world = run_setup(&scene)?;
+            let svg = draw_picture(&scene, &world).to_string();
+            let (grains, bar) = svg.split_once("class=\"scale\"").ok_or("no scale bar")?;
+            assert!(bar.contains(label), "{name}: {bar}");
+            let millimetres: f64 = label.trim_end_matches(" mm").parse()?;
+            let (ends, starts) = (numbers(bar, "x2"), numbers(bar, "x1"));
+            let per_millimetre = (ends[0] - starts[0]) / millimetres;
+            let radius = 1e3 * world.particles().radius[0];
+            let drawn = numbers(grains, "r")[0] / radius;
+            assert!((per_millimetre / drawn - 1.0).abs() < 1e-3, "{name}");
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn long_scenes_are_run_long_enough_to_shear() -> Result<(), Box<dyn std::error::Error>> {
+        let fault = Scene::load("granite-fault")?;
+        let steps = steps_of(&fault, 2_700);
+        assert!(steps < fault.steps());
+        assert!(
+            3e-3 <= steps as f64 * fault.step,
+            "6 mm at 2 m/s, more than the jags are high"
+        );
+        let short = Scene::load("head-on")?;
+        assert_eq!(steps_of(&short, 2), short.steps());
+        Ok(())
+    }
 }

@@ -1,5 +1,6 @@
 //! Figures as SVG.
 
+use super::thin::thin;
 use crate::checks::{Axis, Curve, Plot, Style};
 use maud::{Markup, PreEscaped, html};
 use plotters::coord::Shift;
@@ -104,7 +105,7 @@ fn range(axis: &Axis, values: impl Iterator<Item = f64>) -> std::ops::Range<f64>
 }
 
 fn draw<'a>(plot: &Plot, text: &'a mut String) -> Result<(), Failure<'a>> {
-    let curves: Vec<Vec<(f64, f64)>> = plot
+    let mut curves: Vec<Vec<(f64, f64)>> = plot
         .curves
         .iter()
         .map(|curve| points(plot, curve))
@@ -114,6 +115,10 @@ fn draw<'a>(plot: &Plot, text: &'a mut String) -> Result<(), Failure<'a>> {
         range(&plot.x, all().map(|point| point.0)),
         range(&plot.y, all().map(|point| point.1)),
     );
+    for (curve, points) in plot.curves.iter().zip(&mut curves) {
+        let is_line = matches!(curve.style, Style::Line | Style::Dashed);
+        *points = thin(std::mem::take(points), (&ranges.0, &ranges.1), is_line);
+    }
     let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
     let mut chart = frame(&area, plot, ranges)?;
     for (position, (curve, points)) in plot.curves.iter().zip(&curves).enumerate() {
@@ -200,4 +205,23 @@ fn draw_curve<'a>(
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::figure;
+    use crate::checks::{Axis, Curve, Plot};
+
+    #[test]
+    fn a_figure_of_a_million_points_is_small() {
+        let wave = (0..1_000_000).map(|i| [f64::from(i), (1e-2 * f64::from(i)).sin()]);
+        let plot = Plot {
+            title: "A wave".to_owned(),
+            x: Axis::linear("t / s"),
+            y: Axis::linear("x / m"),
+            curves: vec![Curve::line("line", wave.clone()), Curve::line("line", wave)],
+        };
+        let size = figure(&plot).into_string().len();
+        assert!((10_000..300_000).contains(&size), "{size} bytes");
+    }
 }

@@ -1,6 +1,7 @@
 //! The chapter on speed, from the measurements in `benches/runs/`, which are not repeated with the
 //! checks.
 
+use super::fold::Fold;
 use crate::measurements::{latest, quantile, ratios, spread};
 use maud::{Markup, html};
 use serde::Deserialize;
@@ -99,9 +100,13 @@ impl Counts {
 
 /// The chapter; sections without measurements are left out.
 pub fn chapter() -> Markup {
-    html! {
-        section id="speed" {
-            h2 { "Speed" }
+    Fold {
+        id: "speed",
+        title: "Speed",
+        count: "stored measurements",
+        class: "other",
+    }
+    .around(html! {
             p.about {
                 "Measured by " code { "gouge-bench" } " on the machines named below, not when this page was made. Raw results are in "
                 code { "benches/runs/" } "; how to repeat the measurements, and what was tried, is in " code { "docs/performance.md" }
@@ -113,8 +118,7 @@ pub fn chapter() -> Markup {
             (scenes("threads", "Threads", "The same grains with the default number of threads for their number, compared with one thread."))
             (parts())
             (counting())
-        }
-    }
+    })
 }
 
 fn machine(date: &str, run: &Run) -> Markup {

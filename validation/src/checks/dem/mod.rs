@@ -20,14 +20,15 @@ pub mod work_precision;
 
 use super::Topic;
 
-/// Its topics, in the order of the report.
+/// Its topics, in the order of the report: first what others computed.
 pub fn topics() -> Vec<Topic> {
     vec![
+        references::topic(),
+        benchmarks::topic(),
         identities::topic(),
         laws::topic(),
         pairs::topic(),
         calibration::topic(),
-        benchmarks::topic(),
         beams::topic(),
         strength::topic(),
         time_step::topic(),
@@ -35,7 +36,6 @@ pub fn topics() -> Vec<Topic> {
         closure::topic(),
         extremes::topic(),
         estimators::topic(),
-        references::topic(),
         economy::topic(),
         work_precision::topic(),
     ]

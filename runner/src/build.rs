@@ -1,0 +1,8 @@
+//! What the programs were built from.
+
+/// The first twelve digits of the commit, with the ending `-dirty` if the sources differed from it; `unknown` if the
+/// programs were built outside a git checkout.
+pub const COMMIT: &str = env!("GOUGE_COMMIT");
+
+/// Version and commit, for `--version`.
+pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("GOUGE_COMMIT"), ")");
