@@ -30,5 +30,6 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
+mod search;
 mod sources;
 mod worlds;

@@ -3,17 +3,19 @@
 use super::scene_run::SceneRun;
 use super::{Event, Warning, dem};
 use crate::error::Error;
-use gouge_dem::Drive;
 use gouge_dem::estimators::Energy;
+use gouge_dem::{Drive, StepError};
 
 impl SceneRun<'_> {
     /// Write a sample of the current state.
     pub(super) fn sample(&mut self) -> Result<(), Error> {
-        let refreshed = self
-            .world
-            .refresh_neighbors()
-            .and_then(|()| self.world.check());
-        refreshed.map_err(|source| self.step_error(source))?;
+        let refreshed = self.world.refresh_neighbors();
+        let checked = refreshed.and_then(|()| match self.world.check() {
+            // Nothing has moved yet: the initial state is written, and the first step will fail.
+            Err(StepError::TooFast { .. }) if self.world.steps() == 0 => Ok(()),
+            checked => checked,
+        });
+        checked.map_err(|source| self.step_error(source))?;
         let drive = self.present_drive()?;
         let energy = self.scene.output.energy.then(|| self.world.energy());
         let sample = dem::sample(self.scene, &self.world, &drive, energy.as_ref());

@@ -1,6 +1,6 @@
 //! Particles of similar size, sorted into cells of their size.
 
-use super::cells::{CellIndex, Cells, precedes};
+use super::cells::{CellIndex, Cells, Run, precedes};
 use crate::geometry::Vec2;
 use crate::scalar::Real;
 
@@ -10,6 +10,8 @@ const ROOM: f64 = 17.0 / 16.0;
 const CLASSES: usize = 64;
 /// Slots per particle.
 const SPARSENESS: usize = 2;
+/// Slots besides: more than the cells around a cell, so that even those of a few particles are mostly empty.
+const SPARE: usize = 16;
 /// Inverse of the golden ratio.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -58,7 +60,7 @@ impl SizeClass {
     fn new(cells: Cells, particles: &[usize]) -> Self {
         let nowhere = CellIndex { x: 0, y: 0 };
         let members: Vec<Member> = particles.iter().map(|&i| (nowhere, i)).collect();
-        let slots = prime_from(SPARSENESS * particles.len());
+        let slots = prime_from(SPARSENESS * particles.len() + SPARE);
         Self {
             cells,
             by_slot: members.clone(),
@@ -94,8 +96,8 @@ impl SizeClass {
     pub fn pairs_within(&self, mut visit: impl FnMut(usize, usize)) -> usize {
         let mut examined = 0;
         for &own in &self.members {
-            for cell in self.cells.around(own.0).filter(|&cell| cell >= own.0) {
-                examined += self.visit_cell(cell, |other| {
+            for run in self.cells.around(own.0) {
+                examined += self.visit_cells(run.from(own.0), |other| {
                     if precedes(own, other) {
                         visit(own.1, other.1);
                     }
@@ -115,30 +117,46 @@ impl SizeClass {
     ) -> usize {
         let mut examined = 0;
         for &(_, i) in &smaller.members {
-            for cell in self.cells.around(self.cell_at(positions[i])) {
-                examined += self.visit_cell(cell, |(_, j)| visit(i, j));
+            for run in self.cells.around(self.cell_at(positions[i])) {
+                examined += self.visit_cells(run, |(_, j)| visit(i, j));
             }
         }
         examined
     }
 
-    /// Visit the particles in a cell. Returns the number of particles looked at: those that share its slot.
-    fn visit_cell(&self, cell: CellIndex, mut visit: impl FnMut(Member)) -> usize {
-        let slot = self.slot(cell);
-        let sharing = self.starts[slot] as usize..self.starts[slot + 1] as usize;
-        for &member in &self.by_slot[sharing.clone()] {
-            if member.0 == cell {
-                visit(member);
+    /// Visit the particles in a run of cells. Returns the number of particles looked at: those that share slots.
+    #[inline]
+    fn visit_cells(&self, run: Run, mut visit: impl FnMut(Member)) -> usize {
+        if run.number == 0 {
+            return 0;
+        }
+        let (slots, first) = (self.starts.len() - 1, self.slot(run.first));
+        let end = first + run.number as usize;
+        let start = |slot: usize| self.starts[slot] as usize;
+        // After the last slot follows the first one.
+        let ranges = [
+            start(first)..start(end.min(slots)),
+            0..start(end.saturating_sub(slots)),
+        ];
+        let mut examined = 0;
+        for range in ranges {
+            examined += range.len();
+            for &member in &self.by_slot[range] {
+                if run.contains(member.0) {
+                    visit(member);
+                }
             }
         }
-        sharing.len()
+        examined
     }
 
+    #[inline]
     fn cell_at<S: Real>(&self, point: Vec2<S>) -> CellIndex {
         self.cells
             .cell_at(Vec2::new(point.x.to_f64(), point.y.to_f64()))
     }
 
+    #[inline]
     fn slot(&self, cell: CellIndex) -> usize {
         let slots = self.starts.len() as i64 - 1;
         let number = cell.x.wrapping_add(self.stride.wrapping_mul(cell.y));
@@ -146,13 +164,13 @@ impl SizeClass {
     }
 }
 
-/// The smallest prime that is not below a number.
+/// The smallest prime that is not below a number of at least two.
 fn prime_from(number: usize) -> usize {
     let is_prime = |n: usize| {
         let mut divisors = (2..).take_while(|d| d * d <= n);
         divisors.all(|d| !n.is_multiple_of(d))
     };
-    let mut prime = number.max(2);
+    let mut prime = number;
     while !is_prime(prime) {
         prime += 1;
     }

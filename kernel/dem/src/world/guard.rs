@@ -15,7 +15,7 @@ impl<S: Number> World<S> {
     /// all particles. A cloud may thus move at any speed, and so may a single particle.
     ///
     /// # Errors
-    /// The first particle that is not finite, or else the first that moves too far.
+    /// The first particle that is not finite, or else the one that moves too far by the largest factor.
     pub fn check(&self) -> Result<(), StepError> {
         check(self)
     }
@@ -43,18 +43,22 @@ fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
     let limits = Limits::new(world);
     let distance = |i: usize| (p.velocity[i] - limits.common).norm().to_f64() * step;
     let limit = |i: usize| limits.diameter.unwrap_or(2.0 * p.radius[i].to_f64());
-    if let Some(i) = (0..p.len()).find(|&i| distance(i) > limit(i)) {
-        return Err(StepError::TooFast {
-            particle: i,
-            interaction: most_strained_interaction(world, i),
-            distance: distance(i),
-            limit: limit(i),
-            time: world.time(),
-            time_step: step,
-            bound: stable_step_estimate(world),
-        });
+    if !(0..p.len()).any(|i| distance(i) > limit(i)) {
+        return Ok(());
     }
-    Ok(())
+    // The one that moves farthest for its size: it may have moved the mean that others are compared with.
+    let excess = |i: usize| distance(i) / limit(i);
+    let farther = |i, j| if excess(j) > excess(i) { j } else { i };
+    let particle = (0..p.len()).reduce(farther).unwrap_or_default();
+    Err(StepError::TooFast {
+        particle,
+        interaction: most_strained_interaction(world, particle),
+        distance: distance(particle),
+        limit: limit(particle),
+        time: world.time(),
+        time_step: step,
+        bound: stable_step_estimate(world),
+    })
 }
 
 /// How far particles may move per step.
