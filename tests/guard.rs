@@ -163,7 +163,7 @@ fn a_grain_may_move_by_its_own_diameter_relative_to_the_others() {
 
 #[test]
 fn grains_that_move_together_or_alone_may_be_fast() {
-    for world in [moving(&[(1e-3, 1e6)]), moving(&[(1e-3, 1e6); 7])] {
+    for world in [moving(&[(1e-3, 1e7)]), moving(&[(1e-3, 1e7); 7])] {
         let mut world = world;
         assert_eq!(too_fast(&world), None);
         crate::worlds::advance(&mut world, 20);

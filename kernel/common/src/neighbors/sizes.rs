@@ -6,6 +6,8 @@ use crate::scalar::Real;
 
 /// Ratio of the side of a cell to the largest reach of its particles. The excess absorbs the rounding of positions.
 const ROOM: f64 = 17.0 / 16.0;
+/// Binary logarithm of the ratio of reaches within a class. With less, a particle looks into the cells of more classes.
+const SPREAD: f64 = 2.0;
 /// Largest number of classes. The last one also contains all smaller particles.
 const CLASSES: usize = 64;
 /// Slots per particle.
@@ -18,7 +20,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// A particle in its cell.
 type Member = (CellIndex, usize);
 
-/// A size class: particles whose reaches differ by less than a factor of two, and the cells that they occupy.
+/// A size class: particles whose reaches differ by less than a factor of four, and the cells that they occupy.
 ///
 /// Particles are sorted by slots, of which there are about as many as particles. A cell has the slot
 ///
@@ -44,8 +46,8 @@ impl SizeClass {
         let largest = reaches.iter().copied().fold(0.0, f64::max);
         let mut classes = vec![Vec::new(); CLASSES];
         for (particle, reach) in reaches.iter().enumerate() {
-            let halvings = libm::floor(libm::log2(largest / reach)) as usize;
-            classes[halvings.min(CLASSES - 1)].push(particle);
+            let class = (libm::log2(largest / reach) / SPREAD) as usize;
+            classes[class.min(CLASSES - 1)].push(particle);
         }
         let occupied = classes.iter().filter(|particles| !particles.is_empty());
         occupied

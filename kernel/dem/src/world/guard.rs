@@ -10,9 +10,9 @@ use gouge_common::geometry::Vec2;
 impl<S: Number> World<S> {
     /// Check that the state is finite and that no particle moves so far per step that it may miss a contact.
     ///
-    /// Two particles pass through each other unseen only if they move by more than 2 (r_i + r_j) relative to each
-    /// other in a step. Neither does as long as each moves by at most its diameter relative to the mean velocity of
-    /// all particles. A cloud may thus move at any speed, and so may a single particle.
+    /// Two particles that meet head-on overlap along 2 (r_i + r_j) of their relative way, and miss each other only if
+    /// a step is longer. None is as long as each particle moves by at most its diameter relative to the mean
+    /// velocity of all. A cloud may thus move at any speed, and so may a single particle.
     ///
     /// # Errors
     /// The first particle that is not finite, or else the one that moves too far by the largest factor.
