@@ -1,7 +1,7 @@
 //! The search finds every near pair once, wherever grains are and however their sizes differ, and its work grows
 //! with their number only.
 
-use gouge_common::geometry::{Domain, Metric, Open, PeriodicX, Vec2, WithMetric};
+use gouge_common::geometry::{Domain, Metric, Vec2, WithMetric};
 use gouge_common::neighbors::{CellIndex, Cells, Neighbors, SearchSpheres};
 use gouge_common::pair::Pair;
 use proptest::prelude::*;
