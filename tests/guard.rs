@@ -95,7 +95,7 @@ fn an_error_blames_the_time_step_only_above_its_bound() {
             particle: 0,
             interaction: None,
             distance: 1.0,
-            cell: 0.1,
+            limit: 0.1,
             time: 0.0,
             time_step,
             bound: 1.0,
@@ -108,4 +108,94 @@ fn an_error_blames_the_time_step_only_above_its_bound() {
         );
         assert_eq!(text.contains("the speed is too high"), !is_above, "{text}");
     }
+}
+
+/// Grains in a row that move by the given multiples of their own diameters per step.
+fn moving(grains: &[(f64, f64)]) -> World {
+    let (step, mut end) = (1e-6, 0.0);
+    let mut draft = Draft::open_box(Integrator::VelocityVerlet, step).law(KelvinVoigt {
+        stiffness: 1.0,
+        damping: 0.0,
+    });
+    for &(radius, diameters) in grains {
+        end += 10.0 * radius;
+        let speed = 2.0 * radius * diameters / step;
+        draft = draft.grain(Grain::at([end, 0.0], radius).moving([0.0, speed]));
+        end += 10.0 * radius;
+    }
+    world(&draft)
+}
+
+/// The grain that moves too far, how far it moves and how far it may.
+fn too_fast(world: &World) -> Option<(usize, f64, f64)> {
+    match world.check() {
+        Ok(()) => None,
+        Err(StepError::TooFast {
+            particle,
+            distance,
+            limit,
+            ..
+        }) => Some((particle, distance, limit)),
+        Err(other) => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_grain_may_move_by_its_own_diameter_relative_to_the_others() {
+    let (small, large) = (1e-5, 1e-2);
+    // The mean velocity is that of the large grain.
+    for (diameters, is_stopped) in [(1.0 - 1e-9, false), (1.0 + 1e-9, true)] {
+        let found = too_fast(&moving(&[
+            (large, 0.0),
+            (small, diameters),
+            (small, -diameters),
+        ]));
+        assert_eq!(found.is_some(), is_stopped, "{diameters}");
+        if let Some((particle, distance, limit)) = found {
+            assert_eq!((particle, limit), (1, 2.0 * small));
+            assert!((distance / limit - diameters).abs() < 1e-12, "{distance}");
+        }
+    }
+    // Far less than the diameter of the large grain, which does not move.
+    let found = too_fast(&moving(&[(large, 0.0), (small, 3.0), (small, 5.0)]));
+    assert_eq!(found.map(|(particle, ..)| particle), Some(2));
+}
+
+#[test]
+fn grains_that_move_together_or_alone_may_be_fast() {
+    for world in [moving(&[(1e-3, 1e7)]), moving(&[(1e-3, 1e7); 7])] {
+        let mut world = world;
+        assert_eq!(too_fast(&world), None);
+        crate::worlds::advance(&mut world, 20);
+        assert_eq!(too_fast(&world), None);
+    }
+}
+
+/// Two small grains whose ways cross beside a large one, each much farther per step than its size.
+#[test]
+fn small_grains_do_not_pass_through_each_other_unseen() {
+    for integrator in INTEGRATORS {
+        let small = |x: f64, speed: f64| Grain::at([x, 0.0], 1e-5).moving([speed, 0.0]);
+        let draft = Draft::open_box(integrator, 1e-6)
+            .law(KelvinVoigt {
+                stiffness: 1e3,
+                damping: 0.0,
+            })
+            .grains([small(-0.0251, 1e3), small(0.0251, -1e3)])
+            .grain(Grain::at([0.0, 5.0], 0.01));
+        let mut world = world(&draft);
+        let stopped = (0..50).find_map(|_| world.step().err());
+        let is_too_fast = matches!(stopped, Some(StepError::TooFast { particle: 0, .. }));
+        assert!(is_too_fast, "{integrator}: {stopped:?}");
+        let [left, right] = [0, 1].map(|i| world.particles().position[i].x);
+        assert!(left < right, "{integrator}");
+    }
+}
+
+/// The mean of huge velocities does not overflow.
+#[test]
+fn speeds_near_the_largest_number_are_too_fast_but_finite() {
+    let found = too_fast(&moving(&[(1e-3, 1e304), (1e-3, 1e304), (1e-3, 1e301)]));
+    assert!(found.is_some(), "{found:?}");
+    assert_eq!(too_fast(&moving(&[(1e-3, 5e304); 4])), None);
 }

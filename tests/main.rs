@@ -32,6 +32,7 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
+mod search;
 mod sources;
 mod start;
 mod watch;

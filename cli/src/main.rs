@@ -9,7 +9,7 @@ use account::account;
 use clap::{Args, Parser, Subcommand};
 use compare::CompareArguments;
 use gouge_runner::error::Error;
-use gouge_runner::machine::{CallingThread, start_pool};
+use gouge_runner::machine::{CallingThread, instruction_names, start_pool};
 use gouge_runner::scene::{Overrides, Scene, builtin};
 use gouge_runner::{commands, run};
 use mimalloc::MiMalloc;
@@ -17,15 +17,25 @@ use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::LazyLock;
 use terminal::Terminal;
 
 /// Aligns the columns of large worlds to cache lines and puts them into huge pages.
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 
+/// Version, commit and the instructions of this machine that worlds can use, the widest last.
+static VERSION: LazyLock<String> = LazyLock::new(|| {
+    let instructions = instruction_names().join(", ");
+    format!(
+        "{}\ninstructions: {instructions}",
+        gouge_runner::build::VERSION
+    )
+});
+
 /// A verified discrete element model of shearing brittle surfaces.
 #[derive(Parser)]
-#[command(version = gouge_runner::build::VERSION)]
+#[command(version = VERSION.as_str())]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

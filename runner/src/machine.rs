@@ -32,6 +32,14 @@ static CHOSEN: LazyLock<Result<Machine, String>> = LazyLock::new(|| {
     })
 });
 
+/// Names of the instructions that this machine has, the widest last.
+pub fn instruction_names() -> Vec<&'static str> {
+    Instructions::available()
+        .iter()
+        .map(|set| set.name())
+        .collect()
+}
+
 fn chosen_instructions() -> Result<Instructions, String> {
     let Some(name) = std::env::var_os(INSTRUCTIONS) else {
         return Ok(Instructions::widest());
@@ -41,11 +49,10 @@ fn chosen_instructions() -> Result<Instructions, String> {
         .iter()
         .find(|set| name.to_str() == Some(set.name()));
     found.copied().ok_or_else(|| {
-        let names: Vec<&str> = available.iter().map(|set| set.name()).collect();
         format!(
             "{INSTRUCTIONS} = {}: must be one of the instruction sets of this machine: {}",
             name.to_string_lossy(),
-            names.join(", ")
+            instruction_names().join(", ")
         )
     })
 }

@@ -107,10 +107,10 @@ pub enum StepError {
         /// Estimate of the largest stable time step in s.
         bound: f64,
     },
-    /// A particle moves farther than a cell per step.
+    /// A particle moves so far per step that it may pass others unseen.
     #[error(
-        "particle {particle} moved {distance:.3e} m in one step at {time} s, more than the cell of \
-         {cell:.3e} m in which contacts are sought; likely cause: {}{}",
+        "particle {particle} moved {distance:.3e} m in one step at {time} s, more than the \
+         {limit:.3e} m beyond which it may pass others unseen; likely cause: {}{}",
         cause(*.time_step, *.bound, "the speed is too high for this step"),
         interaction_text(*.interaction)
     )]
@@ -119,10 +119,10 @@ pub enum StepError {
         particle: usize,
         /// Pair of the particle's contact or bond with the largest force, if it has any.
         interaction: Option<[usize; 2]>,
-        /// Displacement per step in m.
+        /// Displacement per step in m; with contacts, relative to the mean velocity of all particles.
         distance: f64,
-        /// Shorter side of a cell in m.
-        cell: f64,
+        /// Largest displacement in m that is accepted: with contacts, the diameter of the particle.
+        limit: f64,
         /// Time in s.
         time: f64,
         /// Time step in s.

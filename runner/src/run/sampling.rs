@@ -11,11 +11,13 @@ use gouge_dem::{Drive, StepError, World};
 impl SceneRun<'_> {
     /// Write a sample of the current state.
     pub(super) fn sample(&mut self) -> Result<(), Error> {
-        let refreshed = self
-            .world
-            .refresh_neighbors()
-            .and_then(|()| self.world.check());
-        refreshed.map_err(|source| self.step_error(source))?;
+        let refreshed = self.world.refresh_neighbors();
+        let checked = refreshed.and_then(|()| match self.world.check() {
+            // Nothing has moved yet: the initial state is written, and the first step will fail.
+            Err(StepError::TooFast { .. }) if self.world.steps() == 0 => Ok(()),
+            checked => checked,
+        });
+        checked.map_err(|source| self.step_error(source))?;
         let drive =
             present_drive(self.scene, &self.world).map_err(|source| self.step_error(source))?;
         let energy = self.scene.output.energy.then(|| self.world.energy());

@@ -1,85 +1,101 @@
-//! Cells that tile the box: the index space of thesis appendix G.
+//! Cells that tile the plane: the index space of thesis appendix G.
 
 use crate::geometry::Vec2;
+use core::cmp::Ordering;
 use gouge_equations::rendered;
 
-/// Index of a cell: column and row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Index of a cell; cells are ordered row by row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct CellIndex {
-    /// Column.
-    pub x: i64,
     /// Row.
     pub y: i64,
+    /// Column.
+    pub x: i64,
 }
 
-/// A grid of rectangular cells over a box. Points outside an open edge belong to the cell at that edge.
+/// Adjacent cells of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The first cell.
+    pub first: CellIndex,
+    /// Number of cells.
+    pub number: i64,
+}
+
+impl Run {
+    /// Whether a cell is one of them.
+    #[inline]
+    pub fn contains(self, cell: CellIndex) -> bool {
+        cell.y == self.first.y && (0..self.number).contains(&(cell.x - self.first.x))
+    }
+
+    /// The cells that do not precede a given one.
+    #[inline]
+    pub fn from(self, cell: CellIndex) -> Self {
+        let skipped = match self.first.y.cmp(&cell.y) {
+            Ordering::Less => self.number,
+            Ordering::Equal => (cell.x - self.first.x).clamp(0, self.number),
+            Ordering::Greater => 0,
+        };
+        Self {
+            first: CellIndex {
+                x: self.first.x + skipped,
+                ..self.first
+            },
+            number: self.number - skipped,
+        }
+    }
+}
+
+/// Largest index of a cell. Beyond it, the rounding of a position would exceed the excess of a cell over the reach
+/// of its particles.
+const FARTHEST: i64 = 1 << 44;
+
+/// Rectangular cells that tile the whole plane, or a strip that is periodic in x.
+///
+/// They have no edges but [the farthest](Cells::cell_at), so that it does not matter where particles are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cells {
-    origin: Vec2,
     side: Vec2,
-    columns: i64,
-    rows: i64,
-    periodic: bool,
+    /// Number of columns of a periodic strip.
+    columns: Option<i64>,
 }
 
 #[rendered]
 impl Cells {
-    /// A grid over the box whose cells have sides of at least `smallest_side` in m.
-    ///
-    /// Cells are enlarged such that there are no more than about four times `number_scale` of them, however sparse
-    /// the box: this bounds the memory.
-    pub fn new(
-        origin: Vec2,
-        extent: Vec2,
-        periodic: bool,
-        smallest_side: f64,
-        number_scale: usize,
-    ) -> Self {
-        let per_axis = (number_scale as f64).sqrt().max(1.0);
-        let number = |length: f64| {
-            let fits = libm::floor(length / smallest_side);
-            if fits >= 1.0 {
-                fits.min(per_axis * 8.0) as i64
-            } else {
-                1
-            }
-        };
-        let (columns, mut rows) = (number(extent.x), number(extent.y));
-        if (columns * rows) as f64 > 4.0 * per_axis * per_axis {
-            rows = ((4.0 * per_axis * per_axis) as i64 / columns).max(1);
-        }
-        let side = Vec2::new(extent.x / columns as f64, extent.y / rows as f64);
+    /// Cells with sides of `smallest_side` in m, or in a periodic strip with the shortest longer sides that divide
+    /// the period.
+    pub fn new(smallest_side: f64, period: Option<f64>) -> Self {
+        let smallest_side = smallest_side.max(f64::MIN_POSITIVE);
+        let columns = period.map(|length| ((length / smallest_side) as i64).clamp(1, FARTHEST));
+        let width = period.zip(columns).map(|(length, all)| length / all as f64);
         Self {
-            origin,
-            side,
+            side: Vec2::new(width.unwrap_or(smallest_side), smallest_side),
             columns,
-            rows,
-            periodic,
         }
     }
 
-    /// Number of cells of the grid.
-    pub fn number(&self) -> usize {
-        (self.columns * self.rows) as usize
-    }
-
-    /// The shorter side of a cell in m.
-    pub fn smaller_side(&self) -> f64 {
-        self.side.x.min(self.side.y)
+    /// Width and height of a cell in m.
+    pub fn side(&self) -> Vec2 {
+        self.side
     }
 
     /// The cell that contains a point.
     ///
     /// $$ \downarrow \vec x = \left( \lfloor x / l^x \rfloor, \lfloor y / l^y \rfloor \right) $$
     ///
-    /// Thesis eq. (134). Points outside the grid belong to the nearest cell at its edge.
+    /// Thesis eq. (134). Points farther than 2^44 cells from the origin belong to the farthest cell.
+    #[inline]
     pub fn cell_at(&self, point: Vec2) -> CellIndex {
-        let along = |x: f64, origin: f64, side: f64, cells: i64| {
-            (libm::floor((x - origin) / side) as i64).clamp(0, cells - 1)
+        let along = |x: f64, side: f64| {
+            let limit = FARTHEST as f64;
+            let number = (x / side).clamp(-limit, limit);
+            let towards_zero = number as i64;
+            towards_zero - i64::from(number < towards_zero as f64)
         };
         CellIndex {
-            x: along(point.x, self.origin.x, self.side.x, self.columns),
-            y: along(point.y, self.origin.y, self.side.y, self.rows),
+            x: self.wrapped(along(point.x, self.side.x)),
+            y: along(point.y, self.side.y),
         }
     }
 
@@ -90,8 +106,8 @@ impl Cells {
     /// Thesis eq. (135).
     pub fn centre(&self, index: CellIndex) -> Vec2 {
         Vec2::new(
-            self.origin.x + self.side.x * (index.x as f64 + 0.5),
-            self.origin.y + self.side.y * (index.y as f64 + 0.5),
+            self.side.x * (index.x as f64 + 0.5),
+            self.side.y * (index.y as f64 + 0.5),
         )
     }
 
@@ -99,60 +115,44 @@ impl Cells {
     ///
     /// $$ d = \max\{\lvert \Delta i \rvert, \lvert \Delta j \rvert\} $$
     ///
-    /// Thesis eq. (136), with the absolute values that the thesis omits. In a periodic box columns are counted
+    /// Thesis eq. (136), with the absolute values that the thesis omits. In a periodic strip columns are counted
     /// across the seam if that is shorter (erratum E33 of the thesis).
     pub fn distance(&self, a: CellIndex, b: CellIndex) -> i64 {
         let straight = (a.x - b.x).abs();
-        let columns = if self.periodic {
-            straight.min(self.columns - straight)
-        } else {
-            straight
+        let across = self.columns.map_or(straight, |all| all - straight);
+        straight.min(across).max((a.y - b.y).abs())
+    }
+
+    /// The cell itself and all cells at a distance of one, each once, even if a periodic strip has so few columns
+    /// that a cell is adjacent on both sides.
+    #[inline]
+    pub fn around(&self, index: CellIndex) -> impl Iterator<Item = Run> + use<> {
+        let columns = match self.columns {
+            Some(all) if all < 3 => [(0, all), (0, 0)],
+            Some(all) if index.x == 0 => [(0, 2), (all - 1, 1)],
+            Some(all) if index.x == all - 1 => [(index.x - 1, 2), (0, 1)],
+            _ => [(index.x - 1, 3), (0, 0)],
         };
-        columns.max((a.y - b.y).abs())
+        (index.y - 1..=index.y + 1).flat_map(move |y| {
+            let run = move |(x, number)| Run {
+                first: CellIndex { y, x },
+                number,
+            };
+            columns.into_iter().map(run).filter(|run| run.number > 0)
+        })
     }
 
-    /// Position of a cell in lexicographical order, row by row.
-    pub fn rank(&self, index: CellIndex) -> usize {
-        (index.y * self.columns + index.x) as usize
-    }
-
-    /// The cell itself and those adjacent cells that follow it in lexicographical order.
-    ///
-    /// Iterated over all cells, every unordered pair of adjacent cells appears exactly once, even if a periodic
-    /// box has so few columns that a cell is adjacent on both sides.
-    pub fn neighbors_from(&self, index: CellIndex) -> impl Iterator<Item = CellIndex> + use<> {
-        let cells = *self;
-        let mut found = [index; 9];
-        let mut number = 1;
-        for dy in -1..=1 {
-            for dx in -1..=1 {
-                let Some(other) = cells.shifted(index, dx, dy) else {
-                    continue;
-                };
-                let later = cells.rank(other) > cells.rank(index);
-                if later && !found[..number].contains(&other) {
-                    found[number] = other;
-                    number += 1;
-                }
-            }
+    #[inline]
+    fn wrapped(&self, x: i64) -> i64 {
+        match self.columns {
+            Some(columns) if x < 0 || x >= columns => x.rem_euclid(columns),
+            _ => x,
         }
-        found.into_iter().take(number)
-    }
-
-    fn shifted(&self, index: CellIndex, dx: i64, dy: i64) -> Option<CellIndex> {
-        let y = index.y + dy;
-        let x = index.x + dx;
-        let x = if self.periodic {
-            x.rem_euclid(self.columns)
-        } else {
-            x
-        };
-        let inside = (0..self.columns).contains(&x) && (0..self.rows).contains(&y);
-        inside.then_some(CellIndex { x, y })
     }
 }
 
 /// Whether particle `i` precedes particle `j`: ordered by cell, then by index, thesis eq. (137).
-pub fn precedes(cells: &Cells, i: (CellIndex, usize), j: (CellIndex, usize)) -> bool {
-    (cells.rank(i.0), i.1) < (cells.rank(j.0), j.1)
+#[inline]
+pub fn precedes(i: (CellIndex, usize), j: (CellIndex, usize)) -> bool {
+    i < j
 }

@@ -1,6 +1,6 @@
 //! The neighbour list: pairs that may touch soon, found by cells and rebuilt only if necessary.
 
-use super::cells::{CellIndex, Cells, precedes};
+use super::sizes::SizeClass;
 use crate::geometry::{Domain, Metric, Vec2};
 use crate::pair::Pair;
 use crate::scalar::Real;
@@ -8,9 +8,6 @@ use gouge_equations::rendered;
 
 /// Skin of the neighbour list, in mean radii, unless a narrow periodic box allows less.
 const SKIN: f64 = 0.2;
-/// Minimum cell side less the largest diameter, in mean radii. Larger than the skin, because a particle may move by
-/// one cell per step.
-const CELL_EXCESS: f64 = 0.4;
 
 /// The spheres whose neighbours are searched, as columns of equal length.
 #[derive(Clone, Copy, Debug)]
@@ -41,42 +38,32 @@ impl<S: Real> SearchSpheres<'_, S> {
 #[rendered]
 #[derive(Clone, Debug)]
 pub struct Neighbors<S> {
-    cells: Cells,
+    /// From the largest particles to the smallest.
+    classes: Vec<SizeClass>,
     skin: f64,
     built_at: Vec<Vec2<S>>,
     rebuilds: u64,
-    members: Vec<u32>,
-    starts: Vec<u32>,
+    examined: usize,
 }
 
 impl<S: Real> Neighbors<S> {
-    /// An empty list for a box that is open or periodic in x.
+    /// An empty list for particles in a box that is open or periodic in x. Searches are for the same particles.
     ///
     /// The skin is as large as the box permits, up to a fixed fraction of the mean radius.
     pub fn new(particles: SearchSpheres<S>, domain: &Domain) -> Self {
         let period = domain.period();
         let largest = 2.0 * particles.largest_radius();
-        let number = particles.radii.len().max(1);
-        let mean = particles.radii.iter().map(|r| r.to_f64()).sum::<f64>() / number as f64;
+        let radii = || particles.radii.iter().map(|r| r.to_f64());
+        let mean = radii().sum::<f64>() / radii().len().max(1) as f64;
         let available = period.map_or(f64::INFINITY, |width| 0.5 * width - largest);
-        let within_box = |width: f64| (width * mean).min(available).max(0.0);
-        let skin = within_box(SKIN);
-        let (low, high) = bounds(particles.positions);
-        let side = |given: Option<f64>, low: f64, high: f64| match given {
-            Some(length) => (0.0, length),
-            None => (low, (high - low).max(largest)),
-        };
-        let (x, width) = side(domain.width, low.x, high.x);
-        let (y, height) = side(domain.height, low.y, high.y);
-        let cutoff = (largest + within_box(CELL_EXCESS)).max(f64::MIN_POSITIVE);
-        let (origin, extent) = (Vec2::new(x, y), Vec2::new(width, height));
+        let skin = (SKIN * mean).min(available).max(0.0);
+        let reaches: Vec<_> = radii().map(|r| 2.0 * r + skin).collect();
         Self {
-            cells: Cells::new(origin, extent, period.is_some(), cutoff, number + 16),
+            classes: SizeClass::all(&reaches, period),
             skin,
             built_at: Vec::new(),
             rebuilds: 0,
-            members: Vec::new(),
-            starts: Vec::new(),
+            examined: 0,
         }
     }
 
@@ -85,9 +72,9 @@ impl<S: Real> Neighbors<S> {
         self.rebuilds
     }
 
-    /// The shorter side of a cell in m: how far a particle may move per step.
-    pub fn cell_side(&self) -> f64 {
-        self.cells.smaller_side()
+    /// Number of candidates that the latest search looked at: the measure of its work.
+    pub fn examined(&self) -> usize {
+        self.examined
     }
 
     /// Whether the list may miss a contact, because a particle has moved too far or its position is not finite.
@@ -120,63 +107,30 @@ impl<S: Real> Neighbors<S> {
         self.rebuilds += 1;
         self.built_at.clear();
         self.built_at.extend_from_slice(particles.positions);
-        self.sort_into_cells(particles.positions);
+        for class in &mut self.classes {
+            class.sort(particles.positions);
+        }
         let held = pairs.len();
         let skin = S::from_f64(self.skin);
-        for (i, &position) in particles.positions.iter().enumerate() {
-            let own = self.cell_of(position);
-            for cell in self.cells.neighbors_from(own) {
-                for &j in self.members_of(cell) {
-                    let j = j as usize;
-                    if !may_interact(i, j) || !precedes(&self.cells, (own, i), (cell, j)) {
-                        continue;
-                    }
-                    let d = metric.displacement(position, particles.positions[j]);
-                    let reach = particles.radii[i] + particles.radii[j] + skin;
-                    let pair = Pair::new(i, j);
-                    if d.norm_squared() <= reach * reach
-                        && pairs[..held].binary_search(&pair).is_err()
-                    {
-                        pairs.push(pair);
-                    }
-                }
+        let mut examined = 0;
+        let mut visit = |i: usize, j: usize| {
+            if !may_interact(i, j) {
+                return;
+            }
+            let d = metric.displacement(particles.positions[i], particles.positions[j]);
+            let reach = particles.radii[i] + particles.radii[j] + skin;
+            let pair = Pair::new(i, j);
+            if d.norm_squared() <= reach * reach && pairs[..held].binary_search(&pair).is_err() {
+                pairs.push(pair);
+            }
+        };
+        for (class, own) in self.classes.iter().enumerate() {
+            examined += own.pairs_within(&mut visit);
+            for larger in &self.classes[..class] {
+                examined += larger.pairs_with(own, particles.positions, &mut visit);
             }
         }
-    }
-
-    fn cell_of(&self, position: Vec2<S>) -> CellIndex {
-        self.cells
-            .cell_at(Vec2::new(position.x.to_f64(), position.y.to_f64()))
-    }
-
-    fn members_of(&self, cell: CellIndex) -> &[u32] {
-        let rank = self.cells.rank(cell);
-        &self.members[self.starts[rank] as usize..self.starts[rank + 1] as usize]
-    }
-
-    fn sort_into_cells(&mut self, positions: &[Vec2<S>]) {
-        let rank = |own: &Self, i: usize| own.cells.rank(own.cell_of(positions[i]));
-        self.starts.clear();
-        self.starts.resize(self.cells.number() + 1, 0);
-        for i in 0..positions.len() {
-            let cell = rank(self, i);
-            self.starts[cell + 1] += 1;
-        }
-        for cell in 1..self.starts.len() {
-            self.starts[cell] += self.starts[cell - 1];
-        }
-        self.members.clear();
-        self.members.resize(positions.len(), 0);
-        for i in (0..positions.len()).rev() {
-            let cell = rank(self, i);
-            // Filled from the end: afterwards each start is again the first member of its cell.
-            self.starts[cell + 1] -= 1;
-            self.members[self.starts[cell + 1] as usize] = i as u32;
-        }
-        self.starts.rotate_left(1);
-        if let Some(last) = self.starts.last_mut() {
-            *last = positions.len() as u32;
-        }
+        self.examined = examined;
     }
 }
 
@@ -222,21 +176,5 @@ impl<'a, S: Real, M: Metric> Staleness<'a, S, M> {
         !moves.fold(true, |all_near, (&then, &now)| {
             all_near & (self.metric.displacement(then, now).norm_squared() < self.limit_squared)
         })
-    }
-}
-
-/// Lower left and upper right corner of the bounding box of all centres.
-fn bounds<S: Real>(positions: &[Vec2<S>]) -> (Vec2, Vec2) {
-    let infinite = Vec2::new(f64::INFINITY, f64::INFINITY);
-    let (mut low, mut high) = (infinite, -infinite);
-    for x in positions {
-        let (x, y) = (x.x.to_f64(), x.y.to_f64());
-        low = Vec2::new(low.x.min(x), low.y.min(y));
-        high = Vec2::new(high.x.max(x), high.y.max(y));
-    }
-    if positions.is_empty() {
-        (Vec2::zero(), Vec2::zero())
-    } else {
-        (low, high)
     }
 }

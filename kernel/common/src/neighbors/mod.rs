@@ -2,6 +2,7 @@
 
 mod cells;
 mod list;
+mod sizes;
 
-pub use cells::{CellIndex, Cells, precedes};
+pub use cells::{CellIndex, Cells, Run, precedes};
 pub use list::{Neighbors, SearchSpheres, Staleness};

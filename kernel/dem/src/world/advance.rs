@@ -12,8 +12,8 @@ impl<S: Number> World<S> {
     /// Advance by one time step.
     ///
     /// # Errors
-    /// If a state is no longer finite, or if a particle moves farther than a cell. The world is then left in the
-    /// failed state, not in that before the step.
+    /// If a state is no longer finite, or if a particle moves too far for contacts to be found, see
+    /// [`check`](Self::check). The world is then left in the failed state, not in that before the step.
     pub fn step(&mut self) -> Result<(), StepError> {
         S::step(self)
     }

@@ -5,12 +5,18 @@ use crate::error::StepError;
 use crate::integrators::{Oscillator, critical_step};
 use crate::laws::EulerBernoulli;
 use crate::model::{ContactNormal, ContactTangential, Model};
+use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
 
 impl<S: Number> World<S> {
-    /// Check that the state is finite and that no particle moves farther than a cell per step.
+    /// Check that the state is finite and that no particle moves so far per step that it may miss a contact.
+    ///
+    /// Two particles that meet head-on overlap along 2 (r_i + r_j) of their relative way, and miss each other only if
+    /// a step is longer. None is as long as each particle moves by at most its diameter relative to the mean
+    /// velocity of all. A cloud may thus move at any speed, and so may a single particle.
     ///
     /// # Errors
-    /// The first particle that violates either condition.
+    /// The first particle that is not finite, or else the one that moves too far by the largest factor.
     pub fn check(&self) -> Result<(), StepError> {
         check(self)
     }
@@ -19,45 +25,74 @@ impl<S: Number> World<S> {
 fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
     let p = &world.state.particles;
     let step = world.model.time_step;
-    let cell = distance_limit(world);
-    for i in 0..p.len() {
-        let is_finite = p.position[i].is_finite()
-            && p.velocity[i].is_finite()
-            && p.angle[i].is_finite()
-            && p.angular_velocity[i].is_finite();
-        if !is_finite {
-            return Err(StepError::NotFinite {
-                particle: i,
-                interaction: most_strained_interaction(world, i),
-                time: world.time(),
-                steps: world.state.steps,
-                time_step: step,
-                bound: stable_step_estimate(world),
-            });
-        }
-        let distance = p.velocity[i].norm().to_f64() * step;
-        if distance > cell {
-            return Err(StepError::TooFast {
-                particle: i,
-                interaction: most_strained_interaction(world, i),
-                distance,
-                cell,
-                time: world.time(),
-                time_step: step,
-                bound: stable_step_estimate(world),
-            });
-        }
+    let is_finite = |i: &usize| {
+        p.position[*i].is_finite()
+            && p.velocity[*i].is_finite()
+            && p.angle[*i].is_finite()
+            && p.angular_velocity[*i].is_finite()
+    };
+    if let Some(i) = (0..p.len()).find(|i| !is_finite(i)) {
+        return Err(StepError::NotFinite {
+            particle: i,
+            interaction: most_strained_interaction(world, i),
+            time: world.time(),
+            steps: world.state.steps,
+            time_step: step,
+            bound: lowest_estimate(world),
+        });
     }
-    Ok(())
+    let limits = Limits::new(world);
+    let distance = |i: usize| (p.velocity[i] - limits.common).norm().to_f64() * step;
+    let limit = |i: usize| limits.diameter.unwrap_or(2.0 * p.radius[i].to_f64());
+    if !(0..p.len()).any(|i| distance(i) > limit(i)) {
+        return Ok(());
+    }
+    // The one that moves farthest for its size: it may have moved the mean that others are compared with.
+    let excess = |i: usize| distance(i) / limit(i);
+    let farther = |i, j| if excess(j) > excess(i) { j } else { i };
+    let particle = (0..p.len()).reduce(farther).unwrap_or_default();
+    Err(StepError::TooFast {
+        particle,
+        interaction: most_strained_interaction(world, particle),
+        distance: distance(particle),
+        limit: limit(particle),
+        time: world.time(),
+        time_step: step,
+        bound: lowest_estimate(world),
+    })
 }
 
-/// How far a particle may move per step in m: a cell if there are contacts; the largest diameter if there are only
-/// bonds, since no bond survives that; any distance without interactions.
-fn distance_limit<S: Number>(world: &World<S>) -> f64 {
-    match (&world.workspace.neighbors, &world.state.bonds) {
-        (Some(neighbors), _) => neighbors.cell_side(),
-        (None, Some(_)) => 2.0 * world.state.particles.largest_radius(),
-        (None, None) => f64::INFINITY,
+/// How far particles may move per step.
+struct Limits<S> {
+    /// The velocity in m/s relative to which they move.
+    common: Vec2<S>,
+    /// The limit in m for all particles; `None` if it is the diameter of each.
+    diameter: Option<f64>,
+}
+
+impl<S: Number> Limits<S> {
+    /// With contacts, each particle may move by its diameter; with bonds only by the largest one, since no bond
+    /// survives that; without interactions by any distance.
+    fn new(world: &World<S>) -> Self {
+        let particles = &world.state.particles;
+        if world.state.contacts.is_some() {
+            let share = S::from_f64(1.0 / particles.len().max(1) as f64);
+            // Summed by shares, so that the sum of finite velocities is finite.
+            let add = |sum: Vec2<S>, &velocity: &Vec2<S>| sum + velocity * share;
+            return Self {
+                common: particles.velocity.iter().fold(Vec2::zero(), add),
+                diameter: None,
+            };
+        }
+        let bonded = world
+            .state
+            .bonds
+            .as_ref()
+            .map(|_| 2.0 * particles.largest_radius());
+        Self {
+            common: Vec2::zero(),
+            diameter: Some(bonded.unwrap_or(f64::INFINITY)),
+        }
     }
 }
 
@@ -88,9 +123,19 @@ fn most_strained_interaction<S: Number>(world: &World<S>, particle: usize) -> Op
 /// damping does not ensure.
 ///
 /// By Gershgorin's theorem, the squared frequency of a mode is at most twice the sum of the stiffnesses acting on
-/// a particle divided by its inertia. The same holds for damping. The maxima of both are combined. All pairs of
-/// the contact list count as touching.
+/// a particle divided by its inertia. The same holds for damping. The maxima of both are combined. Contacts that begin
+/// later are not in it.
 pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
+    estimate(world, &world.touching_pairs())
+}
+
+/// The same if all near pairs touched, as they may have done before they flew apart.
+fn lowest_estimate<S: Number>(world: &World<S>) -> f64 {
+    let contacts = world.state.contacts.as_ref();
+    estimate(world, contacts.map_or(&[], |contacts| &contacts.pairs))
+}
+
+fn estimate<S: Number>(world: &World<S>, touching: &[Pair]) -> f64 {
     let number = world.state.particles.len();
     let mut stiffness = vec![0.0; number];
     let mut damping = vec![0.0; number];
@@ -107,8 +152,8 @@ pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
             .iter()
             .for_each(|pair| add(pair.indices(), bond));
     }
-    if let (Some(contacts), Some(laws)) = (&world.state.contacts, world.model.contact) {
-        for pair in &contacts.pairs {
+    if let Some(laws) = world.model.contact {
+        for pair in touching {
             let (i, j) = pair.indices();
             let radii = [
                 world.state.particles.radius[i].to_f64(),

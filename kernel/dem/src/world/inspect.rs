@@ -46,8 +46,13 @@ impl<S: Number> World<S> {
 
     /// Number of pairs that overlap and are not bonded.
     pub fn number_of_contacts(&self) -> usize {
+        self.touching_pairs().len()
+    }
+
+    /// The pairs that overlap and are not bonded.
+    pub(super) fn touching_pairs(&self) -> Vec<Pair> {
         let state = &self.state;
-        self.model.domain.with_metric(CountOverlaps { state })
+        self.model.domain.with_metric(Overlaps { state })
     }
 }
 
@@ -78,13 +83,13 @@ impl<S: Number> WithBondPass for Inspect<'_, S> {
     }
 }
 
-struct CountOverlaps<'a, S> {
+struct Overlaps<'a, S> {
     state: &'a State<S>,
 }
 
-impl<S: Number> WithMetric for CountOverlaps<'_, S> {
-    type Output = usize;
-    fn call<M: Metric>(self, metric: M) -> usize {
+impl<S: Number> WithMetric for Overlaps<'_, S> {
+    type Output = Vec<Pair>;
+    fn call<M: Metric>(self, metric: M) -> Vec<Pair> {
         let p = &self.state.particles;
         let overlaps = |pair: &&Pair| {
             let (i, j) = pair.indices();
@@ -93,6 +98,7 @@ impl<S: Number> WithMetric for CountOverlaps<'_, S> {
             d.norm_squared() < reach * reach
         };
         let contacts = self.state.contacts.as_ref();
-        contacts.map_or(0, |contacts| contacts.pairs.iter().filter(overlaps).count())
+        let pairs = contacts.map_or(&[][..], |contacts| &contacts.pairs);
+        pairs.iter().filter(overlaps).copied().collect()
     }
 }

@@ -42,6 +42,7 @@ const MADE_OF: &str =
 
 const EXEMPTIONS: &[Exemption] = &[
     exempt("kernel/common/src/neighbors/list.rs", "", "", LIST),
+    exempt("kernel/common/src/neighbors/sizes.rs", "", "", LIST),
     exempt(
         "kernel/common/src/neighbors/cells.rs",
         "Cells::new",

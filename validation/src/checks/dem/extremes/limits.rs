@@ -1,4 +1,4 @@
-//! Overlaps up to coincidence, speeds up to one cell per step, and the same motion in other units.
+//! Overlaps up to coincidence, speeds up to one diameter per step, and the same motion in other units.
 
 use super::pairs::{free, kelvin_voigt, mass, model, world};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
@@ -28,10 +28,10 @@ pub(super) fn checks() -> Vec<Check> {
         },
         Check {
             id: "extremes.speed",
-            claim: "A particle may move by up to one cell per step and then finds the contact in which it lands; beyond that, the step ends with a typed error for every integrator.",
+            claim: "Two equal spheres may move by up to twice the sum of their radii per step relative to each other and then find the contact in which they land; beyond that, the step ends with a typed error for every integrator.",
             equations: thesis("(98), (99)"),
-            scene: "A sphere of 1 mm moves at (1 -+ 1e-9) cells per step towards a sphere at rest, in a box ten cells wide; all integrators",
-            oracle: "A cell of 2.5 mm: a tenth of a box of 25 mm, for cells of at least 2.4 radii",
+            scene: "A sphere of 1 mm moves by (1 -+ 1e-9) 4 mm per step towards an equal sphere at rest, in a box smaller than both; all integrators",
+            oracle: "The longest way on which they overlap, 4 mm: from touch to coincidence and to touch again. A sphere moves by its diameter relative to the mean velocity",
             norm: "Number of wrong outcomes: an error or a missed contact below the limit, no error or another error above it",
             origin: Origin::Exact,
             reason: "No outcome may be wrong",
@@ -188,21 +188,20 @@ fn coincidence() -> Outcome {
 }
 
 fn speed() -> Outcome {
-    let (radius, step, cell) = (1e-3, 1e-6, 2.5e-3);
+    let (radius, step, way) = (1e-3, 1e-6, 4e-3);
     let mut wrong = 0;
     for integrator in Integrator::ALL {
         for factor in [1.0 - 1e-9, 1.0 + 1e-9] {
             let mut model = model(kelvin_voigt(1.0, 0.0, ContactDistance::Radius, None), step);
             model.integrator = integrator;
             model.domain = Domain {
-                width: Some(10.0 * cell),
-                height: Some(10.0 * cell),
+                width: Some(radius),
+                height: Some(radius),
                 periodic: false,
             };
-            let fast = free([1e-3, 5e-3], [factor * cell / step, 0.0], radius);
-            let resting = free([1e-3 + 2.0 * cell - 0.5e-3, 5e-3], [0.0; 2], radius);
-            // Two steps: the second one begins 0.5 mm from the other sphere's centre, unless the step
-            // fails.
+            let fast = free([1e-3, 5e-3], [factor * way / step, 0.0], radius);
+            let resting = free([1e-3 + 2.0 * way - 0.5e-3, 5e-3], [0.0; 2], radius);
+            // Two steps: the second one ends 0.5 mm beyond the other sphere's centre, unless it fails.
             let mut world = world(model, &[fast, resting])?;
             let outcome = world.step().and_then(|()| world.step());
             let landed = outcome.and_then(|()| world.refresh_neighbors());
