@@ -30,7 +30,7 @@ impl SceneRun<'_> {
             });
         }
         if self.scene.regular_sample_step(self.samples) > self.world.steps() {
-            self.before_early_sample = Some((self.balance, self.warnings.clone()));
+            self.before_early_sample = Some(self.progress());
         }
         self.judge_step();
         if let Some(energy) = &energy {
@@ -51,9 +51,10 @@ impl SceneRun<'_> {
             sample: self.samples,
             time: self.world.time(),
         });
-        let steps = self.scene.sample_step(self.samples + 1);
+        let since = self.samples.checked_sub(1);
+        let since = since.map_or(0, |before| self.scene.sample_step(before));
         let links = dem::number_of_bonds(&self.world) + self.world.number_of_contacts();
-        self.link_steps += links as f64 * steps.saturating_sub(self.world.steps()) as f64;
+        self.link_steps += links as f64 * (self.world.steps() - since) as f64;
         self.samples += 1;
         Ok(())
     }

@@ -51,10 +51,18 @@ pub struct SceneRun<'a> {
     pub(super) warnings: String,
     /// Whether the step of the current phase was found to be above its bound.
     is_step_doubted: bool,
-    /// Balance and warnings before the last sample, if it is early: a longer run does not take it.
-    pub(super) before_early_sample: Option<(Balance, String)>,
+    /// Progress before the last sample, if it is early: a longer run does not take it.
+    pub(super) before_early_sample: Option<Progress>,
     /// Number of times the neighbour list was built before the run was resumed.
     earlier_rebuilds: u64,
+}
+
+/// What samples add to.
+#[derive(Clone)]
+pub(super) struct Progress {
+    balance: Balance,
+    warnings: String,
+    link_steps: f64,
 }
 
 /// Wall times of a run.
@@ -347,6 +355,15 @@ impl<'a> SceneRun<'a> {
         ]
     }
 
+    /// What the samples so far added up to.
+    pub(super) fn progress(&self) -> Progress {
+        Progress {
+            balance: self.balance,
+            warnings: self.warnings.clone(),
+            link_steps: self.link_steps,
+        }
+    }
+
     /// Write the current state as a checkpoint.
     pub(super) fn write_checkpoint(&mut self) -> Result<(), Error> {
         // The series goes to the disk first: a checkpoint must not count samples that a power failure may lose.
@@ -356,19 +373,19 @@ impl<'a> SceneRun<'a> {
         if let Some(frames) = &mut self.frames {
             frames.sync()?;
         }
-        let now = || (self.balance, self.warnings.clone());
-        let (balance, warnings) = self.before_early_sample.clone().unwrap_or_else(now);
+        let now = || self.progress();
+        let progress = self.before_early_sample.clone().unwrap_or_else(now);
         let checkpoint = Checkpoint {
             phase: self.phase as u64,
             samples: self.samples,
             series_bytes: self.series.as_ref().map_or(0, Series::bytes),
             bonds_initial: self.bonds_initial as u64,
             seconds: self.seconds(),
-            link_steps: self.link_steps,
+            link_steps: progress.link_steps,
             rebuilds: self.rebuilds(),
-            balance,
+            balance: progress.balance,
             drive_samples: self.drive_samples.clone(),
-            warnings,
+            warnings: progress.warnings,
             keys: self.scene.keys.clone(),
             state: self.world.record(),
         };
