@@ -4,7 +4,7 @@ use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound}
 use gouge_dem::material::Elastic;
 use gouge_dem::model::{BondLaws, ContactLaws, ContactNormal};
 use gouge_dem::particles::{Particles, Role};
-use gouge_dem::{World, stable_step_estimate};
+use gouge_dem::{World, network_step, stable_step_estimate};
 
 /// Characteristic Mach number of cracks, thesis section 4.2.
 const MACH_NUMBER: f64 = 15.0;
@@ -27,11 +27,22 @@ pub fn bounds(world: &World, density: f64) -> Vec<Bound> {
     let mut bounds = pair_bounds(world, density);
     bounds.push(Bound {
         name: "network",
-        meaning: "upper bound on the stiffness of every mode of the interacting particles (Gershgorin): smaller steps are stable",
+        meaning: "the stiffest and the most damped mode of all touching and bonded particles together, by power iteration",
         oscillator: None,
-        step: stable_step_estimate(world),
+        step: network_step(world),
     });
     bounds
+}
+
+/// The smallest bound of a state, if a step in s is above one.
+pub fn exceeded(world: &World, density: f64, step: f64) -> Option<Bound> {
+    let is_fine = stable_step_estimate(world) >= step;
+    let bounds = match is_fine {
+        // The mode need not be found.
+        true => pair_bounds(world, density),
+        false => bounds(world, density),
+    };
+    smallest(&bounds).filter(|bound| step > bound.step)
 }
 
 /// The bounds of single pairs. In the set-up only these are judged: the bound of the network counts all near pairs as

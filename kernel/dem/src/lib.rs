@@ -25,4 +25,6 @@ pub mod distributions;
 pub mod calibration;
 
 pub use error::{ModelError, StepError};
-pub use world::{Continuation, Drive, Number, Start, State, World, stable_step_estimate};
+pub use world::{
+    Continuation, Drive, Number, Start, State, World, network_step, stable_step_estimate,
+};

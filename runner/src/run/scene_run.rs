@@ -16,7 +16,7 @@ use super::warning::in_phase;
 use super::{Event, Observer, RunOptions, Warning};
 use crate::error::Error;
 use crate::scene::Scene;
-use crate::stability::{bounds, pair_bounds, smallest};
+use crate::stability::{exceeded, pair_bounds, smallest};
 use gouge_dem::{State, StepError, World};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -287,14 +287,11 @@ impl<'a> SceneRun<'a> {
         }
         let step = self.world.model().time_step;
         let density = self.scene.material.density;
-        let bounds = match self.is_main() {
-            true => bounds(&self.world, density),
-            false => pair_bounds(&self.world, density),
+        let found = match self.is_main() {
+            true => exceeded(&self.world, density, step),
+            false => smallest(&pair_bounds(&self.world, density)).filter(|one| step > one.step),
         };
-        let Some(bound) = smallest(&bounds) else {
-            return;
-        };
-        if step > bound.step {
+        if let Some(bound) = found {
             self.is_step_doubted = true;
             let scene = self.scene;
             let phase = self.phases[self.phase].name.clone();

@@ -179,11 +179,11 @@ fn estimate<S: Number>(world: &World<S>, touching: &[Pair]) -> f64 {
 
 /// Stiffness in N/m and damping in kg/s of a contact or bond.
 #[derive(Clone, Copy)]
-struct PairConstants {
+pub(super) struct PairConstants {
     /// Along the normal.
-    normal: [f64; 2],
+    pub normal: [f64; 2],
     /// Along the tangent.
-    tangential: [f64; 2],
+    pub tangential: [f64; 2],
     /// Rotations that one tangential spring sees at once, of the two.
     shared: f64,
 }
@@ -201,7 +201,7 @@ impl PairConstants {
 }
 
 /// The constants of a bond.
-fn bond_constants(model: &Model) -> Option<PairConstants> {
+pub(super) fn bond_constants(model: &Model) -> Option<PairConstants> {
     let bond = model.bond?;
     let beam = |law: EulerBernoulli| [law.stiffness, law.damping];
     Some(PairConstants {
@@ -212,7 +212,7 @@ fn bond_constants(model: &Model) -> Option<PairConstants> {
 }
 
 /// The constants of a contact.
-fn contact_constants(
+pub(super) fn contact_constants(
     normal: &ContactNormal,
     tangential: &Option<ContactTangential>,
     radii: [f64; 2],
