@@ -77,7 +77,7 @@ impl<'a> Reader<'a> {
 }
 
 /// Bytes as words, the least significant byte of each word first; trailing bytes that do not fill a word are ignored.
-fn words_of_bytes(bytes: &[u8]) -> Vec<u64> {
+pub fn words_of_bytes(bytes: &[u8]) -> Vec<u64> {
     let (words, _) = bytes.as_chunks();
     words.iter().copied().map(u64::from_le_bytes).collect()
 }

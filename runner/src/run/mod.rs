@@ -26,6 +26,7 @@ mod trajectory;
 mod transitions;
 mod warning;
 
+pub use bytes::words_of_bytes;
 pub use checkpoint::{world_of_checkpoint, world_of_record};
 pub use folder::write_whole;
 pub use friction::{DriveSample, Friction};

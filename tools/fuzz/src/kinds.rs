@@ -138,7 +138,10 @@ impl Files {
         let mut bytes = damaged(content, &self.valid, false, &mut random);
         match random.random_range(0..8) {
             0 => bytes.extend(&file[file.len() - DIGEST..]),
-            _ => bytes.extend(Sha256::digest(&bytes.clone())),
+            _ => {
+                let digest = Sha256::digest(&bytes);
+                bytes.extend(digest);
+            }
         }
         bytes
     }
