@@ -125,6 +125,14 @@ fn a_difference_is_found_where_it_is() {
 }
 
 #[test]
+fn a_column_that_is_zero_up_to_rounding_needs_an_absolute_tolerance() {
+    let data = "time,id,fx\n0.01,0,1e-25\n0.01,1,1e-25\n";
+    assert_eq!(compared(data, &[]).0, Some(1));
+    assert_eq!(compared(data, &["--absolute", "fx=1e-20"]).0, Some(0));
+    assert_eq!(compared(data, &["--absolute", "fx=1e-30"]).0, Some(1));
+}
+
+#[test]
 fn a_step_of_another_length_is_taken_into_account() {
     let halved = |line: &str| {
         line.parse::<u32>()
@@ -164,55 +172,86 @@ fn whole_runs_are_compared_by_the_columns_of_the_series() {
     );
 }
 
+/// A file, options, and words of the error.
+type Refusal = (&'static str, &'static [&'static str], &'static str);
+
+const REFUSALS: [Refusal; 19] = [
+    (
+        "time,id,x\n0.02,0,1.0\n",
+        &[],
+        "from 0 to the end of the run",
+    ),
+    ("time,id,x\n0.00015,0,1.0\n", &[], "multiple of time.step"),
+    (
+        "time,id,x\n-0.0001,0,1.0\n",
+        &[],
+        "from 0 to the end of the run",
+    ),
+    (
+        "time,id,x\n0.0,7,1.0\n",
+        &[],
+        "id 7: must be from 0 to 1, as the scene has 2",
+    ),
+    (
+        "time,id,x\n0.0,-1,1.0\n",
+        &[],
+        ":2: id = -1: must be an integer",
+    ),
+    ("time,id,x\n0.0,0\n", &[], "CSV file with a header"),
+    (
+        "time,id,colour\n0.0,0,1.0\n",
+        &[],
+        "no column can be compared",
+    ),
+    ("time,id,x\n0.0,0,0.0\n", &["--columns", "y"], "--columns y"),
+    (
+        "time,id,x\n0.0,0,0.0\n",
+        &["--tolerance", "y=1"],
+        "--tolerance y",
+    ),
+    (
+        "time,id,x,y\n0.0,0,0.0,0.5\n0.0,1,1.0,\n",
+        &[],
+        ":3: y = \"\": must be a number",
+    ),
+    ("t,id,x\n0.0,0,0.0\n0.1,0,1.0\n", &[], "id 0: occurs twice"),
+    ("time;id;x\n0.0;0;0.0\n", &[], "separated by commas"),
+    (
+        "time,id,x\n0.0,0,left\n",
+        &[],
+        "x: this column holds no numbers",
+    ),
+    (
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x\n3 2\n",
+        &[],
+        "id 3: must be from 1 to 2",
+    ),
+    ("", &[], "at least one row"),
+    (
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y\n1 2\n",
+        &[],
+        "the column id",
+    ),
+    (
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x\n1 2\n",
+        &[],
+        "the file ends here",
+    ),
+    (
+        "time,step,id,x\n0.0,0,0,0.0\n",
+        &[],
+        "only one of the columns time and step",
+    ),
+    (
+        "time,id,x,x\n0.0,0,0.0,0.0\n",
+        &[],
+        "x: this column is given twice",
+    ),
+];
+
 #[test]
 fn data_that_cannot_be_compared_are_refused() {
-    let cases: [(&str, &[&str], &str); 12] = [
-        (
-            "time,id,x\n0.02,0,1.0\n",
-            &[],
-            "from 0 to the end of the run",
-        ),
-        ("time,id,x\n0.00015,0,1.0\n", &[], "multiple of time.step"),
-        (
-            "time,id,x\n-0.0001,0,1.0\n",
-            &[],
-            "from 0 to the end of the run",
-        ),
-        (
-            "time,id,x\n0.0,7,1.0\n",
-            &[],
-            "particle 7 does not exist: the scene has 2",
-        ),
-        (
-            "time,id,x\n0.0,-1,1.0\n",
-            &[],
-            ":2: id = -1: must be an integer",
-        ),
-        ("time,id,x\n0.0,0\n", &[], "CSV file with a header"),
-        (
-            "time,id,colour\n0.0,0,1.0\n",
-            &[],
-            "no column can be compared",
-        ),
-        ("time,id,x\n0.0,0,0.0\n", &["--columns", "y"], "--columns y"),
-        (
-            "time,id,x\n0.0,0,0.0\n",
-            &["--tolerance", "y=1"],
-            "--tolerance y",
-        ),
-        ("", &[], "at least one row"),
-        (
-            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y\n1 2\n",
-            &[],
-            "the column id",
-        ),
-        (
-            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x\n1 2\n",
-            &[],
-            "the file ends here",
-        ),
-    ];
-    for (data, options, words) in cases {
+    for (data, options, words) in REFUSALS {
         let (status, _, said) = compared(data, options);
         assert_eq!(status, Some(2), "{data}: {said}");
         assert!(

@@ -4,31 +4,29 @@ use gouge_runner::run::{DriveSample, Friction};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// Samples of a block that slides at 2 m/s under 10 N while it rises at 0.1 m/s, with a coefficient of friction for
-/// each interval between samples.
+/// Samples of a block that slides at 2 m/s under 10 N, with a coefficient of friction for each interval between samples.
 fn sliding(coefficients: &[f64]) -> Vec<DriveSample> {
-    let (load, speed, rise, step) = (10.0, 2.0, 0.1, 1e-3);
-    let sample = |number: usize, work: f64| DriveSample {
-        time: number as f64 * step,
-        work,
-        vertical_force: -load,
+    let (load, speed, step) = (10.0, 2.0, 1e-3);
+    let mut sample = DriveSample {
+        time: 0.0,
+        shearing: 0.0,
+        sliding: 0.0,
         velocity: speed,
-        height: number as f64 * rise * step,
         coefficient: 0.4,
     };
-    let mut samples = vec![sample(0, 0.0)];
-    let mut work = 0.0;
-    for (number, coefficient) in coefficients.iter().enumerate() {
-        // The weight of the load takes back what lifting it costs the vertical force.
-        work += (coefficient * load * speed - load * rise) * step;
-        samples.push(sample(number + 1, work));
+    let mut samples = vec![sample];
+    for coefficient in coefficients {
+        sample.time += step;
+        sample.shearing += coefficient * load * speed * step;
+        sample.sliding += load * speed * step;
+        samples.push(sample);
     }
     samples
 }
 
 #[test]
 fn friction_is_the_work_of_the_horizontal_force_over_load_times_slip() {
-    let found = Friction::of(&sliding(&[0.3; 100])).expect("friction");
+    let found = Friction::of(&sliding(&[0.3; 100]), 1e-3).expect("friction");
     let errors = [
         found.coefficient - 0.3,
         found.interval[0] - 0.3,
@@ -43,20 +41,36 @@ fn friction_is_the_work_of_the_horizontal_force_over_load_times_slip() {
 #[test]
 fn only_the_second_half_counts() {
     let coefficients: Vec<f64> = (0..100).map(|n| if n < 50 { 9.0 } else { 0.3 }).collect();
-    let found = Friction::of(&sliding(&coefficients)).expect("friction");
+    let found = Friction::of(&sliding(&coefficients), 1e-3).expect("friction");
     assert!((found.coefficient - 0.3).abs() < 1e-12, "{found:?}");
 }
 
 #[test]
 fn a_block_that_does_not_slide_under_load_has_no_friction() {
-    assert_eq!(Friction::of(&[]), None);
-    assert_eq!(Friction::of(&sliding(&[0.3; 38])), None, "too few samples");
+    assert_eq!(Friction::of(&[], 1e-3), None);
+    assert_eq!(
+        Friction::of(&sliding(&[0.3; 38]), 1e-3),
+        None,
+        "too few samples"
+    );
     let mut resting = sliding(&[0.3; 100]);
-    resting.iter_mut().for_each(|one| one.velocity = 0.0);
-    assert_eq!(Friction::of(&resting), None);
+    resting.iter_mut().for_each(|one| one.sliding = 0.0);
+    assert_eq!(Friction::of(&resting, 1e-3), None);
+    let mut creeping = sliding(&[0.3; 100]);
+    creeping.iter_mut().for_each(|one| one.velocity = 1e-9);
+    assert_eq!(Friction::of(&creeping, 1e-3), None);
+    let mut back = sliding(&[0.3; 100]);
+    for one in &mut back {
+        (one.velocity, one.sliding, one.shearing) = (-one.velocity, -one.sliding, -one.shearing);
+    }
+    let found = Friction::of(&back, 1e-3).expect("friction of a block that slides back");
+    assert!(
+        (found.coefficient - 0.3).abs() < 1e-12 && found.slip < 0.0,
+        "{found:?}"
+    );
     let mut pulled = sliding(&[0.3; 100]);
-    pulled.iter_mut().for_each(|one| one.vertical_force = 1.0);
-    assert_eq!(Friction::of(&pulled), None);
+    pulled.iter_mut().for_each(|one| one.sliding *= -1.0);
+    assert_eq!(Friction::of(&pulled, 1e-3), None);
 }
 
 /// Coefficients around 0.3 whose deviations forget their past within about `memory` samples.
@@ -82,7 +96,7 @@ fn intervals_contain_the_coefficient_as_often_as_they_say() {
     for memory in [0.1, 5.0] {
         let is_covered = |_: &i32| {
             let samples = sliding(&scattered(&mut random, memory, 2000));
-            let [low, high] = Friction::of(&samples).expect("friction").interval;
+            let [low, high] = Friction::of(&samples, 1e-3).expect("friction").interval;
             (low..high).contains(&0.3)
         };
         let covered = (0..1000).filter(is_covered).count();
@@ -96,7 +110,9 @@ fn blocks_shorter_than_the_memory_are_told() {
     let mut correlated = |memory: f64| {
         let is_told = |_: &i32| {
             let samples = sliding(&scattered(&mut random, memory, 400));
-            Friction::of(&samples).expect("friction").is_correlated()
+            Friction::of(&samples, 1e-3)
+                .expect("friction")
+                .is_correlated()
         };
         (0..200).filter(is_told).count()
     };

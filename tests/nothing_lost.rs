@@ -290,10 +290,6 @@ fn damaged_checkpoints_are_refused_and_nothing_is_changed() {
     assert_same(&out, &reference);
 }
 
-/// Bytes of a checkpoint that hold the length of the keys of the scene; the keys follow, then the warnings, of which
-/// there are none, then the name of the model.
-const KEYS: std::ops::Range<usize> = 176..184;
-
 /// The bytes of a checkpoint with a correct checksum.
 fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
     let digest = Sha256::digest(&bytes[..bytes.len() - 32]);
@@ -312,14 +308,12 @@ fn a_state_with_other_columns_is_refused() {
     let path = out.join("checkpoint");
     let whole = fs::read(&path).expect("a checkpoint");
     assert_eq!(with_checksum(whole.clone()), whole);
-    let keys = u64::from_le_bytes(whole[KEYS].try_into().expect("eight bytes")) as usize;
-    let model = KEYS.end + keys + 8 + 8;
-    assert_eq!(whole[model - 8..model], 3_u64.to_le_bytes());
-    assert_eq!(&whole[model..model + 3], b"dem");
     let place_of = |name: &[u8]| {
         let place = whole.windows(name.len()).position(|bytes| bytes == name);
         place.expect("a column")
     };
+    // The name of the model follows its length.
+    let model = place_of(b"\x03\0\0\0\0\0\0\0dem") + 8;
     let changed = |place: usize| {
         let mut bytes = whole.clone();
         bytes[place] ^= 1;

@@ -5,6 +5,9 @@ use gouge_runner::scene::{Scene, Trajectory};
 use std::fmt::Write;
 use std::path::Path;
 
+/// Number of intervals between samples below which there are no ten blocks of two in the second half of a run.
+const MOST_SCARCE: f64 = 40.0;
+
 /// The account of a finished run in a folder.
 pub fn account(scene: &Scene, summary: &Summary, folder: &Path) -> String {
     let mut text = String::new();
@@ -30,7 +33,7 @@ pub fn account(scene: &Scene, summary: &Summary, folder: &Path) -> String {
     } else if scene.driving.is_some() {
         line(
             "friction",
-            "too few samples while the driven grains slide under load, or no energies",
+            &format!("not averaged: {}", without_friction(scene, summary)),
         );
     }
     line("energy balance", &balance(summary));
@@ -47,8 +50,22 @@ pub fn account(scene: &Scene, summary: &Summary, folder: &Path) -> String {
 
 fn balance(summary: &Summary) -> String {
     match summary.balance_error {
-        Some(error) => format!("closes to {:.1e} of its largest term", error),
+        Some(error) => format!("closes to {:.1e} of the energy exchanged", error),
         None => "not watched, because output.energy is false".to_owned(),
+    }
+}
+
+/// Why friction was not averaged.
+fn without_friction(scene: &Scene, summary: &Summary) -> String {
+    let intervals = summary.time / scene.output.interval;
+    if !scene.output.energy {
+        "the work of the drive is known only with output.energy = true".to_owned()
+    } else if intervals < MOST_SCARCE {
+        format!(
+            "{intervals:.0} samples are too few for ten blocks; choose a smaller output.interval"
+        )
+    } else {
+        "the driven grains do not slide under load all the time".to_owned()
     }
 }
 
@@ -77,6 +94,10 @@ fn friction_lines(friction: &Friction) -> Vec<(&'static str, String)> {
             ),
         ),
     ];
+    if low < 0.0 && high > 0.0 {
+        let content = "not distinguishable from zero; run longer, or average over seeds".to_owned();
+        lines.push(("", content));
+    }
     if friction.is_correlated() {
         let content = format!(
             "neighbouring blocks are correlated ({:.2}): the interval is too narrow; run longer",
@@ -108,6 +129,21 @@ fn files(scene: &Scene, folder: &Path) -> String {
         Trajectory::None => {}
         Trajectory::Vtk => files.push(("trajectory/run.vtk.series", "frames; opens in ParaView")),
         Trajectory::Extxyz => files.push(("trajectory/frame_000000.xyz", "frames; opens in OVITO")),
+    }
+    match (scene.output.links, scene.output.trajectory) {
+        (true, Trajectory::Vtk) => {
+            files.push((
+                "trajectory/links.vtk.series",
+                "contacts and bonds; opens in ParaView",
+            ));
+        }
+        (true, _) => {
+            files.push((
+                "trajectory/links_000000.dump",
+                "contacts and bonds; opens in OVITO",
+            ));
+        }
+        _ => {}
     }
     let path = |name: &str| folder.join(name).display().to_string();
     let width = files.iter().map(|(name, _)| path(name).len()).max();

@@ -16,6 +16,9 @@ pub struct CompareArguments {
     /// Largest difference that is accepted, in units of the range of a column; for one column as COLUMN=NUMBER
     #[arg(long, value_name = "[COLUMN=]NUMBER", value_parser = tolerance)]
     tolerance: Vec<(Option<String>, f64)>,
+    /// Largest difference of a column in SI units that is accepted whatever its range
+    #[arg(long, value_name = "COLUMN=NUMBER", value_parser = absolute)]
+    absolute: Vec<(String, f64)>,
     /// Columns to compare, separated by commas; all that both sides have if absent
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
@@ -45,6 +48,7 @@ pub fn launch(scene: &Scene, arguments: CompareArguments) -> Result<(), Error> {
             .into_iter()
             .filter_map(|(name, number)| Some((name?, number)))
             .collect(),
+        absolute: arguments.absolute,
         columns: arguments.columns,
     };
     let comparison = compare(
@@ -68,6 +72,13 @@ fn tolerance(text: &str) -> Result<(Option<String>, f64), String> {
     let number = number.parse().ok().filter(|number: &f64| *number >= 0.0);
     let number = number.ok_or("must be a number, zero or greater, or COLUMN=NUMBER")?;
     Ok((name, number))
+}
+
+fn absolute(text: &str) -> Result<(String, f64), String> {
+    match tolerance(text)? {
+        (Some(name), number) => Ok((name, number)),
+        (None, _) => Err("must be COLUMN=NUMBER".to_owned()),
+    }
 }
 
 fn step(text: &str) -> Result<f64, String> {

@@ -14,11 +14,11 @@
 //! | energy balance | [`balance`] | (72)-(79) |
 //! | friction and fragments | [`estimators`] | (68)-(69), (80)-(86) |
 //! | calibration | [`calibration`] | (87)-(100) |
-//! | neighbour search | [`common::neighbors`] | (98)-(99), (134)-(137) |
+//! | neighbour search | [`common::neighbors`](../gouge_common/neighbors/index.html) | (98)-(99), (134)-(137) |
 //!
 //! A [`World`] is a [`model`] (laws and parameters) with a state; [`World::step`] advances it by a time step.
 //! `docs/thesis/equations.md` lists every equation with its function and its test.
-//! Scene files become worlds, and runs write outputs, in [`runner`].
+//! Scene files become worlds, and runs write outputs, in [`runner`](../gouge_runner/index.html).
 
 #[doc(inline)]
 pub use gouge_dem::*;

@@ -43,8 +43,10 @@ pub fn stability(scene: &Scene) -> Result<String, Error> {
 
 /// What the bounds say and what they do not.
 const COVERED: &str = "Below the bounds, oscillations of contacts and bonds that last do not grow. \
-    A contact that begins inside a step may gain 4 (step / bound)^2 of the energy of the collision: \
-    4 % at a tenth of the bound. The residual of the balance shows what a run gained or lost.";
+    They are those of t = 0: contacts that form later can lower that of the network, usually by less than \
+    a half, which a run finds out. A contact that begins inside a step may gain 4 (step / bound)^2 of the \
+    energy of the collision: 4 % at a tenth of the bound. The residual of the balance shows what a run \
+    gained or lost.";
 
 /// A bound as JSON.
 fn described(scene: &Scene, bound: &Bound) -> Value {

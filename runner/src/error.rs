@@ -85,7 +85,7 @@ pub enum Error {
     },
     /// An energy overflowed although the state itself is still finite.
     #[error(
-        "the run stopped in phase '{phase}': the {name} energy is not finite at {time} s; likely \
+        "the run stopped in phase '{phase}': the {name} energy is not finite at {time:.6e} s; likely \
              cause: the time step is above the stability bound (run `gouge stability` for the bounds)"
     )]
     Energy {

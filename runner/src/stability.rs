@@ -2,9 +2,10 @@
 
 use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
 use gouge_dem::material::Elastic;
-use gouge_dem::model::{BondLaws, ContactLaws, ContactNormal};
+use gouge_dem::model::{Ambient, BondLaws, ContactLaws, ContactNormal, External};
 use gouge_dem::particles::{Particles, Role};
 use gouge_dem::{World, network_step, stable_step_estimate};
+use std::f64::consts::PI;
 
 /// Characteristic Mach number of cracks, thesis section 4.2.
 const MACH_NUMBER: f64 = 15.0;
@@ -57,7 +58,35 @@ pub fn pair_bounds(world: &World, density: f64) -> Vec<Bound> {
     if let Some(laws) = world.model().bond {
         bounds.extend(bond_bounds(world, laws, &pair));
     }
+    bounds.extend(field_bound(world, &pair));
     bounds
+}
+
+/// Bound from the oscillation of the lightest particle in the harmonic well, damped by creeping drag; none without both.
+fn field_bound(world: &World, pair: &Lightest) -> Option<Bound> {
+    let (model, p) = (world.model(), world.particles());
+    let stiffness = match model.external {
+        Some(External::HarmonicWell(law)) => law.stiffness,
+        _ => 0.0,
+    };
+    let viscosity = match model.ambient {
+        Some(Ambient::Creeping(law)) => law.viscosity,
+        Some(Ambient::Correlation(law)) => law.viscosity,
+        None => 0.0,
+    };
+    // Stokes drag, of the particle on which it acts most per mass.
+    let rate = |i: usize| 6.0 * PI * viscosity * p.radius[i] / p.mass[i];
+    let mobile = (0..p.len()).filter(|&i| p.role[i] != Role::Fixed);
+    let damping = mobile.map(rate).fold(0.0, f64::max);
+    (stiffness > 0.0 || damping > 0.0).then(|| {
+        let constants = [stiffness / pair.mass, damping];
+        pair_bound(
+            world,
+            "field",
+            "the lightest particle in the external field and in creeping drag",
+            constants,
+        )
+    })
 }
 
 /// The smallest of some bounds.

@@ -3,6 +3,7 @@
 use super::{assert_same, colliding_pair, complete, fault, start, summary, text};
 use crate::program::{stderr, write_draft};
 use gouge_validation::scenes::Draft;
+use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -93,6 +94,34 @@ fn an_extended_run_has_the_bits_of_a_long_one() {
     check_extension(&pair, &[1.23e-6, 2e-6, 2.05e-6, 4e-6]);
     let fault = fault("beeman", "cundall-strack", "vtk");
     check_extension(&fault, &[20.1e-6, 21e-6, 30e-6]);
+}
+
+/// Without output.interval, samples are 200th parts of the run; an extended run keeps those of the shorter one.
+#[test]
+fn a_run_without_an_interval_is_extended() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
+    let until = |end: f64| {
+        let pair = colliding_pair(1e-8).without("output.interval");
+        pair.replacing("time.end", end)
+    };
+    let given = until(4e-6).with("output.interval", 1e-8);
+    complete(&write_draft(folder.path(), &given), &reference, false);
+    complete(&write_draft(folder.path(), &until(2e-6)), &out, false);
+    let longer = write_draft(folder.path(), &until(4e-6));
+    complete(&longer, &out, true);
+    for name in ["series.csv", "particles.csv"] {
+        let read = |folder: &Path| fs::read(folder.join(name)).expect(name);
+        assert!(read(&out) == read(&reference), "{name}");
+    }
+    let output = start(&longer, &out, false)
+        .output()
+        .expect("the program starts");
+    assert!(
+        stderr(&output).contains("nothing to do"),
+        "{}",
+        stderr(&output)
+    );
 }
 
 #[test]

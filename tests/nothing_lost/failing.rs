@@ -88,7 +88,7 @@ fn overflowing_energies_are_not_written() {
     let said = stderr(&output);
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(
-        said.contains("the kinetic energy is not finite at 0 s"),
+        said.contains("the kinetic energy is not finite at 0.000000e0 s"),
         "{said}"
     );
     let series = fs::read_to_string(out.join("series.csv")).expect("a series");

@@ -88,7 +88,7 @@ pub enum ModelError {
 pub enum StepError {
     /// Position, velocity, angle or angular velocity of a particle is no longer finite.
     #[error(
-        "the state of particle {particle} is not finite at {time} s, in the step after {steps}; \
+        "the state of particle {particle} is not finite at {time:.6e} s, in the step after {steps}; \
          likely cause: {}{}",
         cause(*.time_step, *.bound, "forces or speeds are too large"),
         interaction_text(*.interaction)
@@ -109,7 +109,7 @@ pub enum StepError {
     },
     /// A particle moves so far per step that it may pass others unseen.
     #[error(
-        "particle {particle} moved {distance:.3e} m in one step at {time} s, more than the \
+        "particle {particle} moved {distance:.3e} m in one step at {time:.6e} s, more than the \
          {limit:.3e} m beyond which it may pass others unseen; likely cause: {}{}",
         cause(*.time_step, *.bound, "the speed is too high for this step"),
         interaction_text(*.interaction)
@@ -138,7 +138,7 @@ fn cause(time_step: f64, bound: f64, otherwise: &str) -> String {
         format!("the time step {time_step:?} s is above the stability bound, about {bound:.3e} s")
     } else {
         format!(
-            "{otherwise}, because the time step {time_step:?} s is not above the stability bound"
+            "{otherwise}; the time step {time_step:?} s is not above the stability bound of contacts and bonds"
         )
     }
 }

@@ -47,6 +47,7 @@ pub fn parse(file: &str, bytes: &[u8]) -> Result<Data, Fault> {
         kind: Kind::Particles,
         names: Vec::new(),
         others: Vec::new(),
+        first_id: 1,
         frames: Vec::new(),
     };
     let (mut step, mut number) = (None, 0);
@@ -94,6 +95,9 @@ fn atoms(
     number: usize,
 ) -> Result<Frame, Fault> {
     let own: Vec<&str> = names.iter().copied().filter(|name| *name != "id").collect();
+    if number == 0 {
+        return Err((lines.number, "the frame holds no atoms".to_owned()));
+    }
     let place = names.iter().position(|name| *name == "id");
     let place = place.ok_or_else(|| (lines.number, "the column id is missing".to_owned()))?;
     match data.frames.is_empty() {

@@ -28,6 +28,8 @@ pub struct Options {
     pub tolerance: f64,
     /// Tolerances of single columns, which replace the common one.
     pub tolerances: Vec<(String, f64)>,
+    /// Differences in SI units that are accepted whatever the range of a column.
+    pub absolute: Vec<(String, f64)>,
     /// The columns that are compared; all that both sides have if empty.
     pub columns: Vec<String>,
 }
@@ -50,6 +52,8 @@ pub struct Difference {
     pub particle: Option<usize>,
     /// The largest difference that is accepted, in units of the range.
     pub tolerance: f64,
+    /// The largest difference that is accepted whatever the range, in SI units.
+    pub absolute: f64,
 }
 
 impl Difference {
@@ -63,7 +67,7 @@ impl Difference {
 
     /// Whether the difference is accepted.
     pub fn is_within(&self) -> bool {
-        self.relative() <= self.tolerance
+        self.relative() <= self.tolerance || self.largest <= self.absolute
     }
 }
 
@@ -76,6 +80,9 @@ pub struct Comparison {
     pub ignored: Vec<String>,
     /// Number of times that were compared.
     pub times: usize,
+    /// Fewest and most particles that were compared at a time, and their number in the scene; none if the data
+    /// describe the whole run.
+    pub particles: Option<[usize; 3]>,
 }
 
 /// Run a scene and compare it with data at all of their times.
@@ -103,8 +110,15 @@ pub fn compare(
         let ours = quantities.values(scene, &world)?;
         for (place, difference) in differences.iter_mut().enumerate() {
             let theirs = &frame.columns[quantities.column(place)];
-            look(difference, frame, &ours[place], theirs, scene, world.time())
-                .map_err(|reason| refusal(data, &reason))?;
+            look(
+                difference,
+                frame,
+                &ours[place],
+                theirs,
+                (scene, world.time()),
+                data.first_id,
+            )
+            .map_err(|reason| refusal(data, &reason))?;
         }
     }
     observer.event(Event::Ended);
@@ -112,7 +126,17 @@ pub fn compare(
         differences,
         ignored: quantities.ignored(data),
         times: data.frames.len(),
+        particles: particles(data, world.particles().len()),
     })
+}
+
+fn particles(data: &Data, all: usize) -> Option<[usize; 3]> {
+    let numbers = data
+        .frames
+        .iter()
+        .filter_map(|frame| Some(frame.ids.as_ref()?.len()));
+    let (fewest, most) = (numbers.clone().min()?, numbers.max()?);
+    Some([fewest, most, all])
 }
 
 fn set_up(scene: &Scene, phases: &[Phase], observer: &mut dyn Observer) -> Result<World, Error> {
@@ -171,15 +195,17 @@ fn look(
     frame: &Frame,
     ours: &[f64],
     theirs: &[f64],
-    scene: &Scene,
-    time: f64,
+    (scene, time): (&Scene, f64),
+    first_id: usize,
 ) -> Result<(), String> {
     for (row, &their) in theirs.iter().enumerate() {
         let particle = frame.ids.as_ref().map(|ids| ids[row]);
         let place = particle.unwrap_or(0);
         let &our = ours.get(place).ok_or_else(|| {
+            let (first, last) = (first_id, (first_id + ours.len()).saturating_sub(1));
             format!(
-                "particle {place} does not exist: the scene has {}",
+                "id {}: must be from {first} to {last}, as the scene has {} particles",
+                place + first_id,
                 ours.len()
             )
         })?;
@@ -233,6 +259,15 @@ impl Comparison {
             );
         }
         let _ = writeln!(text, "times compared: {}", self.times);
+        match self.particles {
+            Some([fewest, most, all]) if fewest == most => {
+                let _ = writeln!(text, "particles compared: {most} of {all}");
+            }
+            Some([fewest, most, all]) => {
+                let _ = writeln!(text, "particles compared: {fewest} to {most} of {all}");
+            }
+            None => {}
+        }
         if !self.ignored.is_empty() {
             let _ = writeln!(text, "not compared: {}", self.ignored.join(", "));
         }

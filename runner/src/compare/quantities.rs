@@ -31,6 +31,20 @@ pub struct Quantities {
     kind: Kind,
 }
 
+/// All columns of the data but time and identifiers.
+fn names_of(data: &Data) -> String {
+    let all: Vec<&str> = data
+        .names
+        .iter()
+        .chain(&data.others)
+        .map(String::as_str)
+        .collect();
+    match all.is_empty() {
+        true => "no columns besides times and identifiers".to_owned(),
+        false => all.join(", "),
+    }
+}
+
 /// Our name of a column of particles.
 fn own_name(name: &str) -> Option<&'static str> {
     let is_it = |one: &&(&'static str, &str, &[&str])| one.0 == name || one.2.contains(&name);
@@ -50,6 +64,13 @@ impl Quantities {
                 .map(|(name, _)| name.to_owned())
                 .collect(),
         };
+        let is_known = |name: &&String| own_name(name).is_some() || ours.contains(*name);
+        if let Some(name) = data.others.iter().find(is_known) {
+            return Err(refusal(
+                data,
+                &format!("{name}: this column holds no numbers"),
+            ));
+        }
         let canonical = |name: &String| match data.kind {
             Kind::Particles => own_name(name).map(str::to_owned),
             Kind::Run => ours.contains(name).then(|| name.clone()),
@@ -69,7 +90,7 @@ impl Quantities {
         if let Some(missing) = wanted.iter().find(|name| !has(name)) {
             let reason = format!(
                 "--columns {missing}: the data have {}, the run has {}",
-                data.names.join(", "),
+                names_of(data),
                 ours.join(", ")
             );
             return Err(refusal(data, &reason));
@@ -77,7 +98,7 @@ impl Quantities {
         if chosen.is_empty() {
             let reason = format!(
                 "no column can be compared; the data have {}, the run has {}",
-                data.names.join(", "),
+                names_of(data),
                 ours.join(", ")
             );
             return Err(refusal(data, &reason));
@@ -112,7 +133,8 @@ impl Quantities {
                 .iter()
                 .any(|(own, place)| own == name || data.names[*place] == *name)
         };
-        if let Some((name, _)) = options.tolerances.iter().find(|(name, _)| !is_known(name)) {
+        let mut given = options.tolerances.iter().chain(&options.absolute);
+        if let Some((name, _)) = given.find(|(name, _)| !is_known(name)) {
             return Err(refusal(
                 data,
                 &format!("--tolerance {name}=...: this column is not compared"),
@@ -131,6 +153,7 @@ impl Quantities {
                 range: range(data, *place),
                 time: 0.0,
                 particle: None,
+                absolute: options.absolute.iter().find(is_it).map_or(0.0, |one| one.1),
                 tolerance: options
                     .tolerances
                     .iter()

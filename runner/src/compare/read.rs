@@ -2,6 +2,7 @@
 
 use super::{dump, table};
 use crate::error::Error;
+use std::collections::HashSet;
 use std::path::Path;
 
 /// When a frame was taken.
@@ -46,20 +47,27 @@ pub struct Data {
     pub names: Vec<String>,
     /// Names of columns that hold other things than numbers.
     pub others: Vec<String>,
+    /// The identifier of the first particle: 1 in dumps, 0 in CSV files.
+    pub first_id: usize,
     /// The frames in order of time.
     pub frames: Vec<Frame>,
 }
+
+/// What some editors write at the beginning of a text file.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Read a LAMMPS dump, or a CSV file with a header.
 ///
 /// # Errors
 /// A file that cannot be read or is neither; the error names the line.
 pub fn read(path: &Path) -> Result<Data, Error> {
-    let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
+    let bytes = std::fs::read(path)
+        .map_err(|error| Error::Argument(format!("cannot read {}: {error}", path.display())))?;
+    let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&bytes);
     let file = path.display().to_string();
     let data = match bytes.starts_with(b"ITEM:") {
-        true => dump::parse(&file, &bytes),
-        false => table::parse(&file, &bytes),
+        true => dump::parse(&file, bytes),
+        false => table::parse(&file, bytes),
     };
     let mut data = data.map_err(|(line, reason)| match line {
         0 => Error::Argument(format!("{file}: {reason}")),
@@ -72,7 +80,20 @@ pub fn read(path: &Path) -> Result<Data, Error> {
     };
     data.frames.sort_by(|a, b| time(a).total_cmp(&time(b)));
     data.frames = merged(data.frames);
-    Ok(data)
+    match data.frames.iter().find_map(repeated) {
+        None => Ok(data),
+        Some(id) => Err(Error::Argument(format!(
+            "{file}: id {}: occurs twice at the same time; the column of times must be named time or step",
+            id + data.first_id
+        ))),
+    }
+}
+
+/// A particle that a frame lists twice.
+fn repeated(frame: &Frame) -> Option<usize> {
+    let mut seen = HashSet::new();
+    let mut ids = frame.ids.iter().flatten();
+    ids.find(|id| !seen.insert(**id)).copied()
 }
 
 /// The sorted frames, with those of the same time joined.

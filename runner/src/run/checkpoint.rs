@@ -80,7 +80,7 @@ impl Checkpoint {
         ];
         put_words(&mut bytes, &head);
         put_words(&mut bytes, &[self.rebuilds]);
-        put_words(&mut bytes, &self.balance.words());
+        self.balance.put(&mut bytes);
         put_words(&mut bytes, &[self.drive_samples.len() as u64]);
         for sample in &self.drive_samples {
             put_words(&mut bytes, &sample.numbers().map(f64::to_bits));
@@ -176,7 +176,7 @@ impl Rest {
     fn read(mut rest: Reader) -> Option<Self> {
         Some(Self {
             rebuilds: rest.word()?,
-            balance: Balance::of_words(rest.words(6)?.try_into().ok()?),
+            balance: Balance::read(&mut rest)?,
             drive_samples: drive_samples(&mut rest)?,
             keys: Keys::of_text(&rest.text()?),
             warnings: rest.text()?,
@@ -187,9 +187,9 @@ impl Rest {
 
 fn drive_samples(rest: &mut Reader) -> Option<Vec<DriveSample>> {
     let number = rest.word()?;
-    let words = rest.words(number.checked_mul(6)?)?;
+    let words = rest.words(number.checked_mul(5)?)?;
     let (samples, _) = words.as_chunks();
-    let sample = |words: &[u64; 6]| DriveSample::of_numbers(words.map(f64::from_bits));
+    let sample = |words: &[u64; 5]| DriveSample::of_numbers(words.map(f64::from_bits));
     Some(samples.iter().map(sample).collect())
 }
 

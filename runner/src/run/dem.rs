@@ -36,19 +36,19 @@ pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>, energy: Option<&
     sample
 }
 
-/// What a sample says about the drive.
-pub fn drive_sample(world: &World, drive: &Drive<f64>, energy: &Energy) -> DriveSample {
+/// What a sample says about the drive; none if the work of the drive is not known.
+pub fn drive_sample(world: &World, drive: &Drive<f64>) -> Option<DriveSample> {
+    let [shearing, sliding] = world.shearing_and_sliding()?;
     let p = world.particles();
     let driven = || (0..p.len()).filter(|&i| p.role[i] == Role::Driven);
-    let mean = |of: &dyn Fn(usize) -> f64| driven().map(of).sum::<f64>() / driven().count() as f64;
-    DriveSample {
+    let velocity: f64 = driven().map(|i| p.velocity[i].x).sum();
+    Some(DriveSample {
         time: world.time(),
-        work: energy.driving,
-        vertical_force: drive.applied.y,
-        velocity: mean(&|i| p.velocity[i].x),
-        height: mean(&|i| p.position[i].y),
+        shearing,
+        sliding,
+        velocity: velocity / driven().count() as f64,
         coefficient: friction_load(drive),
-    }
+    })
 }
 
 /// Names of the values in every sample of a scene.

@@ -20,6 +20,19 @@ pub enum Beginning {
     Complete(Box<Summary>),
 }
 
+/// The scene with the interval between samples of the run in a folder, if the scene gives none and that run is one of
+/// the same scene, possibly with an earlier end. So the end can be moved although the interval follows from it.
+pub fn with_interval_of_earlier_run(scene: &Scene, folder: &Path) -> Option<Scene> {
+    let bytes = scene
+        .has_default_interval
+        .then(|| std::fs::read(folder.join(CHECKPOINT)))?
+        .ok()?;
+    let (saved, _) = Checkpoint::parse(&bytes, scene).ok()?;
+    let scene = scene.with_interval(saved.keys.number("output.interval")?);
+    let (_, kinship) = Checkpoint::parse(&bytes, &scene).ok()?;
+    (!matches!(kinship, Kinship::Other(_))).then_some(scene)
+}
+
 /// How a run of a scene begins in a folder.
 ///
 /// # Errors

@@ -29,6 +29,12 @@ pub fn outputs(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let files = FILES.map(|name| folder.join(name));
     let mut found: Vec<PathBuf> = files.into_iter().filter(|path| exists(path)).collect();
     let frames = folder.join(FOLDER);
+    if frames.is_symlink() {
+        return Err(Error::Argument(format!(
+            "{} is a link; a run writes and removes frames only in a folder of its own: remove the link",
+            frames.display()
+        )));
+    }
     let entries = match std::fs::read_dir(&frames) {
         Ok(entries) => entries,
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(found),
@@ -106,7 +112,9 @@ fn replace(
     let name = path.file_name().unwrap_or_default().display();
     let beside = path.with_file_name(format!(".{name}.gouge-partial"));
     let write = || -> std::io::Result<()> {
-        let mut file = std::fs::File::create(&beside)?;
+        // A new file, so that no link is followed.
+        let _ = std::fs::remove_file(&beside);
+        let mut file = std::fs::File::create_new(&beside)?;
         file.write_all(bytes)?;
         finish(&file)?;
         std::fs::rename(&beside, path)

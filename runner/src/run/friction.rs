@@ -6,16 +6,18 @@ use serde::{Deserialize, Serialize};
 pub const BLOCKS: usize = 10;
 /// Quantile 0.975 of Student's distribution with `BLOCKS - 1` degrees of freedom.
 const STUDENT: f64 = 2.262_157_162_740_992;
+/// Least slip in units of the mean radius.
+const SLIDING: f64 = 0.01;
 /// Correlation of neighbouring blocks above which they are not independent; of independent ones, 95 % are below.
 const CORRELATED: f64 = 0.5;
 
 /// Coefficient of friction of a driven block that slides, averaged over the second half of a run.
 ///
-/// $$ \mu = \frac{W^x}{L s}, \qquad W^x = \int F^x \bar v^x \, dt $$
+/// $$ \mu = \frac{\int F^x \bar v^x \, dt}{\int L \bar v^x \, dt} $$
 ///
-/// $W^x$ is the work of the horizontal driving force in J, $L$ the load in N (positive if it presses), and $s$ the slip
-/// in m, the integral of the mean velocity of the driven grains. The work counts every step, whereas a sample of the
-/// force is a snapshot. It is what the energy balance books as the work of the drive, less that of the vertical force.
+/// $F^x$ is the horizontal driving force in N, $L$ the load in N (minus the vertical driving force, positive if it
+/// presses), and $\bar v^x$ the mean horizontal velocity of the driven grains in m/s. The integrals count every step,
+/// whereas a sample of the forces is a snapshot.
 ///
 /// The interval is that of the mean of ten blocks, by Student's distribution. It is valid if blocks are long compared
 /// with the time over which friction remembers its past, which `correlation` tells.
@@ -42,41 +44,35 @@ pub struct Friction {
 pub struct DriveSample {
     /// Time in s.
     pub time: f64,
-    /// Work of the driving force so far in J.
-    pub work: f64,
-    /// Vertical driving force in N.
-    pub vertical_force: f64,
+    /// Work of the horizontal driving force so far in J.
+    pub shearing: f64,
+    /// Integral of the load over the slip so far in J.
+    pub sliding: f64,
     /// Mean horizontal velocity of the driven grains in m/s.
     pub velocity: f64,
-    /// Mean height of the driven grains in m.
-    pub height: f64,
     /// Instantaneous coefficient of friction, thesis (85).
     pub coefficient: f64,
 }
 
 impl DriveSample {
     /// The sample as numbers, for a checkpoint.
-    pub fn numbers(&self) -> [f64; 6] {
+    pub fn numbers(&self) -> [f64; 5] {
         [
             self.time,
-            self.work,
-            self.vertical_force,
+            self.shearing,
+            self.sliding,
             self.velocity,
-            self.height,
             self.coefficient,
         ]
     }
 
     /// The sample that [`DriveSample::numbers`] stored.
-    pub fn of_numbers(
-        [time, work, vertical_force, velocity, height, coefficient]: [f64; 6],
-    ) -> Self {
+    pub fn of_numbers([time, shearing, sliding, velocity, coefficient]: [f64; 5]) -> Self {
         Self {
             time,
-            work,
-            vertical_force,
+            shearing,
+            sliding,
             velocity,
-            height,
             coefficient,
         }
     }
@@ -91,9 +87,10 @@ struct Stretch {
 }
 
 impl Friction {
-    /// The friction that the samples of a run show; none if the block is not pressed and moved, or if there are fewer
-    /// than two samples per block.
-    pub fn of(samples: &[DriveSample]) -> Option<Self> {
+    /// The friction that the samples of a run show, for grains of a mean radius in m; none if the block is not pressed
+    /// all the time, if it slides by less than a hundredth of the radius, or if there are fewer than two samples per
+    /// block.
+    pub fn of(samples: &[DriveSample], radius: f64) -> Option<Self> {
         let half = 0.5 * (samples.first()?.time + samples.last()?.time);
         let late = samples.iter().copied().filter(|one| one.time >= half);
         let rows: Vec<DriveSample> = late.collect();
@@ -108,8 +105,9 @@ impl Friction {
             .collect();
         let blocks: Vec<Stretch> = stretches.chunks(size).map(total).collect();
         let whole = total(&blocks);
-        let is_sliding = |block: &Stretch| block.load_slip > 0.0;
-        if !blocks.iter().all(is_sliding) {
+        // Of a block that is pressed, load times slip has the sign of the slip.
+        let is_pressed = |block: &Stretch| block.load_slip * block.slip > 0.0;
+        if whole.slip.abs() < SLIDING * radius || !blocks.iter().all(is_pressed) {
             return None;
         }
         let coefficient = whole.work / whole.load_slip;
@@ -137,12 +135,10 @@ impl Friction {
 
 /// Work, load times slip, and slip between two samples.
 fn stretch(before: &DriveSample, after: &DriveSample) -> Stretch {
-    let force = 0.5 * (before.vertical_force + after.vertical_force);
-    let slip = 0.5 * (before.velocity + after.velocity) * (after.time - before.time);
     Stretch {
-        work: after.work - before.work - force * (after.height - before.height),
-        load_slip: -force * slip,
-        slip,
+        work: after.shearing - before.shearing,
+        load_slip: after.sliding - before.sliding,
+        slip: 0.5 * (before.velocity + after.velocity) * (after.time - before.time),
     }
 }
 

@@ -13,7 +13,7 @@ const LOCK: &str = ".gouge-lock";
 #[derive(Debug)]
 pub struct Lock {
     path: PathBuf,
-    _file: File,
+    file: File,
 }
 
 impl Lock {
@@ -24,8 +24,14 @@ impl Lock {
     pub fn take(folder: &Path) -> Result<Self, Error> {
         let path = folder.join(LOCK);
         loop {
+            if path.is_symlink() {
+                return Err(Error::Argument(format!(
+                    "{} is a link; a run locks its folder with a file of this name: remove the link",
+                    path.display()
+                )));
+            }
             if let Some(file) = attempt(folder, &path)? {
-                return Ok(Self { path, _file: file });
+                return Ok(Self { path, file });
             }
         }
     }
@@ -64,8 +70,32 @@ fn in_use(folder: &Path, mut file: File) -> Error {
     ))
 }
 
+impl Lock {
+    /// Check that the folder is still the locked one: it may have been moved away or replaced.
+    ///
+    /// # Errors
+    /// A folder that is no longer locked by this run.
+    pub fn check(&self) -> Result<(), Error> {
+        match self.is_in_place() {
+            true => Ok(()),
+            false => Err(Error::Argument(format!(
+                "the output folder was moved or replaced during the run: {} is not the lock of this run",
+                self.path.display()
+            ))),
+        }
+    }
+
+    fn is_in_place(&self) -> bool {
+        let ours = self.file.try_clone().and_then(Handle::from_file);
+        ours.is_ok_and(|ours| Handle::from_path(&self.path).is_ok_and(|there| there == ours))
+    }
+}
+
 impl Drop for Lock {
     fn drop(&mut self) {
+        if !self.is_in_place() {
+            return;
+        }
         let _ = std::fs::remove_file(&self.path);
     }
 }

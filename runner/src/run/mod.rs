@@ -42,7 +42,7 @@ pub use warning::Warning;
 
 use crate::error::Error;
 use crate::scene::Scene;
-use existing::{Beginning, beginning};
+use existing::{Beginning, beginning, with_interval_of_earlier_run};
 use folder::refuse_replacing_inputs;
 use lock::Lock;
 use scene_run::SceneRun;
@@ -71,19 +71,26 @@ pub fn run(
     observer: &mut dyn Observer,
 ) -> Result<Summary, Error> {
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
-    let _lock = Lock::take(folder)?;
+    let lock = Lock::take(folder)?;
     refuse_replacing_inputs(scene, folder)?;
+    let adapted = match options.overwrite {
+        true => None,
+        false => with_interval_of_earlier_run(scene, folder),
+    };
+    let scene = adapted.as_ref().unwrap_or(scene);
     let run = match beginning(scene, folder, options)? {
         Beginning::Complete(summary) => {
             observer.event(Event::AlreadyDone { folder });
             return Ok(*summary);
         }
-        Beginning::Checkpoint(saved) => SceneRun::resume(scene, folder, options, observer, *saved)?,
+        Beginning::Checkpoint(saved) => {
+            SceneRun::resume(scene, folder, options, observer, *saved, &lock)?
+        }
         Beginning::Fresh => {
             if options.resume {
                 observer.event(Event::NothingToResume { folder });
             }
-            SceneRun::begin(scene, folder, options, observer)?
+            SceneRun::begin(scene, folder, options, observer, &lock)?
         }
     };
     run.complete()

@@ -52,7 +52,7 @@ pub struct Summary {
     /// Whether the energy balance was watched.
     #[serde(default)]
     pub balance_watched: bool,
-    /// The largest residual of the balance in any sample, in units of the largest term until then; absent if the
+    /// The largest residual of the balance in any sample, in units of the energy exchanged; absent if the
     /// balance was not watched.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub balance_error: Option<f64>,
@@ -141,6 +141,9 @@ impl SceneRun<'_> {
         if failure.as_ref().is_none_or(Error::is_interruption) {
             self.write_checkpoint()?;
         }
+        if failure.is_none() && self.balance.conclude() {
+            self.warn_of_balance();
+        }
         self.observer.event(Event::Ended);
         let neighbor_rebuilds = self.rebuilds();
         let status = match &failure {
@@ -162,6 +165,7 @@ impl SceneRun<'_> {
 
     fn write_outcome(&self, summary: &Summary) -> Result<(), Error> {
         let (scene, world, folder) = (self.scene, &self.world, &self.folder);
+        self.lock.check()?;
         let particles = dem::particles(scene, world.particles());
         write_whole(&folder.join(PARTICLES), particles.to_csv().as_bytes())?;
         picture::write(folder, scene, world, self.balance.is_off)?;
@@ -193,9 +197,13 @@ impl SceneRun<'_> {
             series_columns: columns.into_iter().map(str::to_owned).collect(),
             warnings: self.warnings.lines().map(str::to_owned).collect(),
             balance_watched: scene.output.energy,
-            balance_error: scene.output.energy.then_some(self.balance.worst),
-            friction: Friction::of(&self.drive_samples),
+            balance_error: scene.output.energy.then(|| self.balance.ratio()),
+            friction: Friction::of(&self.drive_samples, mean(&world.particles().radius)),
             ..Summary::empty(scene, status)
         }
     }
+}
+
+fn mean(numbers: &[f64]) -> f64 {
+    numbers.iter().sum::<f64>() / numbers.len() as f64
 }

@@ -35,12 +35,13 @@ impl SceneRun<'_> {
         self.judge_step();
         if let Some(energy) = &energy {
             self.watch_balance(energy);
-            if self.scene.driving.is_some() {
-                let drive = dem::drive_sample(&self.world, &drive, energy);
-                self.drive_samples.push(drive);
-            }
+        }
+        if self.scene.driving.is_some() {
+            let drive = dem::drive_sample(&self.world, &drive);
+            self.drive_samples.extend(drive);
         }
         self.last_good.clone_from(self.world.state());
+        self.lock.check()?;
         if let Some(series) = &mut self.series {
             series.write(&sample)?;
         }
@@ -59,14 +60,19 @@ impl SceneRun<'_> {
         Ok(())
     }
 
+    /// Warn that the energy balance cannot be trusted.
+    pub(super) fn warn_of_balance(&mut self) {
+        self.warn(Warning::Balance {
+            time: self.world.time(),
+            residual: self.balance.residual,
+            scale: self.balance.scale(),
+        });
+    }
+
     /// Warn at the first sample whose energy balance cannot be trusted.
     fn watch_balance(&mut self, energy: &Energy) {
         if self.balance.watch(&self.world, energy) {
-            self.warn(Warning::Balance {
-                time: self.world.time(),
-                residual: energy.residual,
-                largest: self.balance.largest,
-            });
+            self.warn_of_balance();
         }
     }
 }

@@ -7,6 +7,7 @@ use super::doubts;
 use super::fingerprint::Fingerprint;
 use super::folder::{CHECKPOINT, SUMMARY, outputs, remove_outputs};
 use super::friction::DriveSample;
+use super::lock::Lock;
 use super::outcome::Summary;
 use super::phases::{Phase, phases};
 use super::series::Series;
@@ -28,6 +29,8 @@ const CHUNK: u64 = 256;
 pub struct SceneRun<'a> {
     pub(super) scene: &'a Scene,
     pub(super) folder: PathBuf,
+    /// Checked before anything is written.
+    pub(super) lock: &'a Lock,
     pub(super) observer: &'a mut dyn Observer,
     pub(super) world: World,
     pub(super) bonds_initial: usize,
@@ -84,6 +87,7 @@ impl<'a> SceneRun<'a> {
         folder: &Path,
         options: RunOptions,
         observer: &'a mut dyn Observer,
+        lock: &'a Lock,
     ) -> Result<Self, Error> {
         let phases = phases(scene);
         let world = match begin_phase(scene, &phases, 0, None) {
@@ -99,7 +103,7 @@ impl<'a> SceneRun<'a> {
             }
         };
         remove_outputs(folder)?;
-        let mut run = Self::new(scene, folder, options, observer, (phases, 0), world);
+        let mut run = Self::new(scene, (folder, lock), options, observer, (phases, 0), world);
         run.report_phase();
         if let Some(doubt) = doubts::about_lattice(scene) {
             run.warn(doubt);
@@ -119,12 +123,20 @@ impl<'a> SceneRun<'a> {
         options: RunOptions,
         observer: &'a mut dyn Observer,
         saved: Checkpoint,
+        lock: &'a Lock,
     ) -> Result<Self, Error> {
         let path = folder.join(CHECKPOINT);
         let phases = phases(scene);
         let phase = (saved.phase as usize).min(phases.len() - 1);
         let world = saved.world(&path, scene, phases[phase].kind)?;
-        let mut run = Self::new(scene, folder, options, observer, (phases, phase), world);
+        let mut run = Self::new(
+            scene,
+            (folder, lock),
+            options,
+            observer,
+            (phases, phase),
+            world,
+        );
         run.samples = saved.samples;
         run.bonds_initial = saved.bonds_initial as usize;
         run.link_steps = saved.link_steps;
@@ -161,7 +173,7 @@ impl<'a> SceneRun<'a> {
 
     fn new(
         scene: &'a Scene,
-        folder: &Path,
+        (folder, lock): (&Path, &'a Lock),
         options: RunOptions,
         observer: &'a mut dyn Observer,
         (phases, phase): (Vec<Phase>, usize),
@@ -173,6 +185,7 @@ impl<'a> SceneRun<'a> {
             options,
             observer,
             folder: folder.to_owned(),
+            lock,
             fingerprint: Fingerprint::of(scene),
             phases,
             phase,
@@ -355,7 +368,7 @@ impl<'a> SceneRun<'a> {
     /// What the samples so far added up to.
     pub(super) fn progress(&self) -> Progress {
         Progress {
-            balance: self.balance,
+            balance: self.balance.clone(),
             warnings: self.warnings.clone(),
             link_steps: self.link_steps,
         }
@@ -363,6 +376,7 @@ impl<'a> SceneRun<'a> {
 
     /// Write the current state as a checkpoint.
     pub(super) fn write_checkpoint(&mut self) -> Result<(), Error> {
+        self.lock.check()?;
         // The series goes to the disk first: a checkpoint must not count samples that a power failure may lose.
         if let Some(series) = &self.series {
             series.sync()?;

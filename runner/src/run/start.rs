@@ -31,8 +31,14 @@ pub fn continued(scene: &Scene, start: &StartFile) -> Result<World, Error> {
         ))
     })?;
     let folder = start.path.parent().unwrap_or(Path::new("."));
-    let summary = Summary::read(folder).ok();
-    if !summary.is_some_and(|summary| summary.is_finished()) {
+    let steps = saved
+        .state
+        .columns
+        .iter()
+        .find(|column| column.name == "steps");
+    let steps = steps.and_then(|column| column.words.first());
+    let is_of_end = |summary: &Summary| summary.is_finished() && Some(&summary.steps) == steps;
+    if !Summary::read(folder).is_ok_and(|summary| is_of_end(&summary)) {
         return Err(refusal(
             "the run there is not finished; must be the output folder of a finished run".to_owned(),
         )

@@ -22,10 +22,10 @@ pub enum Warning<'a> {
     Balance {
         /// Time of the sample in s.
         time: f64,
-        /// Residual of the balance in J.
+        /// The largest residual of the balance until then in J.
         residual: f64,
-        /// The largest term of the balance so far in J.
-        largest: f64,
+        /// The energy in J with which it is compared.
+        scale: f64,
     },
     /// Particles are driven, but the scene has no driving.
     NothingDrives,
@@ -86,12 +86,12 @@ impl fmt::Display for Warning<'_> {
             Self::Balance {
                 time,
                 residual,
-                largest,
+                scale,
             } => write!(
                 f,
-                "the energy balance is off by {residual:.3e} J at {time:.6e} s, {:.1} % of its largest term; \
+                "the energy balance is off by {residual:.3e} J at {time:.6e} s, {:.1} % of the energy exchanged; \
                  the results cannot be trusted: try a smaller time step",
-                100.0 * (residual / largest).abs()
+                100.0 * (residual / scale).abs()
             ),
             Self::NothingDrives => write!(
                 f,

@@ -75,6 +75,8 @@ pub struct Scene {
     pub start: Option<StartFile>,
     /// What a run writes and how often.
     pub output: Output,
+    /// Whether the time between samples follows from the end time, because the scene does not give it.
+    pub has_default_interval: bool,
     /// Name of the scene file.
     pub file: String,
     /// All files that were read: the scene and its CSV files.
@@ -274,6 +276,9 @@ impl Scene {
             output: output(root, end)?,
             domain,
             material,
+            has_default_interval: !root
+                .optional_table("output")?
+                .is_some_and(|table| table.has("interval")),
             file: root.source().file.to_owned(),
             files: files(root, folder)?,
             sha256: String::new(),
@@ -337,6 +342,14 @@ impl Scene {
         self.driving.map_or(Vec2::zero(), |driving| {
             Vec2::new(driving.initial_force[0], driving.initial_force[1])
         })
+    }
+
+    /// The same scene with another time between samples in s.
+    pub fn with_interval(&self, interval: f64) -> Self {
+        let mut scene = self.clone();
+        scene.output.interval = interval;
+        scene.keys.set("output.interval", &format!("{interval:?}"));
+        scene
     }
 
     /// Number of steps until the end time.

@@ -1,7 +1,7 @@
 //! Particles, bonds and contacts of a scene, from the scene file or from CSV files.
 
 use super::StartFile;
-use super::rows::{Row, side_file};
+use super::rows::{Row, read_regular, side_file};
 use super::table::{Range, Table};
 use super::text::hex;
 use crate::error::SceneError;
@@ -109,7 +109,7 @@ pub fn start(root: &Table, folder: &Path) -> Result<Option<StartFile>> {
     if path.is_dir() {
         path.push("checkpoint");
     }
-    match std::fs::read(&path) {
+    match read_regular(&path) {
         Ok(bytes) => Ok(Some(StartFile {
             path,
             sha256: hex(&Sha256::digest(&bytes)),

@@ -20,7 +20,7 @@ pub fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>
         return Err(root.error(&key, &accepted));
     }
     let path = folder.join(name);
-    match std::fs::read(&path) {
+    match read_regular(&path) {
         Ok(bytes) => Ok(Some(Rows {
             file: path.display().to_string(),
             bytes,
@@ -29,6 +29,14 @@ pub fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>
             &key,
             &format!("must be the name of a readable CSV file: {error}"),
         )),
+    }
+}
+
+/// The content of a file; a pipe, which might never end, is refused.
+pub fn read_regular(path: &Path) -> std::io::Result<Vec<u8>> {
+    match std::fs::metadata(path)?.is_file() {
+        true => std::fs::read(path),
+        false => Err(std::io::Error::other("it is not a regular file")),
     }
 }
 

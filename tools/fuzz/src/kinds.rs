@@ -194,6 +194,7 @@ impl Files {
             step: None,
             tolerance: 1.0,
             tolerances: Vec::new(),
+            absolute: Vec::new(),
             columns: Vec::new(),
         };
         let short = Scene {

@@ -6,7 +6,7 @@ use crate::pair::Pair;
 use crate::scalar::Real;
 use gouge_equations::rendered;
 
-/// Skin of the neighbour list, in mean radii, unless a narrow periodic box allows less.
+/// Skin of the neighbour list, in typical radii, unless a narrow periodic box allows less.
 const SKIN: f64 = 0.2;
 
 /// The spheres whose neighbours are searched, as columns of equal length.
@@ -46,17 +46,32 @@ pub struct Neighbors<S> {
     examined: usize,
 }
 
+/// The mean of some radii, of which huge ones count as ten times the median: a floor of one huge grain must not widen
+/// the skin of all.
+fn typical(radii: &[f64]) -> f64 {
+    if radii.is_empty() {
+        return 0.0;
+    }
+    let mut selected = radii.to_vec();
+    let (_, &mut median, _) = selected.select_nth_unstable_by(radii.len() / 2, f64::total_cmp);
+    radii
+        .iter()
+        .map(|radius| radius.min(10.0 * median))
+        .sum::<f64>()
+        / radii.len() as f64
+}
+
 impl<S: Real> Neighbors<S> {
     /// An empty list for particles in a box that is open or periodic in x. Searches are for the same particles.
     ///
-    /// The skin is as large as the box permits, up to a fixed fraction of the mean radius.
+    /// The skin is as large as the box permits, up to a fixed fraction of the typical radius.
     pub fn new(particles: SearchSpheres<S>, domain: &Domain) -> Self {
         let period = domain.period();
         let largest = 2.0 * particles.largest_radius();
         let radii = || particles.radii.iter().map(|r| r.to_f64());
-        let mean = radii().sum::<f64>() / radii().len().max(1) as f64;
+        let typical = typical(&radii().collect::<Vec<_>>());
         let available = period.map_or(f64::INFINITY, |width| 0.5 * width - largest);
-        let skin = (SKIN * mean).min(available).max(0.0);
+        let skin = (SKIN * typical).min(available).max(0.0);
         let reaches: Vec<_> = radii().map(|r| 2.0 * r + skin).collect();
         Self {
             classes: SizeClass::all(&reaches, period),

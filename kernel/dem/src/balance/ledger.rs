@@ -13,6 +13,10 @@ pub struct Ledger<S> {
     pub(crate) breaking: S,
     pub(crate) bonding: S,
     pub(crate) driving: S,
+    /// Work of the horizontal driving force.
+    pub(crate) shearing: S,
+    /// Integral of the load over the slip of the driven particles.
+    pub(crate) sliding: S,
 }
 
 impl<S: Real> Ledger<S> {
@@ -40,6 +44,8 @@ impl<S: Real> Ledger<S> {
         self.friction += work(before.friction_rate, after.friction_rate);
         self.ambient += work(before.ambient_rate, after.ambient_rate);
         self.driving += work(before.driving_rate, after.driving_rate);
+        self.shearing += work(before.shearing_rate, after.shearing_rate);
+        self.sliding += work(before.sliding_rate, after.sliding_rate);
     }
 
     /// All terms of the balance, from the terms of the state and the ledger.
@@ -59,7 +65,7 @@ impl<S: Real> Ledger<S> {
 
 impl Ledger<f64> {
     /// All entries, for a record.
-    pub(crate) fn numbers(&self) -> [f64; 6] {
+    pub(crate) fn numbers(&self) -> [f64; 8] {
         [
             self.initial,
             self.ambient,
@@ -67,11 +73,22 @@ impl Ledger<f64> {
             self.breaking,
             self.bonding,
             self.driving,
+            self.shearing,
+            self.sliding,
         ]
     }
     /// The ledger with the recorded entries.
-    pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
-        let [initial, ambient, friction, breaking, bonding, driving] = numbers;
+    pub(crate) fn from_numbers(numbers: [f64; 8]) -> Self {
+        let [
+            initial,
+            ambient,
+            friction,
+            breaking,
+            bonding,
+            driving,
+            shearing,
+            sliding,
+        ] = numbers;
         Self {
             initial,
             ambient,
@@ -79,6 +96,8 @@ impl Ledger<f64> {
             breaking,
             bonding,
             driving,
+            shearing,
+            sliding,
         }
     }
 }

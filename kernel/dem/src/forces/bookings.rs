@@ -11,6 +11,10 @@ pub(crate) struct Bookings<S> {
     pub ambient_rate: S,
     /// Power of the driving force, in W.
     pub driving_rate: S,
+    /// Power of its horizontal component, in W.
+    pub shearing_rate: S,
+    /// Load, minus its vertical component, times the mean horizontal velocity of the driven particles, in W.
+    pub sliding_rate: S,
     /// Stored energy lost with bonds that broke, in J.
     pub breaking: S,
     /// Stored energy of contacts that replace broken bonds, in J.
@@ -19,23 +23,27 @@ pub(crate) struct Bookings<S> {
 
 impl Bookings<f64> {
     /// All entries, for a record.
-    pub(crate) fn numbers(&self) -> [f64; 6] {
+    pub(crate) fn numbers(&self) -> [f64; 8] {
         [
             self.friction_rate,
             self.friction,
             self.ambient_rate,
             self.driving_rate,
+            self.shearing_rate,
+            self.sliding_rate,
             self.breaking,
             self.bonding,
         ]
     }
     /// The bookings with the recorded entries.
-    pub(crate) fn from_numbers(numbers: [f64; 6]) -> Self {
+    pub(crate) fn from_numbers(numbers: [f64; 8]) -> Self {
         let [
             friction_rate,
             friction,
             ambient_rate,
             driving_rate,
+            shearing_rate,
+            sliding_rate,
             breaking,
             bonding,
         ] = numbers;
@@ -44,6 +52,8 @@ impl Bookings<f64> {
             friction,
             ambient_rate,
             driving_rate,
+            shearing_rate,
+            sliding_rate,
             breaking,
             bonding,
         }

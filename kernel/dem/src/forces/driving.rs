@@ -49,7 +49,10 @@ pub(crate) fn driving<S: Real, const LEDGER: bool>(
         let i = i as usize;
         forces.force[i] += share;
         if LEDGER {
-            bookings.driving_rate += share.dot(particles.velocity[i]);
+            let velocity = particles.velocity[i];
+            bookings.driving_rate += share.dot(velocity);
+            bookings.shearing_rate += share.x * velocity.x;
+            bookings.sliding_rate -= share.y * velocity.x;
         }
     }
 }

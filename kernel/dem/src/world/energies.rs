@@ -22,6 +22,13 @@ impl<S: Number> World<S> {
         }
     }
 
+    /// Work of the horizontal driving force since t = 0, and the integral of the load over the slip of the driven
+    /// particles, both in J: their ratio is the mean coefficient of friction. None without a ledger.
+    pub fn shearing_and_sliding(&self) -> Option<[S; 2]> {
+        let ledger = self.state.ledger.as_ref();
+        ledger.map(|ledger| [ledger.shearing, ledger.sliding])
+    }
+
     /// The energies that are functions of state, in J.
     pub(super) fn sum_state_energy(&self) -> Energy<S> {
         let (model, state) = (&self.model, &self.state);

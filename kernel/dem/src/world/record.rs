@@ -35,8 +35,8 @@ const COLUMNS: [(&str, Shape); 17] = [
     ("drive", Shape::Words(6)),
     ("bonds", Shape::List(7)),
     ("contacts", Shape::List(6)),
-    ("ledger", Shape::Words(6)),
-    ("bookings", Shape::Words(6)),
+    ("ledger", Shape::Words(8)),
+    ("bookings", Shape::Words(8)),
 ];
 /// Further columns for methods that keep data of the previous evaluation.
 const PREVIOUS: [(&str, Shape); 5] = [
