@@ -256,3 +256,68 @@ fn a_folder_in_use_is_refused_and_its_user_named() {
         left.keys()
     );
 }
+
+/// A run whose folder is moved away stops, and touches neither what is there now nor its lock.
+#[test]
+fn a_run_leaves_a_folder_that_took_the_place_of_its_own_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    let long = write_draft(
+        folder.path(),
+        &colliding_pair(1e-8).replacing("time.end", 1.0),
+    );
+    let mut command = start(&long, &out, false);
+    command.stderr(std::process::Stdio::piped());
+    let running = command.spawn().expect("the program starts");
+    let began = Instant::now();
+    while !out.join("series.csv").exists() && began.elapsed() < Duration::from_secs(20) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    fs::rename(&out, folder.path().join("elsewhere")).expect("a new name");
+    let short = folder.path().join("short.toml");
+    let text_of = brief(1e-6).text().expect("a scene");
+    fs::write(&short, text_of).expect("a scene");
+    complete(&short, &out, false);
+    let before = files(&out);
+    fs::write(out.join(".gouge-lock"), "of another run").expect("a file");
+    let output = running.wait_with_output().expect("it ends");
+    // Either it notices before it writes, or the write fails because the folder is gone.
+    let said = stderr(&output);
+    let is_told = said.contains("moved or replaced") || said.contains("cannot write");
+    assert!(!output.status.success() && is_told, "{said}");
+    let lock = fs::read_to_string(out.join(".gouge-lock")).expect("still there");
+    assert_eq!(lock, "of another run");
+    fs::remove_file(out.join(".gouge-lock")).expect("ours");
+    assert!(files(&out) == before);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_in_an_output_folder_are_never_followed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_draft(folder.path(), &brief(1e-6));
+    let precious = folder.path().join("precious");
+    fs::write(&precious, "precious").expect("a file");
+    let frames = folder.path().join("frames");
+    fs::create_dir(&frames).expect("a folder");
+    fs::write(frames.join("frame_000000.vtk"), "precious").expect("a file");
+    for (name, target) in [(".gouge-lock", &precious), ("trajectory", &frames)] {
+        let out = folder.path().join(format!("out{name}"));
+        fs::create_dir(&out).expect("a folder");
+        std::os::unix::fs::symlink(target, out.join(name)).expect("a link");
+        let output = start(&scene, &out, false)
+            .arg("--overwrite")
+            .output()
+            .expect("starts");
+        assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+        assert!(stderr(&output).contains("is a link"), "{}", stderr(&output));
+    }
+    // The temporary file of a checkpoint may be a link to anything: it is replaced, not followed.
+    let out = folder.path().join("out");
+    fs::create_dir(&out).expect("a folder");
+    std::os::unix::fs::symlink(&precious, out.join(".checkpoint.gouge-partial")).expect("a link");
+    complete(&scene, &out, false);
+    let read = |path: &Path| fs::read_to_string(path).expect("a file");
+    assert_eq!(read(&precious), "precious");
+    assert_eq!(read(&frames.join("frame_000000.vtk")), "precious");
+}

@@ -33,7 +33,7 @@ pub struct Balance {
     /// The largest residual in J.
     pub residual: f64,
     /// The largest term in J.
-    largest: f64,
+    pub largest: f64,
     /// The largest absolute energy in J.
     magnitude: f64,
     /// The largest of all terms that are exchanged, added up, in J.

@@ -142,7 +142,7 @@ impl SceneRun<'_> {
             self.write_checkpoint()?;
         }
         if failure.is_none() && self.balance.conclude() {
-            self.warn_of_balance();
+            self.warn_of_balance(self.balance.scale(), "the energy exchanged");
         }
         self.observer.event(Event::Ended);
         let neighbor_rebuilds = self.rebuilds();

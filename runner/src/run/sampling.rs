@@ -60,19 +60,20 @@ impl SceneRun<'_> {
         Ok(())
     }
 
-    /// Warn that the energy balance cannot be trusted.
-    pub(super) fn warn_of_balance(&mut self) {
+    /// Warn that the energy balance cannot be trusted, because its residual is too large beside some energy in J.
+    pub(super) fn warn_of_balance(&mut self, scale: f64, what: &'static str) {
         self.warn(Warning::Balance {
             time: self.world.time(),
             residual: self.balance.residual,
-            scale: self.balance.scale(),
+            scale,
+            what,
         });
     }
 
     /// Warn at the first sample whose energy balance cannot be trusted.
     fn watch_balance(&mut self, energy: &Energy) {
         if self.balance.watch(&self.world, energy) {
-            self.warn_of_balance();
+            self.warn_of_balance(self.balance.largest, "its largest term");
         }
     }
 }

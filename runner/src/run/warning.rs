@@ -26,6 +26,8 @@ pub enum Warning<'a> {
         residual: f64,
         /// The energy in J with which it is compared.
         scale: f64,
+        /// What that energy is.
+        what: &'static str,
     },
     /// Particles are driven, but the scene has no driving.
     NothingDrives,
@@ -87,9 +89,10 @@ impl fmt::Display for Warning<'_> {
                 time,
                 residual,
                 scale,
+                what,
             } => write!(
                 f,
-                "the energy balance is off by {residual:.3e} J at {time:.6e} s, {:.1} % of the energy exchanged; \
+                "the energy balance is off by {residual:.3e} J at {time:.6e} s, {:.1} % of {what}; \
                  the results cannot be trusted: try a smaller time step",
                 100.0 * (residual / scale).abs()
             ),
