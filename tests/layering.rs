@@ -7,11 +7,12 @@ use std::path::Path;
 const EXCEPTIONS: [(&str, &str); 1] = [("model", "integrators")];
 
 /// Crates with their folders, from the lowest to the highest: each may depend only on earlier ones.
-const CRATES: [(&str, &str); 5] = [
+const CRATES: [(&str, &str); 6] = [
     ("gouge-common", "kernel/common"),
     ("gouge-dem", "kernel/dem"),
     ("gouge-runner", "runner"),
     ("gouge-validation", "validation"),
+    ("gouge-studies", "studies"),
     ("gouge", "cli"),
 ];
 

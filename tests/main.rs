@@ -35,5 +35,6 @@ mod register;
 mod search;
 mod sources;
 mod start;
+mod sweep;
 mod watch;
 mod worlds;

@@ -11,6 +11,9 @@ use std::time::Instant;
 
 const PRESSED: &str = include_str!("../scenes/pressed.toml");
 
+/// Time step in s that is stable with Haff-Werner friction, whose damping needs a shorter one than springs.
+const VISCOUS_STEP: f64 = 4e-9;
+
 /// Friction of contacts.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Friction {
@@ -63,7 +66,7 @@ pub fn fault_steps() -> Result<u64, Error> {
 fn fault_draft(friction: Friction, ledger: bool) -> Draft {
     let draft = Draft::builtin("granite-fault").with("output.energy", ledger);
     match friction {
-        Friction::HaffWerner => draft.law(HaffWerner {
+        Friction::HaffWerner => draft.replacing("time.step", VISCOUS_STEP).law(HaffWerner {
             friction: 0.7,
             damping: 100.0,
         }),
@@ -104,6 +107,9 @@ pub fn pressed_with_frames() -> Result<Scene, Error> {
 /// The pressed grains with friction, repeated `times` times along the periodic direction. All contacts begin again.
 pub fn rubbing(pressed: &World, friction: Friction, times: usize) -> Result<World, Error> {
     let mut model: Model = *pressed.model();
+    if friction == Friction::HaffWerner {
+        model.time_step = model.time_step.min(VISCOUS_STEP);
+    }
     let width = model.period().unwrap_or_default();
     model.domain.width = Some(width * times as f64);
     if let Some(driving) = &mut model.driving {

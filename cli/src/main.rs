@@ -2,6 +2,7 @@
 
 mod account;
 mod compare;
+mod sweep;
 mod terminal;
 mod verify;
 
@@ -18,6 +19,7 @@ use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::LazyLock;
+use sweep::SweepArguments;
 use terminal::Terminal;
 
 /// Aligns the columns of large worlds to cache lines and puts them into huge pages.
@@ -83,6 +85,8 @@ enum Command {
         #[command(flatten)]
         data: CompareArguments,
     },
+    /// Run a scene with every combination of some values of its keys
+    Sweep(SweepArguments),
     /// Run the checks and write report.html and report.json
     Verify {
         /// Run only checks whose identifier contains this text
@@ -179,6 +183,7 @@ fn execute(command: Command) -> Result<(), Error> {
             };
         }
         Command::Compare { scene, data } => return compare::launch(&scene.load()?, data),
+        Command::Sweep(arguments) => return sweep::launch(&arguments),
         Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&scene.load()?)?,
         Command::Stability { scene } => commands::stability(&scene.load()?)?,

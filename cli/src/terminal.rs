@@ -10,6 +10,21 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+/// A switch that the signals set that ask the program to end. The first signal stops a run at its next step; the second
+/// one ends the program at once.
+///
+/// # Errors
+/// Signals that cannot be received.
+pub fn stopped_by_signals() -> Result<Arc<AtomicBool>, Error> {
+    let is_stopped = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        flag::register_conditional_shutdown(signal, 130, Arc::clone(&is_stopped))
+            .and_then(|_| flag::register(signal, Arc::clone(&is_stopped)))
+            .map_err(|error| Error::file("receive", Path::new("signals"), error))?;
+    }
+    Ok(is_stopped)
+}
+
 /// An observer that writes to standard error.
 pub struct Terminal {
     is_quiet: bool,
@@ -24,13 +39,7 @@ impl Terminal {
     /// # Errors
     /// Signals that cannot be received.
     pub fn new(is_quiet: bool) -> Result<Self, Error> {
-        let is_stopped = Arc::new(AtomicBool::new(false));
-        for signal in [SIGINT, SIGTERM] {
-            // The first signal stops the run at its next step; the second one ends the program at once.
-            flag::register_conditional_shutdown(signal, 130, Arc::clone(&is_stopped))
-                .and_then(|_| flag::register(signal, Arc::clone(&is_stopped)))
-                .map_err(|error| Error::file("receive", Path::new("signals"), error))?;
-        }
+        let is_stopped = stopped_by_signals()?;
         Ok(Self {
             is_stopped,
             ..Self::without_signals(is_quiet)

@@ -36,7 +36,7 @@ pub fn contact(root: &Table, reading: Reading) -> Result<Option<ContactLaws>> {
     table.allow(&["distance", "normal", "tangential"])?;
     let distance = contact_distance(&table)?;
     let normal = contact_normal(&table.table("normal")?)?;
-    let tangential = match table.optional_table("tangential")? {
+    let tangential = match table.optional_law("tangential")? {
         Some(table) => Some(contact_tangential(&table, reading)?),
         None => None,
     };
@@ -197,7 +197,7 @@ fn yielding(table: &Table) -> Result<Yielding> {
 
 /// `[ambient]` of the scene or of a phase.
 pub fn ambient(parent: &Table, reading: Reading) -> Result<Option<Ambient>> {
-    let Some(table) = parent.optional_table("ambient")? else {
+    let Some(table) = parent.optional_law("ambient")? else {
         return Ok(None);
     };
     if table.choice("law", &[("creeping", true), ("correlation", false)])? {
@@ -218,7 +218,7 @@ pub fn ambient(parent: &Table, reading: Reading) -> Result<Option<Ambient>> {
 
 /// `[external]` of the scene or of a phase.
 pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
-    let Some(table) = parent.optional_table("external")? else {
+    let Some(table) = parent.optional_law("external")? else {
         return Ok(None);
     };
     if table.choice("law", &[("gravity", true), ("harmonic-well", false)])? {

@@ -397,6 +397,13 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// The table of a law that a scene need not have, if the key is present. An empty table means no law, so that an
+    /// override can remove one.
+    pub fn optional_law(&self, key: &str) -> Result<Option<Table<'a>>> {
+        let table = self.optional_table(key)?;
+        Ok(table.filter(|table| !table.keys.is_empty()))
+    }
+
     /// A table below this one.
     pub fn table(&self, key: &str) -> Result<Table<'a>> {
         self.optional_table(key)?

@@ -1,0 +1,184 @@
+//! `gouge sweep`: runs of a scene with every combination of some values.
+
+use crate::print;
+use crate::terminal::stopped_by_signals;
+use clap::{Args, Subcommand};
+use gouge_runner::error::Error;
+use gouge_studies::sweep::{
+    Cost, Execution, Planned, Progress, Status, Sweep, collect, estimate, execute, plan, retry,
+    status,
+};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::path::{Path, PathBuf};
+
+/// A sweep and what is done with it.
+#[derive(Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct SweepArguments {
+    #[command(subcommand)]
+    command: Option<SweepCommand>,
+    /// A sweep file
+    #[arg(required = true)]
+    file: Option<PathBuf>,
+    /// Folder of the sweep
+    #[arg(long, value_name = "DIR", required = true)]
+    out: Option<PathBuf>,
+    /// Number of runs at a time; as many as there are cores if absent
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// Print what would be run and what it would cost, and stop
+    #[arg(long)]
+    plan: bool,
+    /// Show no progress
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+#[derive(Subcommand)]
+enum SweepCommand {
+    /// Print how many runs are in which state
+    Status(Place),
+    /// Forget runs that failed or were refused, so that the sweep runs them again
+    Retry(Place),
+    /// Write runs.csv: one row a run
+    Collect(Place),
+}
+
+/// A sweep and its folder.
+#[derive(Args)]
+struct Place {
+    /// A sweep file
+    file: PathBuf,
+    /// Folder of the sweep
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+/// Do what the arguments say.
+///
+/// # Errors
+/// A sweep that cannot be used, one beyond its budget, failures of the file system, an interruption.
+pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
+    let (Some(file), Some(out)) = (&arguments.file, &arguments.out) else {
+        return match &arguments.command {
+            Some(command) => manage(command),
+            None => Ok(()),
+        };
+    };
+    let sweep = Sweep::load(file)?;
+    let runs = plan(&sweep)?;
+    let open: Vec<&Planned> = runs
+        .iter()
+        .filter(|run| !run.state(out).status.is_final())
+        .collect();
+    let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
+    let cost = estimate(&sweep, &open);
+    if arguments.plan {
+        return print(&planned(&runs, &open, cost, jobs));
+    }
+    within_budget(&sweep, cost)?;
+    run(&sweep, &runs, out, jobs, arguments.quiet)
+}
+
+fn manage(command: &SweepCommand) -> Result<(), Error> {
+    let (SweepCommand::Status(place) | SweepCommand::Retry(place) | SweepCommand::Collect(place)) =
+        command;
+    let sweep = Sweep::load(&place.file)?;
+    let runs = plan(&sweep)?;
+    match command {
+        SweepCommand::Status(_) => print(&states(&runs, &place.out)),
+        SweepCommand::Retry(_) => {
+            let number = retry(&runs, &place.out)?.len();
+            print(&format!("{number} runs will be run again\n"))
+        }
+        SweepCommand::Collect(_) => {
+            let path = collect(&sweep, &runs, &place.out)?;
+            print(&format!("{}\n", path.display()))
+        }
+    }
+}
+
+fn cores() -> u16 {
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    u16::try_from(cores).unwrap_or(u16::MAX)
+}
+
+fn planned(runs: &[Planned], open: &[&Planned], cost: Cost, jobs: usize) -> String {
+    let hours = cost.core_hours / jobs.min(open.len()).max(1) as f64;
+    format!(
+        "runs            {}, of which {} are not done yet\n\
+         core-hours      {:.3}, estimated from pilot runs\n\
+         time            {:.3} h with {jobs} at a time\n\
+         disk            {:.1} MB\n",
+        runs.len(),
+        open.len(),
+        cost.core_hours,
+        hours,
+        cost.bytes / 1e6
+    )
+}
+
+fn within_budget(sweep: &Sweep, cost: Cost) -> Result<(), Error> {
+    match sweep.core_hours {
+        Some(most) if cost.core_hours > most => Err(Error::Argument(format!(
+            "{}: budget.core_hours = {most:?}: the runs that are not done yet would take about {:.3} core-hours",
+            sweep.file, cost.core_hours
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn run(
+    sweep: &Sweep,
+    runs: &[Planned],
+    out: &Path,
+    jobs: usize,
+    is_quiet: bool,
+) -> Result<(), Error> {
+    let stop = stopped_by_signals()?;
+    let program =
+        std::env::current_exe().map_err(|error| Error::file("find", Path::new("gouge"), error))?;
+    let bar = bar(runs, out, is_quiet);
+    let report = |progress: Progress| {
+        bar.inc(1);
+        if !matches!(progress.state.status, Status::Done | Status::Begun) {
+            let (name, state) = (&progress.name, &progress.state);
+            bar.suspend(|| eprintln!("gouge: {name}: {}: {}", state.status.name(), state.cause));
+        }
+    };
+    let execution = Execution {
+        program: &program,
+        out,
+        jobs,
+        stop: &stop,
+    };
+    let outcome = execute(sweep, runs, execution, &report);
+    bar.finish_and_clear();
+    let path = collect(sweep, runs, out)?;
+    if !is_quiet {
+        print(&format!("{}{}\n", states(runs, out), path.display()))?;
+    }
+    outcome
+}
+
+fn bar(runs: &[Planned], out: &Path, is_quiet: bool) -> ProgressBar {
+    if is_quiet {
+        return ProgressBar::hidden();
+    }
+    let done = runs
+        .iter()
+        .filter(|run| run.state(out).status.is_final())
+        .count();
+    let bar = ProgressBar::new(runs.len() as u64).with_position(done as u64);
+    let style = "{wide_bar} {pos}/{len} runs  {elapsed} elapsed, {eta} remaining";
+    if let Ok(style) = ProgressStyle::with_template(style) {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// How many runs are in which state, one line each.
+fn states(runs: &[Planned], out: &Path) -> String {
+    let line = |(status, number): (&Status, &usize)| format!("{:16}{number}\n", status.name());
+    status(runs, out).iter().map(line).collect()
+}

@@ -1,0 +1,3 @@
+//! Many runs: sweeps over the keys of a scene.
+
+pub mod sweep;

@@ -1,0 +1,61 @@
+//! What a sweep will cost, from short pilot runs.
+
+use super::file::Sweep;
+use super::plan::Planned;
+use gouge_runner::error::Error;
+use gouge_runner::run::{begin_phase, phases};
+use std::time::Instant;
+
+/// Number of runs that are tried.
+const PILOTS: usize = 5;
+/// Steps of a pilot run.
+const STEPS: u64 = 2000;
+/// Bytes of a row of the series per column, and of the outputs per particle.
+const BYTES: [f64; 2] = [20.0, 1200.0];
+
+/// What runs will cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cost {
+    /// Core-hours.
+    pub core_hours: f64,
+    /// Bytes on the disk.
+    pub bytes: f64,
+}
+
+/// What some runs will cost: a few of them, spread evenly, are tried for a number of steps.
+pub fn estimate(sweep: &Sweep, runs: &[&Planned]) -> Cost {
+    let chosen = runs.len().min(PILOTS);
+    let pilots = (0..chosen).map(|pilot| runs[pilot * runs.len() / chosen]);
+    // What is refused costs nothing.
+    let costs = pilots.map(|run| pilot_run(sweep, run).unwrap_or_default());
+    let sum = costs.fold(Cost::default(), |sum, one| Cost {
+        core_hours: sum.core_hours + one.core_hours,
+        bytes: sum.bytes + one.bytes,
+    });
+    let factor = runs.len() as f64 / chosen.max(1) as f64;
+    Cost {
+        core_hours: factor * sum.core_hours,
+        bytes: factor * sum.bytes,
+    }
+}
+
+fn pilot_run(sweep: &Sweep, run: &Planned) -> Result<Cost, Error> {
+    let scene = run.scene(sweep)?;
+    let phases = phases(&scene);
+    let mut world = begin_phase(&scene, &phases, 0, None)?.with_threads(1);
+    let steps = STEPS.min(phases[0].steps).max(1);
+    let began = Instant::now();
+    for _ in 0..steps {
+        // A run that fails is found out when it is run.
+        if world.step().is_err() {
+            break;
+        }
+    }
+    let per_step = began.elapsed().as_secs_f64() / steps as f64;
+    let all: u64 = phases.iter().map(|phase| phase.steps).sum();
+    let samples = scene.end / scene.output.interval;
+    Ok(Cost {
+        core_hours: per_step * all as f64 / 3600.0,
+        bytes: BYTES[0] * 16.0 * samples + BYTES[1] * world.particles().len() as f64,
+    })
+}

@@ -1,0 +1,158 @@
+//! Runs the runs of a sweep, several at a time, each in a process of its own.
+
+use super::file::Sweep;
+use super::plan::Planned;
+use super::state::{CAUSE, State, Status};
+use gouge_runner::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// Time between looks at a running process.
+const PATIENCE: Duration = Duration::from_millis(2);
+/// Status of a process that was interrupted.
+const INTERRUPTED: i32 = 130;
+
+/// How runs are executed.
+#[derive(Clone, Copy, Debug)]
+pub struct Execution<'a> {
+    /// The program `gouge`.
+    pub program: &'a Path,
+    /// Folder of the sweep.
+    pub out: &'a Path,
+    /// Number of runs at a time.
+    pub jobs: usize,
+    /// Set when the sweep is to stop. The running processes are stopped by the same signal, and leave checkpoints.
+    pub stop: &'a AtomicBool,
+}
+
+/// What is known when a run ends.
+#[derive(Clone, Debug)]
+pub struct Progress {
+    /// Name of the run.
+    pub name: String,
+    /// Its state.
+    pub state: State,
+}
+
+/// Execute all runs that are not final; a run that was begun continues from its checkpoint. `report` is called after
+/// each.
+///
+/// # Errors
+/// A process that cannot be started, a failure of the file system, or an interruption.
+pub fn execute(
+    sweep: &Sweep,
+    runs: &[Planned],
+    execution: Execution,
+    report: &(dyn Fn(Progress) + Sync),
+) -> Result<(), Error> {
+    let is_open = |run: &&Planned| !State::of(&run.folder(execution.out)).status.is_final();
+    let waiting: Mutex<Vec<&Planned>> = Mutex::new(runs.iter().filter(is_open).rev().collect());
+    let failure: Mutex<Option<Error>> = Mutex::new(None);
+    let next = || match (execution.stop.load(Ordering::Relaxed), waiting.lock()) {
+        (false, Ok(mut waiting)) => waiting.pop(),
+        _ => None,
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..execution.jobs {
+            scope.spawn(|| {
+                while let Some(run) = next() {
+                    match execute_one(sweep, run, execution) {
+                        Ok(state) => report(Progress {
+                            name: run.name.clone(),
+                            state,
+                        }),
+                        Err(error) => {
+                            execution.stop.store(true, Ordering::Relaxed);
+                            if let Ok(mut failure) = failure.lock() {
+                                failure.get_or_insert(error);
+                            }
+                        }
+                    }
+                }
+            });
+        }
+    });
+    let failure = failure.into_inner().unwrap_or_default();
+    match (failure, execution.stop.load(Ordering::Relaxed)) {
+        (Some(error), _) => Err(error),
+        (None, true) => Err(Error::Interrupted(execution.out.to_owned())),
+        (None, false) => Ok(()),
+    }
+}
+
+fn execute_one(sweep: &Sweep, run: &Planned, execution: Execution) -> Result<State, Error> {
+    let folder = run.folder(execution.out);
+    let mut command = Command::new(execution.program);
+    command
+        .arg("run")
+        .arg(&sweep.scene)
+        .arg("--out")
+        .arg(&folder);
+    command.args(["--resume", "--quiet", "--accept-untrusted"]);
+    for one in &run.overrides {
+        command.arg("--set").arg(one);
+    }
+    // One thread a run: runs side by side use the cores better than threads do.
+    command.env("GOUGE_THREADS", "1");
+    command
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped());
+    let failed = |error| Error::file("run", execution.program, error);
+    let child = command.spawn().map_err(failed)?;
+    let (code, said) = wait(child).map_err(failed)?;
+    let state = State::of(&folder);
+    let is_unexplained = !state.status.is_final() && code != Some(INTERRUPTED);
+    if !is_unexplained || execution.stop.load(Ordering::Relaxed) {
+        return Ok(state);
+    }
+    // Another process runs it.
+    if said.contains("is in use by") {
+        return Ok(state);
+    }
+    if code == Some(2) || state.status == Status::Waiting {
+        let path = folder.join(CAUSE);
+        let cause = said.trim().trim_start_matches("gouge: ").to_owned();
+        let write =
+            || std::fs::create_dir_all(&folder).and_then(|()| std::fs::write(&path, &cause));
+        write().map_err(|error| Error::file("write", &path, error))?;
+        return Ok(State::of(&folder));
+    }
+    Ok(State {
+        cause: format!("the process ended with {code:?}: {}", said.trim()),
+        ..state
+    })
+}
+
+/// Wait for a process; its status and what it said.
+fn wait(mut child: Child) -> std::io::Result<(Option<i32>, String)> {
+    let mut said = String::new();
+    if let Some(mut stderr) = child.stderr.take() {
+        std::io::Read::read_to_string(&mut stderr, &mut said)?;
+    }
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok((status.code(), said));
+        }
+        std::thread::sleep(PATIENCE);
+    }
+}
+
+/// Remove the outputs of runs that failed or were refused, so that they are run again; their folders.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn retry(runs: &[Planned], out: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut all = Vec::new();
+    for folder in runs.iter().map(|run| run.folder(out)) {
+        if matches!(State::of(&folder).status, Status::Failed | Status::Refused) {
+            std::fs::remove_dir_all(&folder)
+                .map_err(|error| Error::file("remove", &folder, error))?;
+            all.push(folder);
+        }
+    }
+    Ok(all)
+}

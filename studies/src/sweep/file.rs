@@ -1,0 +1,240 @@
+//! Sweep files.
+
+use super::observe::Observation;
+use gouge_runner::error::{Error, SceneError};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use toml::{Spanned, Value};
+
+/// A sweep, as its file states it.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// Name of the file.
+    pub file: String,
+    /// A scene file, or the name of a built-in scene.
+    pub scene: PathBuf,
+    /// The axes, the slowest first.
+    pub axes: Vec<Axis>,
+    /// The axes of seeds, crossed with everything.
+    pub seeds: Vec<Axis>,
+    /// Most core-hours that the sweep may take.
+    pub core_hours: Option<f64>,
+    /// What is observed in each run.
+    pub observations: Vec<Observation>,
+    /// Whether runs whose balance cannot be trusted are observed, too.
+    pub observe_untrusted: bool,
+}
+
+/// The values of a key.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// The dotted key.
+    pub key: String,
+    /// The values, as TOML.
+    pub values: Vec<String>,
+    /// Their names in tables.
+    pub labels: Vec<String>,
+}
+
+/// The keys of a sweep file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    scene: String,
+    #[serde(default)]
+    axis: Vec<Spanned<AxisKeys>>,
+    #[serde(default)]
+    seeds: BTreeMap<String, Spanned<Value>>,
+    #[serde(default)]
+    budget: Budget,
+    #[serde(default)]
+    observe: Vec<Spanned<Observation>>,
+    #[serde(default)]
+    observe_untrusted: bool,
+}
+
+/// `[[axis]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AxisKeys {
+    key: String,
+    values: Vec<Value>,
+    labels: Option<Vec<String>>,
+    times: Option<f64>,
+}
+
+/// `[budget]`.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Budget {
+    core_hours: Option<f64>,
+}
+
+/// Most seeds of an axis.
+const MOST: u64 = 1_000_000;
+
+impl Sweep {
+    /// Read a sweep file.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or a mistake in it: file, line, key, value and what is accepted.
+    pub fn load(path: &Path) -> Result<Self, Error> {
+        let file = path.display().to_string();
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| Error::Argument(format!("cannot read {file}: {error}")))?;
+        let place = Place {
+            file: &file,
+            text: &text,
+        };
+        let keys: Keys = toml::from_str(&text).map_err(|error| {
+            let span = error.span().unwrap_or(0..0);
+            place.error(span, "", error.message())
+        })?;
+        let axes: Vec<Axis> = keys
+            .axis
+            .iter()
+            .map(|axis| place.axis(axis))
+            .collect::<Result<_, _>>()?;
+        let seeds: Vec<Axis> = keys
+            .seeds
+            .iter()
+            .map(|(name, value)| place.seeds(name, value))
+            .collect::<Result<_, _>>()?;
+        for observation in &keys.observe {
+            if let Err(accepted) = observation.get_ref().check() {
+                return Err(place.error(observation.span(), "observe", &accepted).into());
+            }
+        }
+        let folder = path.parent().unwrap_or(Path::new("."));
+        let beside = folder.join(&keys.scene);
+        Ok(Self {
+            scene: if beside.is_file() {
+                beside
+            } else {
+                PathBuf::from(&keys.scene)
+            },
+            axes,
+            seeds,
+            core_hours: keys.budget.core_hours,
+            observations: keys.observe.into_iter().map(Spanned::into_inner).collect(),
+            observe_untrusted: keys.observe_untrusted,
+            file,
+        })
+    }
+
+    /// All axes, those of seeds last.
+    pub fn all_axes(&self) -> impl Iterator<Item = &Axis> {
+        self.axes.iter().chain(&self.seeds)
+    }
+}
+
+/// A file and its text, to word errors.
+struct Place<'a> {
+    file: &'a str,
+    text: &'a str,
+}
+
+impl Place<'_> {
+    fn error(&self, span: Range<usize>, key: &str, accepted: &str) -> SceneError {
+        let before = self.text.get(..span.start).unwrap_or_default();
+        let written = self.text.get(span).unwrap_or_default().lines().next();
+        let value: String = written.unwrap_or_default().chars().take(60).collect();
+        SceneError {
+            file: self.file.to_owned(),
+            line: 1 + before.matches('\n').count(),
+            key: key.to_owned(),
+            value,
+            accepted: accepted.trim().replace('\n', "; "),
+        }
+    }
+
+    fn axis(&self, axis: &Spanned<AxisKeys>) -> Result<Axis, SceneError> {
+        let refusal =
+            |key: &str, accepted: &str| self.error(axis.span(), &format!("axis.{key}"), accepted);
+        let keys = axis.get_ref();
+        if keys.values.is_empty() {
+            return Err(refusal("values", "must hold at least one value"));
+        }
+        let scaled = |value: &Value| match keys.times {
+            None => Ok(value.clone()),
+            Some(factor) => number(value)
+                .map(|number| Value::Float(number * factor))
+                .ok_or_else(|| refusal("times", "needs values that are numbers")),
+        };
+        let values: Vec<Value> = keys.values.iter().map(scaled).collect::<Result<_, _>>()?;
+        let labels = match &keys.labels {
+            Some(labels) if labels.len() != values.len() => {
+                let accepted =
+                    format!("must hold one name for each of the {} values", values.len());
+                return Err(refusal("labels", &accepted));
+            }
+            Some(labels) => labels.clone(),
+            None => keys.values.iter().map(inline).collect(),
+        };
+        Ok(Axis {
+            key: keys.key.clone(),
+            values: values.iter().map(inline).collect(),
+            labels,
+        })
+    }
+
+    /// Seeds as a range "0..8" or a list; `setup` stands for `setup.seed`.
+    fn seeds(&self, name: &str, value: &Spanned<Value>) -> Result<Axis, SceneError> {
+        let range = |text: &str| {
+            let (from, to) = text.split_once("..")?;
+            Some(from.trim().parse::<u64>().ok()?..to.trim().parse::<u64>().ok()?)
+        };
+        let seeds: Option<Vec<u64>> = match value.get_ref() {
+            Value::String(text) => range(text)
+                .filter(|range| range.end.saturating_sub(range.start) <= MOST)
+                .map(Iterator::collect),
+            Value::Array(list) => list
+                .iter()
+                .map(|seed| u64::try_from(seed.as_integer()?).ok())
+                .collect(),
+            _ => None,
+        };
+        let seeds = seeds.filter(|seeds| !seeds.is_empty()).ok_or_else(|| {
+            let accepted =
+                "must be a range such as \"0..8\" or a list of integers, with at least one seed";
+            self.error(value.span(), &format!("seeds.{name}"), accepted)
+        })?;
+        let values: Vec<String> = seeds.iter().map(u64::to_string).collect();
+        Ok(Axis {
+            key: if name == "setup" {
+                "setup.seed".to_owned()
+            } else {
+                name.to_owned()
+            },
+            labels: values.clone(),
+            values,
+        })
+    }
+}
+
+fn number(value: &Value) -> Option<f64> {
+    let integer = || value.as_integer().map(|integer| integer as f64);
+    value.as_float().or_else(integer)
+}
+
+/// A value on one line.
+fn inline(value: &Value) -> String {
+    match value {
+        Value::Table(table) => {
+            let entry = |(key, value): (&String, &Value)| format!("{key} = {}", inline(value));
+            let entries: Vec<String> = table.iter().map(entry).collect();
+            match entries.is_empty() {
+                true => "{}".to_owned(),
+                false => format!("{{ {} }}", entries.join(", ")),
+            }
+        }
+        Value::Array(list) => {
+            let items: Vec<String> = list.iter().map(inline).collect();
+            format!("[{}]", items.join(", "))
+        }
+        Value::Float(number) => format!("{number:?}"),
+        plain => plain.to_string(),
+    }
+}

@@ -1,0 +1,19 @@
+//! Sweeps: runs of one scene with every combination of some values of its keys.
+//!
+//! The state of a sweep is files. Each run has a folder `runs/HASH`, named after its scene with all keys resolved, so
+//! that a changed sweep runs only what is new and a killed one goes on where it was.
+
+mod cost;
+mod execute;
+mod file;
+mod observe;
+mod plan;
+mod state;
+mod table;
+
+pub use cost::{Cost, estimate};
+pub use execute::{Execution, Progress, execute, retry};
+pub use file::Sweep;
+pub use plan::{Planned, plan};
+pub use state::{State, Status, status};
+pub use table::collect;

@@ -1,0 +1,81 @@
+//! The results of a sweep as a table in long form.
+
+use super::file::{Axis, Sweep};
+use super::plan::Planned;
+use super::state::{State, Status};
+use gouge_runner::error::Error;
+use gouge_runner::run::write_whole;
+use std::path::{Path, PathBuf};
+
+/// Write `runs.csv`: one row a run, with its axes, its status and cause, its observations and its cost. Failed runs are
+/// rows, too; what a run does not have is empty.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, Error> {
+    let path = out.join("runs.csv");
+    let failed = |error: csv::Error| Error::file("write", &path, std::io::Error::other(error));
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let axes: Vec<&Axis> = sweep.all_axes().collect();
+    let mut header = vec!["run".to_owned()];
+    header.extend(axes.iter().map(|axis| axis.key.clone()));
+    header.extend(["status", "cause"].map(str::to_owned));
+    header.extend(sweep.observations.iter().map(|one| one.name()));
+    header.extend(
+        [
+            "steps",
+            "time",
+            "particles",
+            "balance_error",
+            "wall_seconds",
+        ]
+        .map(str::to_owned),
+    );
+    writer.write_record(&header).map_err(failed)?;
+    for run in runs {
+        let row = row(sweep, &axes, run, out);
+        writer.write_record(&row).map_err(failed)?;
+    }
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| Error::file("write", &path, error.into_error()))?;
+    write_whole(&path, &bytes)?;
+    Ok(path)
+}
+
+fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> {
+    let folder = run.folder(out);
+    let state = State::of(&folder);
+    let mut row = vec![run.name.clone()];
+    row.extend(
+        axes.iter()
+            .zip(&run.places)
+            .map(|(axis, &place)| axis.labels[place].clone()),
+    );
+    row.extend([
+        state.status.name().to_owned(),
+        state.cause.replace('\n', "; "),
+    ]);
+    let is_observed = match state.status {
+        Status::Done => true,
+        Status::Untrusted => sweep.observe_untrusted,
+        _ => false,
+    };
+    let summary = state.summary.as_ref();
+    let shown = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
+    row.extend(sweep.observations.iter().map(|observation| {
+        let summary = summary.filter(|_| is_observed);
+        shown(summary.and_then(|summary| observation.value(&folder, summary)))
+    }));
+    let of_summary = |text: &dyn Fn(&gouge_runner::run::Summary) -> String| {
+        summary.map_or_else(String::new, text)
+    };
+    row.extend([
+        of_summary(&|one| one.steps.to_string()),
+        of_summary(&|one| format!("{:?}", one.time)),
+        of_summary(&|one| one.particles.to_string()),
+        shown(summary.and_then(|one| one.balance_error)),
+        of_summary(&|one| format!("{:.3}", one.wall_seconds)),
+    ]);
+    row
+}

@@ -1,0 +1,242 @@
+//! `gouge sweep`: many runs of one scene.
+
+use crate::program::{gouge, run, stderr, stdout};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// A folder with a sweep over two steps and three dampings of two grains that collide, one of them refused.
+struct Folder(tempfile::TempDir);
+
+const SWEEP: &str = r#"
+scene = "head-on"
+
+[[axis]]
+key = "time.step"
+values = [1e-8, 2e-8]
+
+[[axis]]
+key = "contact.normal.damping"
+times = 10.0
+values = [0.0, 0.1, -1.0]
+labels = ["elastic", "damped", "nonsense"]
+
+[[observe]]
+column = "kinetic"
+statistic = "last"
+
+[[observe]]
+name = "most"
+column = "contact"
+statistic = "maximum"
+after = 1e-6
+"#;
+
+impl Folder {
+    fn new(sweep: &str) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("sweep.toml"), sweep).expect("a file");
+        Self(folder)
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn arguments(&self, out: &str, options: &[&str]) -> Vec<String> {
+        let text = |path: PathBuf| path.to_str().expect("UTF-8").to_owned();
+        let files = [
+            text(self.path("sweep.toml")),
+            "--out".to_owned(),
+            text(self.path(out)),
+        ];
+        let options = options.iter().map(|&option| option.to_owned());
+        ["sweep".to_owned()]
+            .into_iter()
+            .chain(options)
+            .chain(files)
+            .collect()
+    }
+
+    /// Status, standard output and standard error of a sweep.
+    fn sweep(&self, out: &str, options: &[&str]) -> (Option<i32>, String, String) {
+        let arguments = self.arguments(out, options);
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let output = run(&arguments);
+        (output.status.code(), stdout(&output), stderr(&output))
+    }
+
+    /// The rows of the table by the names of their columns.
+    fn rows(&self, out: &str) -> Vec<BTreeMap<String, String>> {
+        let reader = csv::Reader::from_path(self.path(out).join("runs.csv"));
+        let rows = reader.expect("a table").into_deserialize();
+        rows.map(|row| row.expect("a row")).collect()
+    }
+}
+
+/// The series and particles of all runs.
+fn results(out: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let runs = fs::read_dir(out.join("runs")).expect("runs");
+    let folders = runs.map(|entry| entry.expect("readable").path());
+    let files =
+        folders.flat_map(|folder| ["series.csv", "particles.csv"].map(|name| folder.join(name)));
+    let read = |path: PathBuf| {
+        Some((
+            path.strip_prefix(out).ok()?.to_owned(),
+            fs::read(&path).ok()?,
+        ))
+    };
+    files.filter_map(read).collect()
+}
+
+#[test]
+fn every_combination_is_a_row_and_failed_runs_name_their_cause() {
+    let folder = Folder::new(SWEEP);
+    let (status, said, errors) = folder.sweep("out", &["--jobs", "2"]);
+    assert_eq!(status, Some(0), "{errors}");
+    assert!(
+        said.contains("done            4") && said.contains("refused         2"),
+        "{said}"
+    );
+    let rows = folder.rows("out");
+    assert_eq!(rows.len(), 6);
+    let kinetic =
+        |row: &BTreeMap<String, String>| row["kinetic_last"].parse::<f64>().expect("a number");
+    for row in &rows {
+        match row["contact.normal.damping"].as_str() {
+            "nonsense" => {
+                assert_eq!(row["status"], "refused");
+                assert!(
+                    row["cause"].contains("contact.normal.damping=-10.0"),
+                    "{row:?}"
+                );
+                assert_eq!(row["kinetic_last"], "");
+            }
+            label => {
+                assert_eq!(row["status"], "done");
+                // The grains approach with 0.5 m/s each; only damping takes energy.
+                let mass = 2700.0 * 4.0 / 3.0 * std::f64::consts::PI * 1e-9;
+                let share = kinetic(row) / (0.25 * mass);
+                assert_eq!((share - 1.0).abs() < 1e-3, label == "elastic", "{row:?}");
+                assert!(row["most"].parse::<f64>().expect("a number") > 0.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_bits_of_a_run_depend_neither_on_jobs_nor_on_kills() {
+    let folder = Folder::new(SWEEP);
+    for (out, jobs) in [("one", "1"), ("two", "2")] {
+        assert_eq!(folder.sweep(out, &["--jobs", jobs, "--quiet"]).0, Some(0));
+    }
+    let killed = folder.path("killed");
+    for patience in [5, 20, 60, 150] {
+        let mut child = gouge()
+            .args(folder.arguments("killed", &["--quiet"]))
+            .spawn()
+            .expect("starts");
+        std::thread::sleep(Duration::from_millis(patience));
+        child.kill().expect("ours");
+        child.wait().expect("ours");
+    }
+    // A run of a killed sweep may still be going on; it is left to its end.
+    let began = Instant::now();
+    while folder.sweep("killed", &["--quiet"]).0 != Some(0) || results(&killed).len() < 8 {
+        assert!(began.elapsed() < Duration::from_secs(60));
+    }
+    let expected = results(&folder.path("one"));
+    assert_eq!(expected.len(), 8);
+    assert!(results(&folder.path("two")) == expected);
+    assert!(results(&killed) == expected);
+}
+
+#[test]
+fn a_changed_sweep_runs_only_what_is_new() {
+    let folder = Folder::new(SWEEP);
+    assert_eq!(folder.sweep("out", &["--quiet"]).0, Some(0));
+    let times = |out: &Path| -> BTreeMap<PathBuf, std::time::SystemTime> {
+        let paths = results(out).into_keys().map(|path| out.join(path));
+        paths
+            .map(|path| {
+                (
+                    path.clone(),
+                    fs::metadata(path)
+                        .and_then(|data| data.modified())
+                        .expect("a time"),
+                )
+            })
+            .collect()
+    };
+    let before = times(&folder.path("out"));
+    let longer = SWEEP
+        .replace("[1e-8, 2e-8]", "[2e-8, 1e-8, 4e-8]")
+        .replace("times = 10.0", "times = 10");
+    fs::write(folder.path("sweep.toml"), longer).expect("a file");
+    let (_, said, _) = folder.sweep("out", &["--plan"]);
+    assert!(
+        said.contains("runs            9, of which 3 are not done yet"),
+        "{said}"
+    );
+    assert_eq!(folder.sweep("out", &["--quiet"]).0, Some(0));
+    let after = times(&folder.path("out"));
+    assert_eq!(after.len(), 12);
+    assert!(before.iter().all(|(path, time)| after[path] == *time));
+    assert_eq!(folder.rows("out").len(), 9);
+}
+
+#[test]
+fn status_retry_and_collect_read_and_change_only_files() {
+    let folder = Folder::new(SWEEP);
+    let (status, said, _) = folder.sweep("out", &["status"]);
+    assert_eq!((status, said.as_str()), (Some(0), "waiting         6\n"));
+    assert_eq!(folder.sweep("out", &["--quiet"]).0, Some(0));
+    fs::remove_file(folder.path("out/runs.csv")).expect("ours");
+    assert_eq!(folder.sweep("out", &["collect"]).0, Some(0));
+    assert_eq!(folder.rows("out").len(), 6);
+    let (_, said, _) = folder.sweep("out", &["retry"]);
+    assert_eq!(said, "2 runs will be run again\n");
+    let (_, said, _) = folder.sweep("out", &["status"]);
+    assert_eq!(said, "waiting         2\ndone            4\n");
+}
+
+#[test]
+fn mistakes_in_a_sweep_are_named() {
+    let cases = [
+        (SWEEP.replace("head-on", "no-such-scene"), "no-such-scene"),
+        (
+            SWEEP.replace("times = 10.0", "time = 10.0"),
+            "sweep.toml:10: ",
+        ),
+        (
+            SWEEP.replace("\"nonsense\"]", "]"),
+            "one name for each of the 3 values",
+        ),
+        (SWEEP.replace("[1e-8, 2e-8]", "[]"), "at least one value"),
+        (
+            SWEEP.replace("[1e-8, 2e-8]", "[1e-8, 1e-8]"),
+            "are the same run",
+        ),
+        (
+            SWEEP.replace("key = \"time.step\"", "key = \"time.stop\""),
+            "time.stop",
+        ),
+        (SWEEP.replace("statistic = \"last\"", ""), "needs statistic"),
+        (
+            SWEEP.to_owned() + "[seeds]\nsetup = \"8..3\"\n",
+            "seeds.setup",
+        ),
+        (
+            SWEEP.to_owned() + "[budget]\ncore_hours = 1e-12\n",
+            "budget.core_hours",
+        ),
+    ];
+    for (text, words) in cases {
+        let folder = Folder::new(&text);
+        let (status, _, said) = folder.sweep("out", &[]);
+        assert_eq!(status, Some(2), "{words}: {said}");
+        assert!(said.contains(words), "{words}: {said}");
+        assert!(!folder.path("out/runs").exists());
+    }
+}
