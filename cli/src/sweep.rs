@@ -2,11 +2,11 @@
 
 use crate::print;
 use crate::terminal::stopped_by_signals;
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::sweep::{
-    Cost, Execution, Planned, Progress, Status, Sweep, collect, estimate, execute, plan, retry,
-    status,
+    Chunks, Cost, Execution, Planned, Progress, Script, Status, Sweep, collect, estimate, execute,
+    plan, retry, status,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
@@ -42,6 +42,43 @@ enum SweepCommand {
     Retry(Place),
     /// Write runs.csv: one row a run
     Collect(Place),
+    /// Run a chunk of the runs, as a worker of a cluster does
+    Work {
+        #[command(flatten)]
+        place: Place,
+        /// The chunk, counted from 0
+        #[arg(long, value_name = "I")]
+        chunk: usize,
+        /// Number of chunks
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+        chunks: u32,
+    },
+    /// Write a script that runs the sweep on a cluster
+    Export {
+        /// The program that schedules there
+        #[arg(value_enum)]
+        cluster: Cluster,
+        #[command(flatten)]
+        place: Place,
+        /// Most workers at a time
+        #[arg(long, value_name = "N", default_value_t = 50)]
+        workers: u32,
+        /// Time limit of a worker in minutes
+        #[arg(long, value_name = "MINUTES", default_value_t = 240)]
+        minutes: u32,
+        /// Most chunks: MaxArraySize of Slurm
+        #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..))]
+        most_chunks: u32,
+    },
+}
+
+/// Programs that schedule jobs.
+#[derive(Clone, Copy, ValueEnum)]
+enum Cluster {
+    /// Slurm
+    Slurm,
+    /// HyperQueue
+    Hyperqueue,
 }
 
 /// A sweep and its folder.
@@ -66,7 +103,7 @@ pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
         };
     };
     let sweep = Sweep::load(file)?;
-    let runs = plan(&sweep)?;
+    let runs = plan(&sweep, out)?;
     let open: Vec<&Planned> = runs
         .iter()
         .filter(|run| !run.state(out).status.is_final())
@@ -81,10 +118,14 @@ pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
 }
 
 fn manage(command: &SweepCommand) -> Result<(), Error> {
-    let (SweepCommand::Status(place) | SweepCommand::Retry(place) | SweepCommand::Collect(place)) =
-        command;
+    let place = match command {
+        SweepCommand::Status(place) | SweepCommand::Retry(place) | SweepCommand::Collect(place) => {
+            place
+        }
+        SweepCommand::Work { place, .. } | SweepCommand::Export { place, .. } => place,
+    };
     let sweep = Sweep::load(&place.file)?;
-    let runs = plan(&sweep)?;
+    let runs = plan(&sweep, &place.out)?;
     match command {
         SweepCommand::Status(_) => print(&states(&runs, &place.out)),
         SweepCommand::Retry(_) => {
@@ -95,7 +136,91 @@ fn manage(command: &SweepCommand) -> Result<(), Error> {
             let path = collect(&sweep, &runs, &place.out)?;
             print(&format!("{}\n", path.display()))
         }
+        SweepCommand::Work { chunk, chunks, .. } => {
+            work(&sweep, &runs, &place.out, *chunk, *chunks as usize)
+        }
+        SweepCommand::Export {
+            cluster,
+            workers,
+            minutes,
+            most_chunks,
+            ..
+        } => {
+            let limits = [*workers, *minutes, *most_chunks];
+            print(&script(&sweep, &runs, place, *cluster, limits)?)
+        }
     }
+}
+
+/// Run one chunk.
+fn work(
+    sweep: &Sweep,
+    runs: &[Planned],
+    out: &Path,
+    chunk: usize,
+    chunks: usize,
+) -> Result<(), Error> {
+    if chunk >= chunks {
+        return Err(Error::Argument(format!(
+            "--chunk {chunk}: must be from 0 to {}",
+            chunks - 1
+        )));
+    }
+    let edge = |chunk: usize| chunk * runs.len() / chunks;
+    let own = &runs[edge(chunk)..edge(chunk + 1)];
+    let (stop, program) = (stopped_by_signals()?, own_program()?);
+    let execution = Execution {
+        program: &program,
+        out,
+        jobs: 1,
+        stop: &stop,
+    };
+    execute(sweep, own, execution, &tell)
+}
+
+/// Tell of a run that is not done.
+fn tell(progress: Progress) {
+    let Progress { name, state } = progress;
+    if !matches!(state.status, Status::Done | Status::Begun) {
+        eprintln!("gouge: {name}: {}: {}", state.status.name(), state.cause);
+    }
+}
+
+fn own_program() -> Result<PathBuf, Error> {
+    let program = std::env::current_exe();
+    program.map_err(|error| Error::file("find", Path::new("gouge"), error))
+}
+
+/// The script for a cluster.
+fn script(
+    sweep: &Sweep,
+    runs: &[Planned],
+    place: &Place,
+    cluster: Cluster,
+    [workers, minutes, most]: [u32; 3],
+) -> Result<String, Error> {
+    let all: Vec<&Planned> = runs.iter().collect();
+    let cost = estimate(sweep, &all);
+    within_budget(sweep, cost)?;
+    let absolute =
+        |path: &Path| std::path::absolute(path).map_err(|error| Error::file("find", path, error));
+    let (program, file, out) = (
+        own_program()?,
+        absolute(&place.file)?,
+        absolute(&place.out)?,
+    );
+    let script = Script {
+        program: &program,
+        file: &file,
+        out: &out,
+        chunks: Chunks::of(cost, runs.len(), most as usize),
+        workers: workers as usize,
+        minutes: u64::from(minutes),
+    };
+    Ok(match cluster {
+        Cluster::Slurm => script.slurm(),
+        Cluster::Hyperqueue => script.hyperqueue(),
+    })
 }
 
 fn cores() -> u16 {
@@ -141,10 +266,7 @@ fn run(
     let bar = bar(runs, out, is_quiet);
     let report = |progress: Progress| {
         bar.inc(1);
-        if !matches!(progress.state.status, Status::Done | Status::Begun) {
-            let (name, state) = (&progress.name, &progress.state);
-            bar.suspend(|| eprintln!("gouge: {name}: {}: {}", state.status.name(), state.cause));
-        }
+        bar.suspend(|| tell(progress));
     };
     let execution = Execution {
         program: &program,

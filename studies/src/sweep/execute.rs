@@ -4,6 +4,9 @@ use super::file::Sweep;
 use super::plan::Planned;
 use super::state::{CAUSE, State, Status};
 use gouge_runner::error::Error;
+use rustix::process::{Pid, Signal, kill_process};
+use std::io::Read;
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
@@ -24,7 +27,7 @@ pub struct Execution<'a> {
     pub out: &'a Path,
     /// Number of runs at a time.
     pub jobs: usize,
-    /// Set when the sweep is to stop. The running processes are stopped by the same signal, and leave checkpoints.
+    /// Set when the sweep is to stop; the running processes then leave checkpoints and end.
     pub stop: &'a AtomicBool,
 }
 
@@ -95,6 +98,8 @@ fn execute_one(sweep: &Sweep, run: &Planned, execution: Execution) -> Result<Sta
     for one in &run.overrides {
         command.arg("--set").arg(one);
     }
+    // In a group of its own, so that Ctrl-C reaches only this process, which tells the others once.
+    command.process_group(0);
     // One thread a run: runs side by side use the cores better than threads do.
     command.env("GOUGE_THREADS", "1");
     command
@@ -103,7 +108,7 @@ fn execute_one(sweep: &Sweep, run: &Planned, execution: Execution) -> Result<Sta
         .stderr(Stdio::piped());
     let failed = |error| Error::file("run", execution.program, error);
     let child = command.spawn().map_err(failed)?;
-    let (code, said) = wait(child).map_err(failed)?;
+    let (code, said) = wait(child, execution.stop).map_err(failed)?;
     let state = State::of(&folder);
     let is_unexplained = !state.status.is_final() && code != Some(INTERRUPTED);
     if !is_unexplained || execution.stop.load(Ordering::Relaxed) {
@@ -127,18 +132,30 @@ fn execute_one(sweep: &Sweep, run: &Planned, execution: Execution) -> Result<Sta
     })
 }
 
-/// Wait for a process; its status and what it said.
-fn wait(mut child: Child) -> std::io::Result<(Option<i32>, String)> {
-    let mut said = String::new();
-    if let Some(mut stderr) = child.stderr.take() {
-        std::io::Read::read_to_string(&mut stderr, &mut said)?;
-    }
-    loop {
+/// Wait for a process; its status and what it said. When the sweep is to stop, so is the process, with a checkpoint.
+fn wait(mut child: Child, stop: &AtomicBool) -> std::io::Result<(Option<i32>, String)> {
+    let stderr = child.stderr.take();
+    let said = std::thread::spawn(move || {
+        let mut said = String::new();
+        let read = stderr.map(|mut stderr| stderr.read_to_string(&mut said));
+        read.transpose().map(|_| said)
+    });
+    let mut is_told = false;
+    let status = loop {
         if let Some(status) = child.try_wait()? {
-            return Ok((status.code(), said));
+            break status;
+        }
+        if stop.load(Ordering::Relaxed) && !is_told {
+            is_told = true;
+            if let Some(process) = Pid::from_raw(child.id().cast_signed()) {
+                // If it has ended already, there is nobody to tell.
+                let _ = kill_process(process, Signal::TERM);
+            }
         }
         std::thread::sleep(PATIENCE);
-    }
+    };
+    let said = said.join().unwrap_or_else(|_| Ok(String::new()))?;
+    Ok((status.code(), said))
 }
 
 /// Remove the outputs of runs that failed or were refused, so that they are run again; their folders.

@@ -5,6 +5,7 @@
 
 mod cost;
 mod execute;
+mod export;
 mod file;
 mod observe;
 mod plan;
@@ -13,6 +14,7 @@ mod table;
 
 pub use cost::{Cost, estimate};
 pub use execute::{Execution, Progress, execute, retry};
+pub use export::{Chunks, Script};
 pub use file::Sweep;
 pub use plan::{Planned, plan};
 pub use state::{State, Status, status};

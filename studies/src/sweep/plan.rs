@@ -3,6 +3,7 @@
 use super::file::{Axis, Sweep};
 use super::state::State;
 use gouge_runner::error::Error;
+use gouge_runner::run::write_whole;
 use gouge_runner::scene::{Overrides, Scene, hex};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
@@ -44,45 +45,117 @@ impl Planned {
     }
 }
 
-/// All runs of a sweep, in the order of its axes, the last one fastest.
+/// All runs of a sweep, in the order of its axes, the last one fastest. Their names are kept in the folder of the
+/// sweep, because resolving the scenes of many runs takes a while.
 ///
 /// # Errors
-/// A scene that refuses every combination of values, two runs that are the same, or too many runs.
-pub fn plan(sweep: &Sweep) -> Result<Vec<Planned>, Error> {
+/// A scene that refuses every combination of values, two runs that are the same, too many runs, or a failure of the
+/// file system.
+pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
     let axes: Vec<&Axis> = sweep.all_axes().collect();
     let lengths = axes.iter().map(|axis| axis.values.len());
     let number = lengths.fold(1_usize, usize::saturating_mul);
     if number > MOST {
         let file = &sweep.file;
-        return Err(Error::Argument(format!(
-            "{file}: the axes give {number} runs; at most {MOST} are accepted"
-        )));
+        let reason = format!("{file}: the axes give {number} runs; at most {MOST} are accepted");
+        return Err(Error::Argument(reason));
     }
-    let runs: Vec<Planned> = (0..number)
-        .map(|index| planned(sweep, &axes, index))
-        .collect();
-    let refusals = runs.iter().map_while(|run| run.scene(sweep).err());
-    match refusals.enumerate().last() {
-        Some((last, error)) if last + 1 == number => return Err(error),
-        _ => {}
+    let mut runs: Vec<Planned> = (0..number).map(|index| nameless(&axes, index)).collect();
+    let first = runs.iter().find_map(|run| run.scene(sweep).ok());
+    let Some(first) = first else {
+        return Err(runs[0]
+            .scene(sweep)
+            .err()
+            .unwrap_or(Error::Argument(format!("{}: no run", sweep.file))));
+    };
+    let kept = Names::of(sweep, &first, out);
+    match kept.read(number) {
+        Some(names) => runs
+            .iter_mut()
+            .zip(names)
+            .for_each(|(run, name)| run.name = name),
+        None => {
+            runs.iter_mut().for_each(|run| run.name = name(sweep, run));
+            refuse_twins(sweep, &runs)?;
+            kept.write(&runs)?;
+        }
     }
+    Ok(runs)
+}
+
+fn refuse_twins(sweep: &Sweep, runs: &[Planned]) -> Result<(), Error> {
     let mut seen = HashMap::new();
-    let twice = runs
-        .iter()
-        .find_map(|run| seen.insert(&run.name, run).map(|other| [other, run]));
-    match twice {
-        None => Ok(runs),
+    let mut all = runs.iter();
+    let twins = all.find_map(|run| seen.insert(&run.name, run).map(|other| [other, run]));
+    match twins {
+        None => Ok(()),
         Some(both) => {
             let [one, other] = both.map(|run| run.overrides.join(", "));
-            Err(Error::Argument(format!(
-                "{}: {one} and {other} are the same run",
-                sweep.file
-            )))
+            let reason = format!("{}: {one} and {other} are the same run", sweep.file);
+            Err(Error::Argument(reason))
         }
     }
 }
 
-fn planned(sweep: &Sweep, axes: &[&Axis], index: usize) -> Planned {
+/// The names of the runs of a sweep, kept in a file.
+struct Names {
+    path: PathBuf,
+    /// Hash of all that determines them.
+    hash: String,
+}
+
+impl Names {
+    /// The names of a sweep; `scene` is one of its scenes.
+    fn of(sweep: &Sweep, scene: &Scene, out: &Path) -> Self {
+        let mut hash = Sha256::new_with_prefix(env!("CARGO_PKG_VERSION"));
+        hash.update(format!(
+            "{:?} {:?} {:?}",
+            sweep.scene, sweep.axes, sweep.seeds
+        ));
+        hash.update(scene.sha256.as_bytes());
+        let folder = sweep.scene.parent().unwrap_or(Path::new("."));
+        let values = sweep.all_axes().flat_map(|axis| &axis.values);
+        let named = values.map(|value| folder.join(value.trim_matches('"')));
+        for file in scene.files.iter().cloned().chain(named) {
+            hash.update(std::fs::read(&file).unwrap_or_default());
+        }
+        Self {
+            path: out.join("plan"),
+            hash: hex(&hash.finalize()),
+        }
+    }
+
+    /// The names, if they are those of this sweep.
+    fn read(&self, number: usize) -> Option<Vec<String>> {
+        let text = std::fs::read_to_string(&self.path).ok()?;
+        let mut lines = text.lines().map(str::to_owned);
+        let is_ours = lines.next()? == self.hash;
+        let names: Vec<String> = lines.collect();
+        (is_ours && names.len() == number).then_some(names)
+    }
+
+    fn write(&self, runs: &[Planned]) -> Result<(), Error> {
+        let folder = self.path.parent().unwrap_or(Path::new("."));
+        std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
+        let lines = runs.iter().map(|run| run.name.as_str());
+        let lines: Vec<&str> = [self.hash.as_str()].into_iter().chain(lines).collect();
+        write_whole(&self.path, (lines.join("\n") + "\n").as_bytes())
+    }
+}
+
+/// Name of a run.
+fn name(sweep: &Sweep, run: &Planned) -> String {
+    // A combination that the scene refuses is a run, too: it will say so when it is run.
+    let keys = match run.scene(sweep) {
+        Ok(scene) => scene.keys.to_text(),
+        Err(_) => run.overrides.join("\n"),
+    };
+    let content = format!("{keys}{}", env!("CARGO_PKG_VERSION"));
+    hex(&Sha256::digest(content))[..NAME].to_owned()
+}
+
+/// A run without its name.
+fn nameless(axes: &[&Axis], index: usize) -> Planned {
     let mut rest = index;
     let mut places: Vec<usize> = axes
         .iter()
@@ -95,20 +168,10 @@ fn planned(sweep: &Sweep, axes: &[&Axis], index: usize) -> Planned {
         .collect();
     places.reverse();
     let chosen = axes.iter().zip(&places);
-    let overrides: Vec<String> = chosen
-        .map(|(axis, &place)| format!("{}={}", axis.key, axis.values[place]))
-        .collect();
-    let run = Planned {
+    let overrides = chosen.map(|(axis, &place)| format!("{}={}", axis.key, axis.values[place]));
+    Planned {
         name: String::new(),
+        overrides: overrides.collect(),
         places,
-        overrides,
-    };
-    // A combination that the scene refuses is a run, too: it will say so when it is run.
-    let keys = match run.scene(sweep) {
-        Ok(scene) => scene.keys.to_text(),
-        Err(_) => run.overrides.join("\n"),
-    };
-    let content = format!("{keys}{}", env!("CARGO_PKG_VERSION"));
-    let name = hex(&Sha256::digest(content))[..NAME].to_owned();
-    Planned { name, ..run }
+    }
 }
