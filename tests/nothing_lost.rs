@@ -70,7 +70,17 @@ fn assert_same(folder: &Path, reference: &Path) {
     let names = |files: &Files| files.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&found), names(&expected));
     for (name, bytes) in &found {
-        assert!(*bytes == expected[name], "{} differs", name.display());
+        let texts = || [bytes, &expected[name]].map(|bytes| String::from_utf8_lossy(bytes));
+        let shown = || match name.ends_with("summary.json") {
+            true => format!("{:?}", texts()),
+            false => String::new(),
+        };
+        assert!(
+            *bytes == expected[name],
+            "{} differs {}",
+            name.display(),
+            shown()
+        );
     }
 }
 

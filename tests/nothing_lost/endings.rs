@@ -96,6 +96,19 @@ fn an_extended_run_has_the_bits_of_a_long_one() {
     check_extension(&fault, &[20.1e-6, 21e-6, 30e-6]);
 }
 
+/// The last sample, which is not a regular one, is taken again; its residual counts once, and it counts.
+#[test]
+fn a_run_stopped_before_its_summary_says_the_same_of_itself() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_draft(folder.path(), &fault("beeman", "cundall-strack", "vtk"));
+    let (reference, out) = (folder.path().join("reference"), folder.path().join("out"));
+    complete(&scene, &reference, false);
+    complete(&scene, &out, false);
+    fs::remove_file(out.join("summary.json")).expect("ours");
+    complete(&scene, &out, true);
+    assert_same(&out, &reference);
+}
+
 /// Without output.interval, samples are 200th parts of the run; an extended run keeps those of the shorter one.
 #[test]
 fn a_run_without_an_interval_is_extended() {

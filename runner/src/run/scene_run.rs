@@ -156,13 +156,13 @@ impl<'a> SceneRun<'a> {
         Ok(run)
     }
 
-    /// The last sample of a run that ends before a regular sample is due is early. A longer run does not take it:
-    /// forget it, and return the bytes of the series before it.
+    /// The last sample of a run that ends before a regular sample is due is early. A longer run does not take it, and a
+    /// run that was stopped before its summary takes it again: forget it, and return the bytes of the series before it.
     fn without_early_sample(&mut self, series_bytes: u64) -> Result<u64, Error> {
         let is_early = self
             .samples
             .checked_sub(1)
-            .is_some_and(|last| self.scene.sample_step(last) > self.world.steps());
+            .is_some_and(|last| self.scene.regular_sample_step(last) > self.world.steps());
         if !is_early {
             return Ok(series_bytes);
         }

@@ -2,7 +2,7 @@
 # Runs a sweep on a Slurm of this machine alone, kills workers in the middle, and compares the results with those of a
 # plain sweep. Needs root and the Debian packages slurm-wlm and munge:
 #
-#     apt-get install slurm-wlm munge && cargo build --release && sudo studies/clusters/slurm.sh
+#     apt-get install slurm-wlm munge && cargo build --release && sudo studies/clusters/run_on_slurm.sh
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 gouge=$PWD/target/release/gouge
