@@ -200,10 +200,17 @@ fn a_resumed_run_begins_in_its_phase() {
     std::fs::remove_file(folder.path().join("summary.json")).expect("ours");
     let (events, outcome) = watch(&scene, folder.path(), resumed);
     outcome.expect("the run succeeds");
+    // The last sample is not a regular one: it is taken again, because the checkpoint does not count it.
     let names = vec!["run".to_owned()];
+    let end = scene.steps() as f64 * scene.step;
     assert_eq!(
         events,
-        [Seen::Began(0, names), Seen::Checkpoint(2000), Seen::Ended]
+        [
+            Seen::Began(0, names),
+            Seen::Sample(1, end),
+            Seen::Checkpoint(2000),
+            Seen::Ended
+        ]
     );
     let (events, outcome) = watch(&scene, folder.path(), RARELY);
     outcome.expect("nothing is done");
