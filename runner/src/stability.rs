@@ -4,7 +4,7 @@ use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound}
 use gouge_dem::material::Elastic;
 use gouge_dem::model::{Ambient, BondLaws, ContactLaws, ContactNormal, External};
 use gouge_dem::particles::{Particles, Role};
-use gouge_dem::{World, network_step, stable_step_estimate};
+use gouge_dem::{World, is_surely_stable, network_step};
 use std::f64::consts::PI;
 
 /// Characteristic Mach number of cracks, thesis section 4.2.
@@ -26,24 +26,26 @@ pub struct Bound {
 /// All bounds of a state; `density` in kg/m^3 is that of the material.
 pub fn bounds(world: &World, density: f64) -> Vec<Bound> {
     let mut bounds = pair_bounds(world, density);
-    bounds.push(Bound {
+    bounds.push(network_bound(world));
+    bounds
+}
+
+fn network_bound(world: &World) -> Bound {
+    Bound {
         name: "network",
         meaning: "the stiffest and the most damped mode of all touching and bonded particles together, by power iteration",
         oscillator: None,
         step: network_step(world),
-    });
-    bounds
+    }
 }
 
-/// The smallest bound of a state, if a step in s is above one.
-pub fn exceeded(world: &World, density: f64, step: f64) -> Option<Bound> {
-    let is_fine = stable_step_estimate(world) >= step;
-    let bounds = match is_fine {
-        // The mode need not be found.
-        true => pair_bounds(world, density),
-        false => bounds(world, density),
-    };
-    smallest(&bounds).filter(|bound| step > bound.step)
+/// The smallest bound of a state, if its step is above one; `pairs` is the smallest bound of single pairs, which does not
+/// depend on the state.
+pub fn exceeded(world: &World, pairs: Option<Bound>) -> Option<Bound> {
+    let step = world.model().time_step;
+    let network = (!is_surely_stable(world)).then(|| network_bound(world));
+    let both: Vec<Bound> = pairs.into_iter().chain(network).collect();
+    smallest(&both).filter(|bound| step > bound.step)
 }
 
 /// The bounds of single pairs. In the set-up only these are judged: the bound of the network counts all near pairs as

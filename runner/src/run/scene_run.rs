@@ -52,6 +52,8 @@ pub struct SceneRun<'a> {
     pub(super) drive_samples: Vec<DriveSample>,
     /// The warnings so far, one per line.
     pub(super) warnings: String,
+    /// The smallest bound of single pairs in the current phase, once it was sought.
+    pair_bound: Option<Option<Bound>>,
     /// Whether the step of the current phase was found to be above its bound.
     is_step_doubted: bool,
     /// Progress before the last sample, if it is early: a longer run does not take it.
@@ -205,6 +207,7 @@ impl<'a> SceneRun<'a> {
             balance: Balance::default(),
             drive_samples: Vec::new(),
             warnings: String::new(),
+            pair_bound: None,
             is_step_doubted: false,
             before_early_sample: None,
             earlier_rebuilds: 0,
@@ -258,7 +261,7 @@ impl<'a> SceneRun<'a> {
     /// Write a checkpoint at the beginning of a phase, then open the other outputs if it is the scene proper. In this
     /// order, no output is ever without a checkpoint that tells what made it.
     fn save_beginning(&mut self) -> Result<(), Error> {
-        self.is_step_doubted = false;
+        (self.is_step_doubted, self.pair_bound) = (false, None);
         self.judge_step();
         if self.is_main() {
             self.bonds_initial = dem::number_of_bonds(&self.world);
@@ -299,10 +302,12 @@ impl<'a> SceneRun<'a> {
             return;
         }
         let step = self.world.model().time_step;
-        let density = self.scene.material.density;
+        let pairs = *self.pair_bound.get_or_insert_with(|| {
+            smallest(&pair_bounds(&self.world, self.scene.material.density))
+        });
         let found = match self.is_main() {
-            true => exceeded(&self.world, density, step),
-            false => smallest(&pair_bounds(&self.world, density)).filter(|one| step > one.step),
+            true => exceeded(&self.world, pairs),
+            false => pairs.filter(|one| step > one.step),
         };
         // Without damping, explicit methods are unstable at any step, but grow slowly: the balance shows when it matters.
         let is_shown = |bound: &Bound| bound.step > 0.0 || !self.scene.output.energy;

@@ -12,7 +12,8 @@ mod velocity_verlet;
 pub use method::Integrator;
 pub use previous::Previous;
 pub use time_step::{
-    Oscillator, characteristic_polynomial, crack_bound, critical_step, is_stable, wave_bound,
+    Oscillator, characteristic_polynomial, crack_bound, critical_step, is_stable, is_stable_below,
+    wave_bound,
 };
 
 pub(crate) use beeman::{BeemanBegin, BeemanCorrect, BeemanPredict};

@@ -2,7 +2,7 @@
 
 use super::simulation::{Number, World};
 use crate::error::StepError;
-use crate::integrators::{Oscillator, critical_step};
+use crate::integrators::{Oscillator, critical_step, is_stable_below};
 use crate::laws::EulerBernoulli;
 use crate::model::{ContactNormal, ContactTangential, Model};
 use gouge_common::geometry::Vec2;
@@ -126,16 +126,25 @@ fn most_strained_interaction<S: Number>(world: &World<S>, particle: usize) -> Op
 /// a particle divided by its inertia. The same holds for damping. The maxima of both are combined. Contacts that begin
 /// later are not in it.
 pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
-    estimate(world, &world.touching_pairs())
+    let stiffest = stiffest(world, &world.touching_pairs());
+    critical_step(world.model.integrator, stiffest)
+}
+
+/// Whether the time step of a world is surely stable: below [`stable_step_estimate`], but found much faster.
+pub fn is_surely_stable<S: Number>(world: &World<S>) -> bool {
+    let stiffest = stiffest(world, &world.touching_pairs());
+    is_stable_below(world.model.integrator, stiffest, world.model.time_step)
 }
 
 /// The same if all near pairs touched, as they may have done before they flew apart.
 fn lowest_estimate<S: Number>(world: &World<S>) -> f64 {
     let contacts = world.state.contacts.as_ref();
-    estimate(world, contacts.map_or(&[], |contacts| &contacts.pairs))
+    let stiffest = stiffest(world, contacts.map_or(&[], |contacts| &contacts.pairs));
+    critical_step(world.model.integrator, stiffest)
 }
 
-fn estimate<S: Number>(world: &World<S>, touching: &[Pair]) -> f64 {
+/// An oscillator at least as stiff and as damped as every mode.
+fn stiffest<S: Number>(world: &World<S>, touching: &[Pair]) -> Oscillator {
     let number = world.state.particles.len();
     let mut stiffness = vec![0.0; number];
     let mut damping = vec![0.0; number];
@@ -170,11 +179,10 @@ fn estimate<S: Number>(world: &World<S>, touching: &[Pair]) -> f64 {
             .map(|(sum, m)| 2.0 * sum * m.to_f64());
         per_mass.fold(0.0, f64::max)
     };
-    let stiffest = Oscillator {
+    Oscillator {
         frequency_squared: largest(&stiffness),
         damping_rate: largest(&damping),
-    };
-    critical_step(world.model.integrator, stiffest)
+    }
 }
 
 /// Stiffness in N/m and damping in kg/s of a contact or bond.

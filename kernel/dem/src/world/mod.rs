@@ -17,7 +17,7 @@ mod workspace;
 
 pub use begin::Start;
 pub use continuation::Continuation;
-pub use guard::stable_step_estimate;
+pub use guard::{is_surely_stable, stable_step_estimate};
 pub use network::network_step;
 pub use simulation::{Number, World};
 pub use state::{Drive, State};
