@@ -1,6 +1,9 @@
 //! The friction of a whole run and its confidence interval.
 
+use crate::worlds::world;
+use gouge_dem::integrators::Integrator;
 use gouge_runner::run::{DriveSample, Friction};
+use gouge_validation::scenes::{Draft, Grain};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -71,6 +74,39 @@ fn a_block_that_does_not_slide_under_load_has_no_friction() {
     let mut pulled = sliding(&[0.3; 100]);
     pulled.iter_mut().for_each(|one| one.sliding *= -1.0);
     assert_eq!(Friction::of(&pulled, 1e-3), None);
+}
+
+/// A driven grain in a viscous medium: the horizontal force is the Stokes drag, the load is given, and so are both
+/// integrals.
+#[test]
+fn the_kernel_integrates_work_and_load_over_the_slip() {
+    let (speed, pressure, area, viscosity, radius) = (2.0, 10.0, 1e-6, 1.0, 1e-3);
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 1e-6)
+        .with("driving.controller", "exact")
+        .with("driving.speed", speed)
+        .with("driving.pressure", pressure)
+        .with("driving.area", area)
+        .creeping_drag(viscosity)
+        .grain(Grain::at([0.0, 0.0], radius).moving([speed, 0.0]).driven());
+    let mut world = world(&draft);
+    for _ in 0..1000 {
+        world.step().expect("a step");
+    }
+    let [shearing, sliding] = world.shearing_and_sliding().expect("a ledger");
+    let slip = speed * world.time();
+    let drag = 6.0 * std::f64::consts::PI * viscosity * radius * speed;
+    // The first step has no driving force yet, and in the next ones the controller finds its way.
+    assert!(
+        (shearing / (drag * slip) - 1.0).abs() < 5e-3,
+        "{shearing}, {}",
+        drag * slip
+    );
+    let load = pressure * area;
+    assert!(
+        (sliding / (load * slip) - 1.0).abs() < 5e-3,
+        "{sliding}, {}",
+        load * slip
+    );
 }
 
 /// Coefficients around 0.3 whose deviations forget their past within about `memory` samples.

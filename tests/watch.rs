@@ -73,6 +73,14 @@ fn both(
     })
 }
 
+/// Cases whose errors are compared with an energy in J.
+fn beside(energy: f64, cases: [Case; 2]) -> [Case; 2] {
+    cases.map(|case| Case {
+        scale: Some(energy),
+        ..case
+    })
+}
+
 /// The energies of the last state, or none if the run stopped at an error; and whether the run doubts its results.
 fn outcome(draft: &Draft) -> (Option<[f64; 4]>, bool) {
     let folder = tempfile::tempdir().expect("a folder");
@@ -186,11 +194,9 @@ fn collisions() -> Vec<Case> {
     }
     // Below the bound, a contact that begins inside a step gains energy; only the balance shows it.
     let verlet = pair_bound(Integrator::VelocityVerlet, 0.0);
-    let mut cases_hidden = Vec::new();
     cases.push(case("late contact", 0.9 * verlet, false, |step| {
         collision(Integrator::VelocityVerlet, step, 0.0, 0.0)
     }));
-    // The energy of the common motion is 10^4 times that of the collision.
     // Falling together, or beside a fast grain that touches nothing, two grains collide like at rest.
     for (name, hiding) in [("falling", 1), ("beside a fast grain", 2)] {
         let draft = move |step: f64| {
@@ -205,20 +211,13 @@ fn collisions() -> Vec<Case> {
                     .grain(Grain::at([0.0, -1.0], RADIUS).fixed()),
             }
         };
-        let cases = both(name, verlet, [0.05, 0.9], draft);
-        cases_hidden.extend(cases.map(|case| Case {
-            scale: Some(MASS),
-            ..case
-        }));
+        cases.extend(beside(MASS, both(name, verlet, [0.05, 0.9], draft)));
     }
-    cases.extend(cases_hidden);
+    // The energy of the common motion is 10^4 times that of the collision.
     let moving = both("moving frame", verlet, [0.05, 0.9], |step| {
         collision(Integrator::VelocityVerlet, step, 0.0, 100.0)
     });
-    cases.extend(moving.map(|case| Case {
-        scale: Some(MASS),
-        ..case
-    }));
+    cases.extend(beside(MASS, moving));
     cases
 }
 
@@ -272,13 +271,8 @@ fn friction() -> Vec<Case> {
     };
     let bound = 2.0 * MASS / (2.0 * 2.5 * 300.0);
     let turning = 0.5 * 0.4 * MASS * (RADIUS * SPIN).powi(2);
-    let mut cases = both("haff-werner", bound, [0.02, 3.0], viscous)
-        .into_iter()
-        .map(|case| Case {
-            scale: Some(turning),
-            ..case
-        })
-        .collect::<Vec<_>>();
+    let turned = both("haff-werner", bound, [0.02, 3.0], viscous);
+    let mut cases = Vec::from(beside(turning, turned));
     let elastic = 2.0 / (2.0 / MASS * 3.5 * 3.0 * STIFFNESS).sqrt();
     for law in ["cundall-strack-truncated", "cundall-strack"] {
         cases.extend(both(law, elastic, [0.02, 3.0], move |step| {
@@ -374,10 +368,7 @@ fn fields() -> Vec<Case> {
     cases.push(case("bouncing in gravity", 0.02 * verlet, true, bounce));
     // The energy of the light grain is small beside that of the others.
     let between = both("light between heavy", light, [0.05, 3.0], mixed);
-    cases.extend(between.map(|case| Case {
-        scale: Some(1e-3 * MASS),
-        ..case
-    }));
+    cases.extend(beside(1e-3 * MASS, between));
     cases.extend(both("harmonic well", 2.0, [0.05, 1.1], |step| {
         oscillator(Integrator::VelocityVerlet, step, 0.0).ending_at(12.0)
     }));

@@ -109,12 +109,23 @@ pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
         .filter(|run| !run.state(out).status.is_final())
         .collect();
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
-    let cost = estimate(&sweep, &open);
     if arguments.plan {
-        return print(&planned(&runs, &open, cost, jobs));
+        return print(&planned(&runs, &open, estimate(&sweep, &open), jobs));
     }
-    within_budget(&sweep, cost)?;
-    run(&sweep, &runs, out, jobs, arguments.quiet)
+    // Without a budget no pilot runs are needed.
+    if sweep.core_hours.is_some() {
+        within_budget(&sweep, estimate(&sweep, &open))?;
+    }
+    let bar = match arguments.quiet {
+        true => ProgressBar::hidden(),
+        false => bar(runs.len(), runs.len() - open.len()),
+    };
+    let outcome = run(&sweep, &runs, out, jobs, &bar);
+    let path = collect(&sweep, &runs, out)?;
+    if !arguments.quiet {
+        print(&format!("{}{}\n", states(&runs, out), path.display()))?;
+    }
+    outcome
 }
 
 fn manage(command: &SweepCommand) -> Result<(), Error> {
@@ -258,12 +269,9 @@ fn run(
     runs: &[Planned],
     out: &Path,
     jobs: usize,
-    is_quiet: bool,
+    bar: &ProgressBar,
 ) -> Result<(), Error> {
-    let stop = stopped_by_signals()?;
-    let program =
-        std::env::current_exe().map_err(|error| Error::file("find", Path::new("gouge"), error))?;
-    let bar = bar(runs, out, is_quiet);
+    let (stop, program) = (stopped_by_signals()?, own_program()?);
     let report = |progress: Progress| {
         bar.inc(1);
         bar.suspend(|| tell(progress));
@@ -276,22 +284,11 @@ fn run(
     };
     let outcome = execute(sweep, runs, execution, &report);
     bar.finish_and_clear();
-    let path = collect(sweep, runs, out)?;
-    if !is_quiet {
-        print(&format!("{}{}\n", states(runs, out), path.display()))?;
-    }
     outcome
 }
 
-fn bar(runs: &[Planned], out: &Path, is_quiet: bool) -> ProgressBar {
-    if is_quiet {
-        return ProgressBar::hidden();
-    }
-    let done = runs
-        .iter()
-        .filter(|run| run.state(out).status.is_final())
-        .count();
-    let bar = ProgressBar::new(runs.len() as u64).with_position(done as u64);
+fn bar(all: usize, done: usize) -> ProgressBar {
+    let bar = ProgressBar::new(all as u64).with_position(done as u64);
     let style = "{wide_bar} {pos}/{len} runs  {elapsed} elapsed, {eta} remaining";
     if let Ok(style) = ProgressStyle::with_template(style) {
         bar.set_style(style);

@@ -13,6 +13,8 @@ use std::path::Path;
 pub const DONE: &str = "done";
 /// Status of a finished run whose energy balance cannot be trusted.
 pub const UNTRUSTED: &str = "untrusted";
+/// Status of a run that was stopped by the user.
+const INTERRUPTED: &str = "interrupted";
 /// Beginning of the status of a run that an error of the model stopped.
 const FAILED: &str = "failed: ";
 
@@ -79,6 +81,11 @@ impl Summary {
     /// Whether the run finished.
     pub fn is_finished(&self) -> bool {
         [DONE, UNTRUSTED].contains(&self.status.as_str())
+    }
+
+    /// Whether the user stopped the run.
+    pub fn is_interrupted(&self) -> bool {
+        self.status == INTERRUPTED
     }
 
     /// Whether the run finished without anything to show because its first state could not be made.
@@ -149,7 +156,7 @@ impl SceneRun<'_> {
         let status = match &failure {
             None if self.balance.is_off => UNTRUSTED.to_owned(),
             None => DONE.to_owned(),
-            Some(error) if error.is_interruption() => "interrupted".to_owned(),
+            Some(error) if error.is_interruption() => INTERRUPTED.to_owned(),
             Some(error) => {
                 self.world = self.world.with_state(self.last_good.clone());
                 format!("{FAILED}{error}")

@@ -74,7 +74,7 @@ impl State {
                 summary.warnings.last().cloned().unwrap_or_default(),
             ),
             Some(summary) if summary.is_finished() => (Status::Done, String::new()),
-            Some(summary) if summary.status == "interrupted" => (Status::Begun, String::new()),
+            Some(summary) if summary.is_interrupted() => (Status::Begun, String::new()),
             Some(summary) => (Status::Failed, summary.status.clone()),
         };
         Self {

@@ -56,6 +56,16 @@ fn layout(integrator: Integrator) -> Vec<(&'static str, Shape)> {
     [&COLUMNS[..], previous].concat()
 }
 
+/// The words of the first columns of a record; `None` if they are not those of a layout.
+fn columns_of<'a>(record: &'a Record, layout: &[(&str, Shape)]) -> Option<Vec<&'a [u64]>> {
+    let columns = record.columns.get(..layout.len())?;
+    let fits = |(column, &(name, shape)): (&Column, &(&str, Shape))| {
+        column.name == name && column.shape == shape && column.is_whole()
+    };
+    let is_ours = record.model == NAME && columns.iter().zip(layout).all(fits);
+    is_ours.then(|| columns.iter().map(|one| &one.words[..]).collect())
+}
+
 impl World {
     /// The whole state as a record; [`from_record`](Self::from_record) continues from it bit by bit.
     pub fn record(&self) -> Record {
@@ -74,29 +84,16 @@ impl World {
     /// The world of a model in a recorded state; `None` if the record does not fit the model.
     pub fn from_record(model: Model, record: &Record) -> Option<Self> {
         let layout = layout(model.integrator);
-        let fits = |(column, &(name, shape)): (&Column, &(&str, Shape))| {
-            column.name == name && column.shape == shape && column.is_whole()
-        };
-        let is_of_model = record.model == NAME
-            && record.columns.len() == layout.len()
-            && record.columns.iter().zip(&layout).all(fits);
-        if !is_of_model {
+        let columns = columns_of(record, &layout)?;
+        if columns.len() < record.columns.len() {
             return None;
         }
-        let columns: Vec<&[u64]> = record.columns.iter().map(|one| &one.words[..]).collect();
         restore(model, &columns)
     }
 
     /// What a record holds of a state from which a run of another model may begin; `None` if it is damaged.
     pub fn continuation_of_record(record: &Record) -> Option<Continuation> {
-        let fits = |(column, &(name, shape)): (&Column, &(&str, Shape))| {
-            column.name == name && column.shape == shape && column.is_whole()
-        };
-        let common = record.columns.get(..COLUMNS.len())?;
-        if record.model != NAME || !common.iter().zip(&COLUMNS).all(fits) {
-            return None;
-        }
-        let columns: Vec<&[u64]> = common.iter().map(|one| &one.words[..]).collect();
+        let columns = columns_of(record, &COLUMNS)?;
         let parts = read_parts(&columns)?;
         Some(Continuation {
             particles: parts.particles,
