@@ -421,3 +421,21 @@ fn the_verdict_of_a_run_on_itself_is_right() {
     let wrong: Vec<String> = cases.iter().filter_map(|case| check(case).err()).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// A floor of the size of a hill: its potential energy, 1e17 J, would take the digits of all other terms.
+#[test]
+fn the_balance_beside_a_huge_fixed_grain_keeps_its_digits() {
+    let draft = Draft::open_box(Integrator::VelocityVerlet, 2e-6)
+        .ending_at(0.02)
+        .law(KelvinVoigt {
+            stiffness: 1e4,
+            damping: 0.02,
+        })
+        .friction("cundall-strack-truncated", 0.3, 1e4)
+        .gravity(9.81)
+        .grain(Grain::at([0.0, 0.999_99e-3], 1e-3).moving([0.5, 0.0]))
+        .grain(Grain::at([0.0, -1000.0], 1000.0).fixed());
+    let (energies, is_doubted) = outcome(&draft);
+    let [kinetic, _, external, _] = energies.expect("the run succeeds");
+    assert!(!is_doubted && external.abs() < kinetic, "{energies:?}");
+}
