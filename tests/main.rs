@@ -32,6 +32,7 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
+mod rolling;
 mod search;
 mod sources;
 mod start;

@@ -2,6 +2,7 @@
 
 use super::friction::DriveSample;
 use super::links;
+use super::measures::measured;
 use super::series::{Sample, Value};
 use super::table::{Kinds, Table, Values};
 use super::trajectory::{Frame, LinkFrame, Shapes};
@@ -33,6 +34,8 @@ pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>, energy: Option<&
         sample.push(("bonds", Value::Count(number_of_bonds(world))));
         sample.push(("fragments", Value::Count(fragments)));
     }
+    let measures = scene.output.measure.iter();
+    sample.extend(measures.flat_map(|&measure| measured(measure, world)));
     sample
 }
 

@@ -11,6 +11,7 @@ mod folder;
 mod friction;
 mod links;
 mod lock;
+mod measures;
 mod observer;
 mod outcome;
 mod phases;

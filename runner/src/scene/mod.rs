@@ -4,6 +4,7 @@ pub mod builtin;
 mod check;
 mod keys;
 mod laws;
+mod output;
 mod overrides;
 mod particles;
 mod rows;
@@ -13,6 +14,7 @@ mod text;
 
 pub use keys::Keys;
 pub use laws::DrivingTable;
+pub use output::{Measure, Output, Trajectory};
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
@@ -96,30 +98,6 @@ pub struct StartFile {
     pub sha256: String,
     /// The error that refuses it, except for the reason.
     pub refusal: SceneError,
-}
-
-/// `[output]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Output {
-    /// Time between samples in s.
-    pub interval: f64,
-    /// Format of the trajectory.
-    pub trajectory: Trajectory,
-    /// Whether each frame is accompanied by one of all contacts and bonds, with their forces.
-    pub links: bool,
-    /// Whether the energy balance is kept and written.
-    pub energy: bool,
-}
-
-/// Format of the trajectory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Trajectory {
-    /// No frames.
-    None,
-    /// Legacy VTK files.
-    Vtk,
-    /// Extended XYZ files.
-    Extxyz,
 }
 
 const KEYS: [&str; 20] = [
@@ -273,7 +251,7 @@ impl Scene {
             contacts: particles::contacts(root, folder)?,
             setup: setup::setup(root, &domain, reading, material)?,
             start: particles::start(root, folder)?,
-            output: output(root, end)?,
+            output: output::output(root, end)?,
             domain,
             material,
             has_default_interval: !root
@@ -416,40 +394,6 @@ fn domain(root: &Table) -> Result<Domain> {
         width,
         height: table.optional_number("height", Range::Positive)?,
         periodic,
-    })
-}
-
-fn output(root: &Table, end: f64) -> Result<Output> {
-    let default = if end > 0.0 { end / 200.0 } else { 1.0 };
-    let Some(table) = root.optional_table("output")? else {
-        return Ok(Output {
-            interval: default,
-            trajectory: Trajectory::None,
-            links: false,
-            energy: true,
-        });
-    };
-    table.allow(&["interval", "trajectory", "links", "energy"])?;
-    let formats = [
-        ("none", Trajectory::None),
-        ("vtk", Trajectory::Vtk),
-        ("extxyz", Trajectory::Extxyz),
-    ];
-    let trajectory = table
-        .optional_choice("trajectory", &formats)?
-        .unwrap_or(Trajectory::None);
-    let links = table.optional_truth("links")?.unwrap_or(false);
-    if links && trajectory == Trajectory::None {
-        let accepted = "needs frames: output.trajectory = \"vtk\" or \"extxyz\"";
-        return Err(table.error("links", accepted));
-    }
-    Ok(Output {
-        interval: table
-            .optional_number("interval", Range::Positive)?
-            .unwrap_or(default),
-        trajectory,
-        links,
-        energy: table.optional_truth("energy")?.unwrap_or(true),
     })
 }
 

@@ -342,6 +342,31 @@ impl<'a> Table<'a> {
             .ok_or_else(|| self.missing(key, &format!("must be one of: {}", list.join(", "))))
     }
 
+    /// Some of several names, none twice; empty if the key is absent.
+    pub fn optional_choices<T: Copy>(&self, key: &str, names: &[(&str, T)]) -> Result<Vec<T>> {
+        let Some(value) = self.value(key) else {
+            return Ok(Vec::new());
+        };
+        let place = |value: &Spanned<DeValue>| match value.get_ref() {
+            DeValue::String(text) => names.iter().position(|(name, _)| *name == text.as_ref()),
+            _ => None,
+        };
+        let places: Option<Vec<usize>> =
+            array_of(value).and_then(|array| array.iter().map(place).collect());
+        let is_new = |places: &[usize], at: usize| !places[..at].contains(&places[at]);
+        match places {
+            Some(places) if (0..places.len()).all(|at| is_new(&places, at)) => {
+                Ok(places.into_iter().map(|place| names[place].1).collect())
+            }
+            _ => {
+                let list: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+                let accepted =
+                    format!("must be an array of names, none twice: {}", list.join(", "));
+                Err(self.error(key, &accepted))
+            }
+        }
+    }
+
     /// A pair of finite numbers, if the key is present.
     pub fn optional_pair(&self, key: &str) -> Result<Option<[f64; 2]>> {
         let Some(value) = self.value(key) else {

@@ -1,5 +1,6 @@
 //! Fragments of a state.
 
+use crate::particles::Role;
 use crate::world::State;
 use gouge_common::estimators::{Fragments, connected};
 use gouge_common::scalar::Real;
@@ -11,4 +12,15 @@ pub fn fragments<S: Real>(state: &State<S>) -> Fragments {
         state.particles().len(),
         pairs.iter().map(|pair| pair.indices()),
     )
+}
+
+/// Which particles belong to the debris: to fragments that hold neither a driven nor a fixed particle.
+pub fn debris<S: Real>(state: &State<S>) -> Vec<bool> {
+    let fragments = fragments(state);
+    let mut is_block = vec![false; fragments.number];
+    for (&label, role) in fragments.label.iter().zip(&state.particles().role) {
+        is_block[label] |= *role != Role::Free;
+    }
+    let labels = fragments.label.iter();
+    labels.map(|&label| !is_block[label]).collect()
 }

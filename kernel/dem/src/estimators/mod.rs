@@ -5,7 +5,9 @@
 
 mod friction;
 mod fragments;
+mod rolling;
 
 pub use crate::balance::Energy;
-pub use fragments::fragments;
+pub use fragments::{debris, fragments};
 pub use friction::{friction_feedback, friction_load};
+pub use rolling::rolling_and_slip;

@@ -1,0 +1,76 @@
+//! `[output]`: what a run writes and how often.
+
+use super::Result;
+use super::table::{Range, Table};
+
+/// `[output]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// Time between samples in s.
+    pub interval: f64,
+    /// Format of the trajectory.
+    pub trajectory: Trajectory,
+    /// Whether each frame is accompanied by one of all contacts and bonds, with their forces.
+    pub links: bool,
+    /// Whether the energy balance is kept and written.
+    pub energy: bool,
+    /// What else is measured at every sample, in the order of its columns.
+    pub measure: Vec<Measure>,
+}
+
+/// Format of the trajectory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trajectory {
+    /// No frames.
+    None,
+    /// Legacy VTK files.
+    Vtk,
+    /// Extended XYZ files.
+    Extxyz,
+}
+
+/// Quantities that the series holds only if a scene asks for them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Measure {
+    /// Speeds of rolling and of slip in the debris.
+    Rolling,
+}
+
+/// Names of the quantities, in the order of their columns.
+const MEASURES: [(&str, Measure); 1] = [("rolling", Measure::Rolling)];
+
+const FORMATS: [(&str, Trajectory); 3] = [
+    ("none", Trajectory::None),
+    ("vtk", Trajectory::Vtk),
+    ("extxyz", Trajectory::Extxyz),
+];
+
+/// Read `[output]` of a scene that ends at a time.
+pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
+    let mut output = Output {
+        interval: if end > 0.0 { end / 200.0 } else { 1.0 },
+        trajectory: Trajectory::None,
+        links: false,
+        energy: true,
+        measure: Vec::new(),
+    };
+    let Some(table) = root.optional_table("output")? else {
+        return Ok(output);
+    };
+    table.allow(&["interval", "trajectory", "links", "energy", "measure"])?;
+    if let Some(interval) = table.optional_number("interval", Range::Positive)? {
+        output.interval = interval;
+    }
+    if let Some(trajectory) = table.optional_choice("trajectory", &FORMATS)? {
+        output.trajectory = trajectory;
+    }
+    output.links = table.optional_truth("links")?.unwrap_or(false);
+    if output.links && output.trajectory == Trajectory::None {
+        let accepted = "needs frames: output.trajectory = \"vtk\" or \"extxyz\"";
+        return Err(table.error("links", accepted));
+    }
+    output.energy = table.optional_truth("energy")?.unwrap_or(true);
+    output.measure = table.optional_choices("measure", &MEASURES)?;
+    output.measure.sort_unstable();
+    Ok(output)
+}
