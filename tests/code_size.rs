@@ -13,11 +13,13 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 /// Folders with source files.
-const FOLDERS: [&str; 7] = [
+const FOLDERS: [&str; 9] = [
     "benches",
     "cli",
     "kernel",
+    "page",
     "runner",
+    "studies",
     "tests",
     "tools",
     "validation",

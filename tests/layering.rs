@@ -7,7 +7,8 @@ use std::path::Path;
 const EXCEPTIONS: [(&str, &str); 1] = [("model", "integrators")];
 
 /// Crates with their folders, from the lowest to the highest: each may depend only on earlier ones.
-const CRATES: [(&str, &str); 6] = [
+const CRATES: [(&str, &str); 7] = [
+    ("gouge-page", "page"),
     ("gouge-common", "kernel/common"),
     ("gouge-dem", "kernel/dem"),
     ("gouge-runner", "runner"),

@@ -10,7 +10,8 @@ mod measurement;
 mod random;
 
 pub use evidence::{Citation, Evidence, Source, thesis};
-pub use exhibit::{Axis, Curve, Exhibit, Plot, Style, Table};
+pub use exhibit::{Exhibit, Table};
+pub use gouge_page::{Axis, Curve, Figure, Style};
 pub use measurement::{
     Failure, Finding, Measurement, Origin, Outcome, largest, unit_in_last_place,
 };

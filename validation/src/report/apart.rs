@@ -15,7 +15,7 @@ pub struct Split {
 
 /// Replaces every large figure of a page by an image of the same size.
 ///
-/// The name of a figure is the `id` of the check or chapter that precedes it and its number there.
+/// The name of a large figure is the `id` of the check or chapter that precedes it and its number there.
 pub fn split(page: &str) -> Split {
     let mut split = Split {
         page: String::with_capacity(page.len()),
@@ -28,9 +28,9 @@ pub fn split(page: &str) -> Split {
             // Checks of stored references have a slash in their names.
             (owner, place) = (id.replace('/', "."), 0);
         }
-        place += 1;
         split.page.push_str(before);
         if figure.len() > BIG {
+            place += 1;
             let name = format!("{owner}-{place}.svg");
             let _ = write!(split.page, "<img src=\"figures/{name}\" alt=\"\">");
             split.figures.push((name, standalone(figure)));

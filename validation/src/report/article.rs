@@ -2,8 +2,9 @@
 
 use super::fold::{decimal, ratio};
 use super::judged::{digits, used};
-use super::{Entry, Record, equations, plot, sources};
-use crate::checks::{Citation, Exhibit, Table};
+use super::{Entry, Record, equations, sources};
+use crate::checks::{Citation, Exhibit};
+use gouge_page::table;
 use maud::{Markup, html};
 
 /// A check with its result and its exhibits.
@@ -89,22 +90,8 @@ fn number(value: f64) -> String {
 
 fn show(exhibit: &Exhibit) -> Markup {
     match exhibit {
-        Exhibit::Plot(plot) => plot::figure(plot),
-        Exhibit::Table(table) => data(table),
+        Exhibit::Figure(figure) => figure.html(),
+        Exhibit::Table(shown) => table(&shown.title, &shown.columns, &shown.rows),
         Exhibit::Text(text) => html! { p { (text) } },
-    }
-}
-
-fn data(table: &Table) -> Markup {
-    html! {
-        div.data {
-            table {
-                caption { (table.title) }
-                tr { @for name in &table.columns { th { (name) } } }
-                @for row in &table.rows {
-                    tr { @for cell in row { td { (cell) } } }
-                }
-            }
-        }
     }
 }

@@ -14,11 +14,9 @@ mod original;
 mod outside;
 mod page;
 mod pictures;
-mod plot;
 mod record;
 mod sources;
 mod speed;
-mod thin;
 
 pub use machine::words as machine_words;
 pub use pictures::{Picture, pictures};

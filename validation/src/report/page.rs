@@ -6,7 +6,8 @@ use super::fold::{Fold, counted, decimal, link, ratio};
 use super::judged::{Digits, digits, fewest_digits_first, used, weakest_first};
 use super::{Entry, Picture, Record, equations, original, pictures, sources, speed};
 use crate::checks::Topic;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use gouge_page::styled_page;
+use maud::{Markup, PreEscaped, html};
 use std::collections::BTreeMap;
 
 const STYLE: &str = include_str!("page.css");
@@ -43,33 +44,23 @@ pub fn page(topics: &[Topic], entries: &[Entry], drawn: &[Picture], facts: &Fact
         .map(|topic| of_topic(topic, entries))
         .filter(|chapter| !chapter.entries.is_empty())
         .collect();
-    html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width";
-                title { "gouge: verification report" }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                (first_page(entries, facts))
-                (contents(&shown, !drawn.is_empty()))
-                (weakest(entries))
-                (how_to_read())
-                (filters(&shown))
-                @for shown in &shown { (chapter(shown)) }
-                @if !drawn.is_empty() {
-                    (pictures::chapter(drawn))
-                    (original::chapter())
-                    (speed::chapter())
-                }
-                (equations::chapter(entries, facts.is_complete))
-                (code(entries))
-                script { (PreEscaped(SCRIPT)) }
-            }
+    let body = html! {
+        (first_page(entries, facts))
+        (contents(&shown, !drawn.is_empty()))
+        (weakest(entries))
+        (how_to_read())
+        (filters(&shown))
+        @for shown in &shown { (chapter(shown)) }
+        @if !drawn.is_empty() {
+            (pictures::chapter(drawn))
+            (original::chapter())
+            (speed::chapter())
         }
-    }
+        (equations::chapter(entries, facts.is_complete))
+        (code(entries))
+        script { (PreEscaped(SCRIPT)) }
+    };
+    styled_page("gouge: verification report", STYLE, body)
 }
 
 fn of_topic<'a>(topic: &'a Topic, entries: &'a [Entry]) -> Shown<'a> {

@@ -2,7 +2,7 @@
 
 use super::modes::bond;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::beams::Springs;
 use crate::scenes::{Bond, Draft, Grain};
@@ -129,24 +129,24 @@ fn loads() -> Outcome {
             }
         }
     }
-    Ok(Measurement::worst(measured).showing([Exhibit::Plot(ellipse(marks))]))
+    Ok(Measurement::worst(measured).showing([Exhibit::Figure(ellipse(marks))]))
 }
 
-fn ellipse(marks: Vec<[f64; 2]>) -> Plot {
+fn ellipse(marks: Vec<[f64; 2]>) -> Figure {
     let axes = axes([1e-3; 2], 1.0);
     let point = |n: u32| {
         let (s, c) = (TAU * f64::from(n) / 120.0).sin_cos();
         [axes[0] * c, axes[1] * s]
     };
-    Plot {
-        title: "Bonds of spheres of 1 mm break on the strength ellipse".to_owned(),
-        x: Axis::linear("normal force in N, positive in tension"),
-        y: Axis::linear("tangential force in N"),
-        curves: vec![
+    Figure::new(
+        "Bonds of spheres of 1 mm break on the strength ellipse",
+        Axis::linear("normal force, positive in tension", "N"),
+        Axis::linear("tangential force", "N"),
+        vec![
             Curve::line("closed form", (0..=120).map(point)),
             Curve::marks("kernel", marks),
         ],
-    }
+    )
 }
 
 const RADIUS: f64 = 1e-3;
@@ -233,11 +233,11 @@ fn times() -> Outcome {
     }
     let names = ["0.1 us", "0.033 us", "0.011 us"];
     let curve = |(points, name): (Vec<[f64; 2]>, &str)| Curve::marks(name, points);
-    let plot = Plot {
-        title: "A bond breaks at most one step after its load has left the ellipse".to_owned(),
-        x: Axis::linear("direction of the load in turns"),
-        y: Axis::linear("time from the exact moment to breaking in s"),
-        curves: late.into_iter().zip(names).map(curve).collect(),
-    };
-    Ok(Measurement::count(wrong).showing([Exhibit::Plot(plot)]))
+    let plot = Figure::new(
+        "A bond breaks at most one step after its load has left the ellipse",
+        Axis::linear("direction of the load in turns", ""),
+        Axis::linear("time from the exact moment to breaking", "s"),
+        late.into_iter().zip(names).map(curve).collect(),
+    );
+    Ok(Measurement::count(wrong).showing([Exhibit::Figure(plot)]))
 }

@@ -3,7 +3,7 @@
 use super::modes::bond;
 use super::stiffness::{Rest, forces, inner};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::cantilever::{Chain, Tip};
@@ -243,16 +243,16 @@ fn theory() -> Outcome {
             .map(move |p| [p[0], factor / (p[0] * p[0])])
             .collect::<Vec<_>>()
     };
-    let plot = Plot {
-        title: "Clamped chains tend to beam theory with the square of their slenderness".to_owned(),
-        x: Axis::logarithmic("number of beams M"),
-        y: Axis::logarithmic("relative deviation of the deflection"),
-        curves: vec![
+    let plot = Figure::new(
+        "Clamped chains tend to beam theory with the square of their slenderness",
+        Axis::logarithmic("number of beams M", ""),
+        Axis::logarithmic("relative deviation of the deflection", ""),
+        vec![
             Curve::line("1 / (2 M^2)", line(0.5)),
             Curve::line("1 / (3 M^2)", line(1.0 / 3.0)),
             Curve::marks("end load, from Euler-Bernoulli", end.clone()),
             Curve::marks("uniform load, from Timoshenko", uniform),
         ],
-    };
-    Ok(Measurement::worst(measured).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(measured).showing([Exhibit::Figure(plot)]))
 }

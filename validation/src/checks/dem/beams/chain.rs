@@ -4,7 +4,7 @@ use super::modes::bond;
 use super::oscillation::turn_a_step;
 use super::stiffness::{Rest, coordinates, modes};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::beams::waves::{Lattice, Wave};
 use crate::oracles::beams::{Sphere, Springs};
@@ -160,21 +160,19 @@ fn waves() -> Outcome {
             found[branch].push([phase, value]);
         }
     }
-    Ok(Measurement::worst(measured).showing([Exhibit::Plot(curves(&lattice, found))]))
+    Ok(Measurement::worst(measured).showing([Exhibit::Figure(curves(&lattice, found))]))
 }
 
-fn curves(lattice: &Lattice, found: [Vec<[f64; 2]>; 3]) -> Plot {
+fn curves(lattice: &Lattice, found: [Vec<[f64; 2]>; 3]) -> Figure {
     let phases = || (1..=100).map(|n| f64::from(n) * TAU / 200.0);
     let transverse =
         |n: usize| phases().map(move |q| [q, lattice.chain_transverse(q)[n].frequency]);
     let [along, slow, fast] = found;
-    Plot {
-        title:
-            "Standing waves of a ring of bonded particles lie on the dispersion curves of a chain"
-                .to_owned(),
-        x: Axis::linear("phase q D between neighbours in rad"),
-        y: Axis::linear("angular frequency in rad/s"),
-        curves: vec![
+    Figure::new(
+        "Standing waves of a ring of bonded particles lie on the dispersion curves of a chain",
+        Axis::linear("phase q D between neighbours", "rad"),
+        Axis::linear("angular frequency", "rad/s"),
+        vec![
             Curve::line(
                 "along the chain, closed form",
                 phases().map(|q| [q, lattice.chain_longitudinal(q)]),
@@ -185,5 +183,5 @@ fn curves(lattice: &Lattice, found: [Vec<[f64; 2]>; 3]) -> Plot {
             Curve::marks("bending, kernel", slow),
             Curve::marks("rotation, kernel", fast),
         ],
-    }
+    )
 }

@@ -3,7 +3,7 @@
 use super::cantilever::{Cantilever, Load};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::cantilever::{Chain, ELASTICA};
@@ -73,15 +73,15 @@ fn departure() -> Outcome {
     let deviations: Vec<[f64; 2]> = sizes.iter().zip(&coefficients).map(deviation).collect();
     let last = deviations[3];
     let slope = sizes.map(|m| [m as f64, last[1] * (last[0] / m as f64).powi(2)]);
-    let plot = Plot {
-        title: "The deviation of clamped chains from linear theory tends to that of the elastica with the square of their slenderness".to_owned(),
-        x: Axis::logarithmic("number of beams M"),
-        y: Axis::logarithmic("relative deviation of the coefficient from -4/35"),
-        curves: vec![
+    let plot = Figure::new(
+        "The deviation of clamped chains from linear theory tends to that of the elastica with the square of their slenderness",
+        Axis::logarithmic("number of beams M", ""),
+        Axis::logarithmic("relative deviation of the coefficient from -4/35", ""),
+        vec![
             Curve::line("slope of -2", slope),
             Curve::marks("kernel", deviations),
         ],
-    };
+    );
     let one = Measurement::relative(ELASTICA, thin, 1e-7);
-    Ok(one.showing([Exhibit::Plot(plot)]))
+    Ok(one.showing([Exhibit::Figure(plot)]))
 }

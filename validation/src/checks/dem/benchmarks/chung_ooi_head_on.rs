@@ -2,7 +2,8 @@
 
 use super::plane::{Material, linear, material};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 use crate::oracles::impact::{
     Normal, damping_ratio, dissipative_constant, time_of_elastic_overlap,
@@ -289,12 +290,12 @@ fn history() -> Outcome {
         ));
     }
     let figure = |title: &str, x: &str, curves| {
-        Exhibit::Plot(Plot {
-            title: title.to_owned(),
-            x: Axis::linear(x),
-            y: Axis::linear("force over largest force"),
+        Exhibit::Figure(Figure::new(
+            title.to_owned(),
+            Axis::linear(x, ""),
+            Axis::linear("force over largest force", ""),
             curves,
-        })
+        ))
     };
     Ok(Measurement::worst(all).showing([
         figure(
@@ -366,17 +367,16 @@ fn restitutions() -> Outcome {
         }
     }
     let [viscoelastic, kelvin_voigt] = marks;
-    let plot = Plot {
-        title: "The error of the restitution is below the bound from the kink of the force"
-            .to_owned(),
-        x: Axis::linear("requested restitution"),
-        y: Axis::logarithmic("error of the restitution"),
-        curves: vec![
+    let plot = Figure::new(
+        "The error of the restitution is below the bound from the kink of the force",
+        Axis::linear("requested restitution", ""),
+        Axis::logarithmic("error of the restitution", ""),
+        vec![
             Curve::marks("BSHP, extrapolated", viscoelastic),
             Curve::marks("Kelvin-Voigt", kelvin_voigt),
         ],
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Figure(plot)]))
 }
 
 /// Number of steps of the collisions whose restitution is measured; the finer ones have twice as many.

@@ -4,7 +4,8 @@ use super::literature;
 use super::plane::{FLATNESS, Flight};
 use super::sweep::{Laws, Point, Run, Sweep, angles, spinning, tangential_speeds};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 
 /// The checks.
@@ -164,7 +165,7 @@ fn worst(curves: &[(String, Vec<Point>)]) -> Measurement {
 /// A figure for the first material: lines from the oracle, marks from the kernel, and published data.
 fn figure(
     title: &str,
-    [x, y]: [&str; 2],
+    [x, y]: [Axis; 2],
     curves: &[(String, Vec<Point>)],
     value: impl Fn(&Point, bool) -> [f64; 2],
     published: &[(&str, Vec<[f64; 2]>)],
@@ -179,22 +180,17 @@ fn figure(
     for (label, points) in published {
         drawn.push(Curve::marks(label, points.iter().copied()));
     }
-    Exhibit::Plot(Plot {
-        title: title.to_owned(),
-        x: Axis::linear(x),
-        y: Axis::linear(y),
-        curves: drawn,
-    })
+    Exhibit::Figure(Figure::new(title.to_owned(), x, y, drawn))
 }
 
 fn test_4() -> Outcome {
     let curves = curves(&angles())?;
-    let angle = "angle of impact (deg)";
+    let angle = || Axis::linear("angle of impact", "deg");
     let column = |n: usize| literature::OBLIQUE.iter().map(move |row| [row[0], row[n]]);
     let simulated = "literature: Chung and Ooi, Hertz-Mindlin, digitised";
     let restitution = figure(
         "The tangential restitution has a minimum where the contact sticks for part of the time",
-        [angle, "tangential restitution"],
+        [angle(), Axis::linear("tangential restitution", "")],
         &curves,
         |point, kernel| {
             [
@@ -212,7 +208,7 @@ fn test_4() -> Outcome {
     );
     let spin = figure(
         "The spin is largest at the smallest angle at which the contact slides throughout",
-        [angle, "angular velocity (rad/s)"],
+        [angle(), Axis::linear("angular velocity", "rad/s")],
         &curves,
         |point, kernel| [point.run.abscissa, after(point, kernel).spin],
         &[
@@ -228,7 +224,10 @@ fn test_4() -> Outcome {
     );
     let rebound = figure(
         "Tangential springs reverse the contact point's velocity at small angles; viscous friction does not",
-        [angle, "rebound angle of the contact point (deg)"],
+        [
+            angle(),
+            Axis::linear("rebound angle of the contact point", "deg"),
+        ],
         &curves,
         |point, kernel| {
             let after = after(point, kernel);
@@ -242,7 +241,12 @@ fn test_4() -> Outcome {
 
 fn test_5() -> Outcome {
     let curves = curves(&tangential_speeds())?;
-    let number = "tangential speed over friction times normal speed, before";
+    let number = || {
+        Axis::linear(
+            "tangential speed over friction times normal speed, before",
+            "",
+        )
+    };
     let unit = |point: &Point| 0.3 * point.run.before.normal;
     let shown: Vec<(String, Vec<Point>)> = curves
         .iter()
@@ -253,7 +257,10 @@ fn test_5() -> Outcome {
         .collect();
     let slip = figure(
         "Above seven the sphere slides throughout, and the slip falls by exactly seven",
-        [number, "slip over friction times normal speed, after"],
+        [
+            number(),
+            Axis::linear("slip over friction times normal speed, after", ""),
+        ],
         &shown,
         |point, kernel| {
             let after = after(point, kernel);
@@ -267,8 +274,8 @@ fn test_5() -> Outcome {
     let spin = figure(
         "Above seven the surface speed is minus five",
         [
-            number,
-            "surface speed over friction times normal speed, after",
+            number(),
+            Axis::linear("surface speed over friction times normal speed, after", ""),
         ],
         &shown,
         |point, kernel| {
@@ -290,8 +297,8 @@ fn test_6() -> Outcome {
     let plot = figure(
         "Below one the sphere slides throughout; above, the rebound of the slip depends on the law",
         [
-            "(7/2) mu (1 + e) V_n over the slip before",
-            "minus slip after over slip before",
+            Axis::linear("(7/2) mu (1 + e) V_n over the slip before", ""),
+            Axis::linear("minus slip after over slip before", ""),
         ],
         &curves,
         |point, kernel| {

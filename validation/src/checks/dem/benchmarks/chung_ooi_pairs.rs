@@ -5,7 +5,7 @@ use super::plane::{Material, linear, material, tangential};
 use super::sweep::{Laws, SPINNING_SOLIDS, spins, step_errors};
 use crate::checks::dem::scenes::advance;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::impact::{
     Impact, Moment, Motion, Normal, Tangential, damping_ratio, dissipative_constant,
@@ -295,14 +295,13 @@ fn unequal() -> Outcome {
     }
     let label = "literature: Chung and Ooi, Hertz-Mindlin, sphere on plane, digitised";
     drawn.push(Curve::marks(label, literature::SPINNING));
-    let plot = Plot {
-        title: "Against a heavy sphere of five times the radius the slip rebounds as from a plane"
-            .to_owned(),
-        x: Axis::linear("(7/2) mu (1 + e) V_n over the slip before"),
-        y: Axis::linear("minus slip after over slip before"),
-        curves: drawn,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    let plot = Figure::new(
+        "Against a heavy sphere of five times the radius the slip rebounds as from a plane",
+        Axis::linear("(7/2) mu (1 + e) V_n over the slip before", ""),
+        Axis::linear("minus slip after over slip before", ""),
+        drawn,
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 /// Conserved quantities after the collision, kernel against oracle, and the kernel's slip.

@@ -2,7 +2,8 @@
 
 use super::plane::linear;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 use crate::oracles::bounce::{Release, Spring, apex};
 use crate::oracles::impact::damping_ratio;
@@ -192,14 +193,13 @@ fn limit() -> Outcome {
         curves.push(Curve::line(&format!("closed form, e = {e}"), line));
         curves.push(Curve::marks(&format!("kernel, e = {e}"), gaps));
     }
-    let plot = Plot {
-        title: "Soft spheres approach hard ones with the inverse square root of the stiffness"
-            .to_owned(),
-        x: Axis::logarithmic("stiffness (N/m)"),
-        y: Axis::logarithmic("height below that of hard spheres (m)"),
+    let plot = Figure::new(
+        "Soft spheres approach hard ones with the inverse square root of the stiffness",
+        Axis::logarithmic("stiffness", "N/m"),
+        Axis::logarithmic("height below that of hard spheres", "m"),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 /// Number of bounces compared.
@@ -241,13 +241,13 @@ fn bounces() -> Outcome {
         curves.push(Curve::line(&format!("oracle, e = {e}"), line));
         curves.push(Curve::marks(&format!("kernel, e = {e}"), marks));
     }
-    let plot = Plot {
-        title: "A dropped sphere bounces as predicted from its spring and gravity".to_owned(),
-        x: Axis::linear("time (s)"),
-        y: Axis::linear("height of the centre (m)"),
+    let plot = Figure::new(
+        "A dropped sphere bounces as predicted from its spring and gravity",
+        Axis::linear("time", "s"),
+        Axis::linear("height of the centre", "m"),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Figure(plot)]))
 }
 
 /// Heights above contact, and the path of the centre.

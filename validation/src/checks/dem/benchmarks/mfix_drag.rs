@@ -3,7 +3,8 @@
 use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 use crate::oracles::settling::Settling;
 use crate::scenes::{Draft, Grain};
@@ -194,11 +195,11 @@ fn approach() -> Outcome {
         [time, SPHERE.creeping(time)[1]]
     });
     curves.push(Curve::line("creeping flow, closed form", creeping));
-    let plot = Plot {
-        title: "With the drag correlation, the sphere of DEM06 settles more slowly than in creeping flow".to_owned(),
-        x: Axis::linear("time (s)"),
-        y: Axis::linear("speed (m/s)"),
+    let plot = Figure::new(
+        "With the drag correlation, the sphere of DEM06 settles more slowly than in creeping flow",
+        Axis::linear("time", "s"),
+        Axis::linear("speed", "m/s"),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }

@@ -6,7 +6,8 @@ use super::sweep::step_errors;
 use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 use crate::oracles::impact::{Normal, Tangential};
 use crate::scalars::DoubleDouble;
@@ -140,12 +141,11 @@ fn oblique() -> Outcome {
         ]);
     }
     let measured = literature::OBLIQUE_MEASURED;
-    let plot = Plot {
-        title: "Below the angle of sliding, linear springs do not reproduce the minimum seen in the experiment"
-            .to_owned(),
-        x: Axis::linear("angle of impact (deg)"),
-        y: Axis::linear("tangential restitution"),
-        curves: vec![
+    let plot = Figure::new(
+        "Below the angle of sliding, linear springs do not reproduce the minimum seen in the experiment",
+        Axis::linear("angle of impact", "deg"),
+        Axis::linear("tangential restitution", ""),
+        vec![
             Curve::line("oracle", line),
             Curve::marks("kernel", marks),
             Curve::marks(
@@ -153,6 +153,6 @@ fn oblique() -> Outcome {
                 measured,
             ),
         ],
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Figure(plot)]))
 }

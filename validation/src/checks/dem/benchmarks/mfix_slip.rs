@@ -4,7 +4,8 @@ use super::plane::{FLATNESS, linear};
 use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 use crate::scalars::DoubleDouble;
 use crate::scenes::{Draft, Grain};
@@ -280,15 +281,13 @@ fn rolling() -> Outcome {
             }
         }
     }
-    let plot = Plot {
-        title:
-            "For every friction coefficient the sphere finally rolls at five sevenths of its speed"
-                .to_owned(),
-        x: Axis::linear("time (ms)"),
-        y: Axis::linear("velocity (m/s)"),
+    let plot = Figure::new(
+        "For every friction coefficient the sphere finally rolls at five sevenths of its speed",
+        Axis::linear("time", "ms"),
+        Axis::linear("velocity", "m/s"),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 /// Interval of comparison in the viscous decay, in s.

@@ -4,7 +4,8 @@ use super::plane::linear;
 use crate::checks::dem::scenes::advance;
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 use crate::oracles::bounce::Stack;
 use crate::oracles::impact::damping_ratio;
@@ -80,14 +81,13 @@ fn stack() -> Outcome {
             curves.extend(heights(&label, &stack, &best, at));
         }
     }
-    let plot = Plot {
-        title: "Two compressed spheres oscillate about equilibrium, and settle with damping"
-            .to_owned(),
-        x: Axis::linear("time (ms)"),
-        y: Axis::linear("height (mm)"),
+    let plot = Figure::new(
+        "Two compressed spheres oscillate about equilibrium, and settle with damping",
+        Axis::linear("time", "ms"),
+        Axis::linear("height", "mm"),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Figure(plot)]))
 }
 
 /// Heights of one sphere in mm over time in ms, from the oracle and from the kernel.

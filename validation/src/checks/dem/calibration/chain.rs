@@ -1,6 +1,6 @@
 //! Values and uncertainties of the calibration chain.
 
-use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, Table};
+use crate::checks::{Axis, Curve, Exhibit, Figure, Measurement, Outcome, Table};
 use crate::oracles::head_on::series;
 use crate::oracles::normal::Truncated;
 use crate::oracles::solid::{Spheres, force_on_disc};
@@ -335,11 +335,11 @@ pub fn monte_carlo() -> Outcome {
             bounds.push(Curve::line(label, points));
         }
     }
-    let plot = Plot {
-        title: "Sampled inputs put the bound (97) at 0.8e3 to 1.8e3 kg/s, a factor of 39 below the bound that follows from the printed constant".to_owned(),
-        x: Axis::logarithmic("bound of the damping in kg/s"),
-        y: Axis::linear("cumulative probability"),
-        curves: bounds,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+    let plot = Figure::new(
+        "Sampled inputs put the bound (97) at 0.8e3 to 1.8e3 kg/s, a factor of 39 below the bound that follows from the printed constant",
+        Axis::logarithmic("bound of the damping", "kg/s"),
+        Axis::linear("cumulative probability", ""),
+        bounds,
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Figure(plot)]))
 }

@@ -1,6 +1,6 @@
 //! Each function of the calibration against an independent solution.
 
-use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot};
+use crate::checks::{Axis, Curve, Exhibit, Figure, Measurement, Outcome};
 use crate::oracles::flow::Flow;
 use crate::oracles::head_on::{series, spring, viscoelastic};
 use crate::oracles::solid::{Spheres, force_on_disc};
@@ -134,11 +134,11 @@ pub fn first_order() -> Outcome {
     ]);
     let range = |most: f64| (1..=60).map(move |k| most * f64::from(k) / 60.0);
     let exact = range(1.0).map(|b| [b, viscoelastic(b, 1e-10).restitution]);
-    let plot = Plot {
-        title: "The first-order term of (93) overestimates the loss beyond b = 0.1; a restitution of 0.83 needs b = 0.1667, where the term predicts 0.81".to_owned(),
-        x: Axis::linear("dissipation b = Lambda kappa^(2/5) v^(1/5)"),
-        y: Axis::linear("restitution"),
-        curves: vec![
+    let plot = Figure::new(
+        "The first-order term of (93) overestimates the loss beyond b = 0.1; a restitution of 0.83 needs b = 0.1667, where the term predicts 0.81",
+        Axis::linear("dissipation b = Lambda kappa^(2/5) v^(1/5)", ""),
+        Axis::linear("restitution", ""),
+        vec![
             Curve::line("integrated", exact),
             Curve::line("1 - C1 b", range(0.8).map(|b| [b, 1.0 - kernel * b])),
             Curve::line(
@@ -146,6 +146,6 @@ pub fn first_order() -> Outcome {
                 range(1.0).map(|b| [b, 1.0 - kernel * b + 0.6 * (kernel * b).powi(2)]),
             ),
         ],
-    };
-    Ok(measurement.showing([Exhibit::Plot(plot)]))
+    );
+    Ok(measurement.showing([Exhibit::Figure(plot)]))
 }

@@ -5,7 +5,7 @@ use super::heat::{FRICTION, HELD, SPIN, SPRING, SQUEEZE, STIFFNESS, held_at};
 use super::spheres::{RADIUS, inertia, mass};
 use crate::checks::dem::scenes::advance;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::sliding::Rubbing;
 use crate::scenes::{Draft, Grain, events};
@@ -88,12 +88,12 @@ fn compare(
 
 /// A figure of measured residuals and lines of theory.
 fn figure(title: &str, curves: Vec<Curve>) -> Exhibit {
-    Exhibit::Plot(Plot {
-        title: title.to_owned(),
-        x: Axis::logarithmic("time step in s"),
-        y: Axis::logarithmic("residual in J"),
+    Exhibit::Figure(Figure::new(
+        title.to_owned(),
+        Axis::logarithmic("time step", "s"),
+        Axis::logarithmic("residual", "J"),
         curves,
-    })
+    ))
 }
 
 fn breaking() -> Outcome {
@@ -225,15 +225,17 @@ fn negative() -> Outcome {
         }
     }
     let expected = -0.5 * caught.spring * slide * slide;
-    let plot = Plot {
-        title: "Heat of a contact with the printed Cundall-Strack law: it creates energy when the contact sticks again"
-            .to_owned(),
-        x: Axis::linear("time in s"),
-        y: Axis::linear("heat of contacts and bonds in J"),
-        curves: vec![
+    let plot = Figure::new(
+        "Heat of a contact with the printed Cundall-Strack law: it creates energy when the contact sticks again",
+        Axis::linear("time", "s"),
+        Axis::linear("heat of contacts and bonds", "J"),
+        vec![
             Curve::line("booked", heat),
             Curve::marks("surfaces at relative rest, theory", [[stop, 0.0]]),
         ],
-    };
-    Ok(Measurement::relative(expected, lowest, 10.0 * rate * step).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(
+        Measurement::relative(expected, lowest, 10.0 * rate * step)
+            .showing([Exhibit::Figure(plot)]),
+    )
 }

@@ -3,7 +3,7 @@
 use super::spheres::{RADIUS, inertia, mass};
 use crate::checks::dem::scenes::advance;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::dissipation::viscoelastic_restitution;
 use crate::oracles::oscillator::truncated_restitution;
@@ -85,16 +85,16 @@ fn collision() -> Outcome {
         let zeta = 0.01 * 300.0_f64.powf(f64::from(i) / 120.0);
         [zeta, 1.0 - truncated_restitution(zeta).powi(2)]
     });
-    let plot = Plot {
-        title: "Heat of a truncated Kelvin-Voigt collision against the damping ratio".to_owned(),
-        x: Axis::logarithmic("damping ratio"),
-        y: Axis::linear("heat over kinetic energy"),
-        curves: vec![
+    let plot = Figure::new(
+        "Heat of a truncated Kelvin-Voigt collision against the damping ratio",
+        Axis::logarithmic("damping ratio", ""),
+        Axis::linear("heat over kinetic energy", ""),
+        vec![
             Curve::line("1 - e^2, closed form", line),
             Curve::marks("heat booked", marks),
         ],
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 fn viscoelastic() -> Outcome {

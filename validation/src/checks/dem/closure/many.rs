@@ -2,7 +2,7 @@
 
 use super::printed::fault;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
     largest, thesis,
 };
 use crate::scenes::Draft;
@@ -86,16 +86,16 @@ fn converge(
     let orders = [0, 1, 2].map(|n| (points[n][1] / points[n + 1][1]).log2());
     let finest = points[3];
     let line = steps.map(|step| [step, finest[1] * step / finest[0]]);
-    let plot = Plot {
-        title: format!("Largest residual against the time step: {title}"),
-        x: Axis::logarithmic("time step in s"),
-        y: Axis::logarithmic("residual over the energy exchanged"),
-        curves: vec![
+    let plot = Figure::new(
+        format!("Largest residual against the time step: {title}"),
+        Axis::logarithmic("time step", "s"),
+        Axis::logarithmic("residual over the energy exchanged", ""),
+        vec![
             Curve::line("first order", line),
             Curve::marks("kernel", points),
         ],
-    };
-    Ok(judge(orders).showing([Exhibit::Plot(plot), Exhibit::Table(table)]))
+    );
+    Ok(judge(orders).showing([Exhibit::Figure(plot), Exhibit::Table(table)]))
 }
 
 fn pile() -> Outcome {

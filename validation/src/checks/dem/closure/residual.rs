@@ -3,7 +3,7 @@
 use super::spheres::{RADIUS, mass};
 use crate::checks::dem::scenes::advance;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, largest,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, largest,
     thesis,
 };
 use crate::scenes::{Draft, Grain};
@@ -139,12 +139,12 @@ fn smooth() -> Outcome {
             orders.push(Measurement::absolute(order, observed, 0.03));
             curves.push(Curve::marked_line(integrator, points));
         }
-        exhibits.push(Exhibit::Plot(Plot {
-            title: format!("Largest residual of the balance against the time step: {name}"),
-            x: Axis::logarithmic("time step in units of sqrt(m / k)"),
-            y: Axis::logarithmic("residual over kinetic energy"),
+        exhibits.push(Exhibit::Figure(Figure::new(
+            format!("Largest residual of the balance against the time step: {name}"),
+            Axis::logarithmic("time step in units of sqrt(m / k)", ""),
+            Axis::logarithmic("residual over kinetic energy", ""),
             curves,
-        }));
+        )));
     }
     Ok(Measurement::worst(orders).showing(exhibits))
 }

@@ -1,7 +1,7 @@
 //! Radial distribution function and excess entropy.
 
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::arcs::Rectangle;
 use gouge_common::estimators::{RadialDistribution, Region, radial_distribution, visible_fraction};
@@ -123,18 +123,16 @@ fn measure_rows() -> Outcome {
     }
     let line = distances.iter().map(|&d| [d, shape(d) / area]);
     let marks = distances.iter().zip(&found.density).step_by(10);
-    let plot = Plot {
-        title:
-            "Three rows appear as three parabolas; the row at the edge is weighted for its hidden part"
-                .to_owned(),
-        x: Axis::linear("distance in m"),
-        y: Axis::linear("probability density of the distance of a pair in 1/m"),
-        curves: vec![
+    let plot = Figure::new(
+        "Three rows appear as three parabolas; the row at the edge is weighted for its hidden part",
+        Axis::linear("distance", "m"),
+        Axis::linear("probability density of the distance of a pair", "1/m"),
+        vec![
             Curve::line("theory", line),
             Curve::marks("estimator", marks.map(|(&d, &p)| [d, p])),
         ],
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 fn edges() -> Check {
@@ -272,15 +270,15 @@ fn measure_gas() -> Outcome {
         curves.push(Curve::marks(label, points));
     }
     curves.insert(0, Curve::line("ideal gas", [[0.0, 1.0], [5.0, 1.0]]));
-    let plot = Plot {
-        title: "An ideal gas has no structure, even where most circles are cut".to_owned(),
-        x: Axis::linear("distance in m"),
-        y: Axis::linear("radial distribution function"),
+    let plot = Figure::new(
+        "An ideal gas has no structure, even where most circles are cut",
+        Axis::linear("distance", "m"),
+        Axis::linear("radial distribution function", ""),
         curves,
-    };
+    );
     let text = format!(
         "Largest standard error of a mean over {GASES} gases, estimated from their scatter: {:.4}.",
         spread.sqrt()
     );
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot), Exhibit::Text(text)]))
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot), Exhibit::Text(text)]))
 }

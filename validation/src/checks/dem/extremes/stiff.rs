@@ -2,7 +2,7 @@
 
 use super::pairs::{free, kelvin_voigt, mass, model, restitution, world};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
     unit_in_last_place,
 };
 use crate::oracles::oscillator::truncated_restitution;
@@ -66,22 +66,21 @@ fn random_walk(steps: f64, place: f64) -> f64 {
 }
 
 /// The measurements of a parameter sweep, plotted against the parameter.
-fn sweep(title: &str, label: &str, found: Vec<(f64, Measurement)>) -> Outcome {
+fn sweep(title: &str, parameter: Axis, found: Vec<(f64, Measurement)>) -> Outcome {
     let points = |of: fn(&Measurement) -> f64| {
         found
             .iter()
             .map(|(x, one)| [*x, of(one)])
             .collect::<Vec<_>>()
     };
-    let mut bound = Curve::line("bound", points(|one| one.tolerance));
-    bound.style = crate::checks::Style::Dashed;
-    let plot = Plot {
-        title: title.to_owned(),
-        x: Axis::logarithmic(label),
-        y: Axis::logarithmic("error of the restitution"),
-        curves: vec![bound, Curve::marks("kernel", points(|one| one.error))],
-    };
-    Ok(Measurement::worst(found.iter().map(|(_, one)| *one)).showing([Exhibit::Plot(plot)]))
+    let bound = Curve::dashed("bound", points(|one| one.tolerance));
+    let plot = Figure::new(
+        title.to_owned(),
+        parameter,
+        Axis::logarithmic("error of the restitution", ""),
+        vec![bound, Curve::marks("kernel", points(|one| one.error))],
+    );
+    Ok(Measurement::worst(found.iter().map(|(_, one)| *one)).showing([Exhibit::Figure(plot)]))
 }
 
 /// Two touching spheres of the given radii and damping ratio collide along x, the first one moving.
@@ -118,7 +117,7 @@ fn stiffness() -> Outcome {
     }
     sweep(
         "Error of the restitution over twelve decades of stiffness",
-        "stiffness in kg/s^2",
+        Axis::logarithmic("stiffness", "kg/s²"),
         found,
     )
 }
@@ -135,7 +134,7 @@ fn sizes() -> Outcome {
     }
     sweep(
         "Error of the restitution over ratios of radii",
-        "ratio of the radii",
+        Axis::logarithmic("ratio of the radii", ""),
         found,
     )
 }
@@ -153,7 +152,7 @@ fn damping() -> Outcome {
     }
     sweep(
         "Error of the restitution over damping ratios",
-        "damping ratio",
+        Axis::logarithmic("damping ratio", ""),
         found,
     )
 }
@@ -208,7 +207,7 @@ fn places() -> Outcome {
     }
     let mut finding = sweep(
         "Error of the restitution over distances from the origin",
-        "distance from the origin in m",
+        Axis::logarithmic("distance from the origin", "m"),
         found,
     )?;
     same_everywhere.push(finding.measurement);

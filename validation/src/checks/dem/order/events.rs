@@ -3,7 +3,8 @@
 use super::slope;
 use crate::checks::dem::scenes::advance;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    thesis,
 };
 use crate::oracles::events::{Return, bounced, rubbed, slipped};
 use crate::scenes::events::held;
@@ -288,14 +289,13 @@ fn all_phases() -> Outcome {
             verlet.push(Curve::marked_line(event.name(), points));
         }
     }
-    let plot = Plot {
-        title: "A jump of the force reduces the order of velocity Verlet from two to one"
-            .to_owned(),
-        x: Axis::logarithmic("time step in units of the inverse rate"),
-        y: Axis::logarithmic("root-mean-square error at the end over all phases"),
-        curves: verlet,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+    let plot = Figure::new(
+        "A jump of the force reduces the order of velocity Verlet from two to one",
+        Axis::logarithmic("time step in units of the inverse rate", ""),
+        Axis::logarithmic("root-mean-square error at the end over all phases", ""),
+        verlet,
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Table(table), Exhibit::Figure(plot)]))
 }
 
 fn restarted() -> Outcome {

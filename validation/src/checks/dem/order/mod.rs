@@ -5,7 +5,8 @@ mod rotating;
 
 use super::scenes::advance;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Topic, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Topic,
+    thesis,
 };
 use crate::oracles::oscillator::released;
 use crate::scenes::events::oscillator;
@@ -78,11 +79,11 @@ fn smooth() -> Outcome {
             .map(|(&n, &e)| [END / n as f64, e]);
         curves.push(Curve::marked_line(name, points));
     }
-    let plot = Plot {
-        title: "Error at the end against the time step".to_owned(),
-        x: Axis::logarithmic("time step in units of 1/w"),
-        y: Axis::logarithmic("error in units of the amplitude"),
+    let plot = Figure::new(
+        "Error at the end against the time step",
+        Axis::logarithmic("time step in units of 1/w", ""),
+        Axis::logarithmic("error in units of the amplitude", ""),
         curves,
-    };
-    Ok(Measurement::worst(orders).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(orders).showing([Exhibit::Figure(plot)]))
 }

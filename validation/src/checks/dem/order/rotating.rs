@@ -2,7 +2,7 @@
 
 use crate::checks::dem::scenes::advance;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::bonded_pair::{Beam, State};
 use crate::oracles::flow::Flow;
@@ -153,11 +153,11 @@ fn rotating() -> Outcome {
             ));
         }
     }
-    let plot = Plot {
-        title: "Errors of a rotating bonded pair fall with the order of each integrator".to_owned(),
-        x: Axis::logarithmic("time step in units of sqrt(m/k)"),
-        y: Axis::logarithmic("error at the end in radii and rad"),
+    let plot = Figure::new(
+        "Errors of a rotating bonded pair fall with the order of each integrator",
+        Axis::logarithmic("time step in units of sqrt(m/k)", ""),
+        Axis::logarithmic("error at the end in radii and rad", ""),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }

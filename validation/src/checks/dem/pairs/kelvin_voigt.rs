@@ -1,7 +1,7 @@
 //! Truncated Kelvin-Voigt collisions.
 
 use super::collision::{Collision, Refinement};
-use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table, largest};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Figure, Measurement, Outcome, Table, largest};
 use crate::oracles::head_on::spring;
 use crate::oracles::oscillator::{truncated_duration, truncated_restitution};
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -105,6 +105,7 @@ pub fn curve() -> Outcome {
         all.extend(each);
     }
     let [restitution, duration] = found;
+    let of_errors = "Error of the kernel (largest of restitution, duration, depth and force), extrapolated to zero time step";
     Ok(Measurement::worst(all).showing([
         against(
             "Restitution falls monotonically with damping and tends to 1 / (4 zeta^2)",
@@ -118,27 +119,27 @@ pub fn curve() -> Outcome {
             truncated_duration,
             duration,
         ),
-        Exhibit::Plot(Plot {
-            title: "Error of the kernel (largest of restitution, duration, depth and force), extrapolated to zero time step".to_owned(),
-            x: Axis::linear("damping ratio"),
-            y: Axis::logarithmic("relative error"),
-            curves: vec![Curve::marks("velocity Verlet", errors)],
-        }),
+        Exhibit::Figure(Figure::new(
+            of_errors,
+            Axis::linear("damping ratio", ""),
+            Axis::logarithmic("relative error", ""),
+            vec![Curve::marks("velocity Verlet", errors)],
+        )),
     ]))
 }
 
 /// A figure with the closed form as a line and the results of the kernel as marks.
 fn against(title: &str, label: &str, form: fn(f64) -> f64, marks: Vec<[f64; 2]>) -> Exhibit {
     let line = (0..=200).map(|k| 20.0 * (f64::from(k) / 200.0).powi(2));
-    Exhibit::Plot(Plot {
-        title: title.to_owned(),
-        x: Axis::linear("damping ratio"),
-        y: Axis::logarithmic(label),
-        curves: vec![
+    Exhibit::Figure(Figure::new(
+        title.to_owned(),
+        Axis::linear("damping ratio", ""),
+        Axis::logarithmic(label, ""),
+        vec![
             Curve::line("closed form", line.map(|zeta| [zeta, form(zeta)])),
             Curve::marks("kernel", marks),
         ],
-    })
+    ))
 }
 
 pub fn truncation() -> Outcome {
@@ -167,16 +168,16 @@ pub fn truncation() -> Outcome {
             }
         }
     }
-    let plot = Plot {
-        title: "At the thesis's damping, the step in which the force ends adds a second-order error that depends on the phase".to_owned(),
-        x: Axis::logarithmic("time step in s"),
-        y: Axis::logarithmic("relative error of the restitution"),
-        curves: vec![
+    let plot = Figure::new(
+        "At the thesis's damping, the step in which the force ends adds a second-order error that depends on the phase",
+        Axis::logarithmic("time step", "s"),
+        Axis::logarithmic("relative error of the restitution", ""),
+        vec![
             Curve::marks("speed after the last step", raw),
             Curve::line("speed at the located end", located),
         ],
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 pub fn arrival() -> Outcome {
@@ -208,14 +209,14 @@ pub fn arrival() -> Outcome {
             }
         }
     }
-    let plot = Plot {
-        title: "The position within the step at which a damped contact begins determines sign and size of the first-order error".to_owned(),
-        x: Axis::linear("fraction of the step before touch"),
-        y: Axis::linear("relative error of the restitution / (2 zeta w dt)"),
-        curves: vec![
+    let plot = Figure::new(
+        "The position within the step at which a damped contact begins determines sign and size of the first-order error",
+        Axis::linear("fraction of the step before touch", ""),
+        Axis::linear("relative error of the restitution / (2 zeta w dt)", ""),
+        vec![
             Curve::line("trapezoidal rule across the jump", line),
             Curve::marks("kernel", late),
         ],
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }

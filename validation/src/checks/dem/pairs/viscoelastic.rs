@@ -1,7 +1,7 @@
 //! Viscoelastic and elastic spheres.
 
 use super::collision::{Collision, Figures, Refinement, Sample};
-use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Figure, Measurement, Outcome, Table};
 use crate::oracles::head_on::{Rebound, viscoelastic};
 use crate::oracles::quadrature::limit;
 use statrs::function::beta::beta;
@@ -165,14 +165,13 @@ pub fn curve() -> Outcome {
         curves.push(Curve::line(&label, line));
         curves.push(Curve::marks("kernel", marks));
     }
-    let plot = Plot {
-        title: "Restitution of viscoelastic spheres falls slowly with speed over four decades"
-            .to_owned(),
-        x: Axis::logarithmic("relative impact speed in m/s"),
-        y: Axis::linear("restitution"),
+    let plot = Figure::new(
+        "Restitution of viscoelastic spheres falls slowly with speed over four decades",
+        Axis::logarithmic("relative impact speed", "m/s"),
+        Axis::linear("restitution", ""),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 /// Coefficient of dt^(3/2) in the relative error of the restitution, dimensionless.
@@ -204,11 +203,11 @@ pub fn onset() -> Outcome {
         curves.push(Curve::line(&format!("leading term, b = {b}"), slope));
         curves.push(Curve::marks("kernel", errors));
     }
-    let plot = Plot {
-        title: "Viscoelastic collisions converge with the power 3/2 of the time step, towards the leading term of the error".to_owned(),
-        x: Axis::logarithmic("time step in units of depth over speed"),
-        y: Axis::logarithmic("relative error of the restitution"),
+    let plot = Figure::new(
+        "Viscoelastic collisions converge with the power 3/2 of the time step, towards the leading term of the error",
+        Axis::logarithmic("time step in units of depth over speed", ""),
+        Axis::logarithmic("relative error of the restitution", ""),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }

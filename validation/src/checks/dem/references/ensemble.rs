@@ -5,7 +5,7 @@
 //! means beyond the margin M if |mean| + t(1 - a) s < M.
 
 use super::observables::{Course, value};
-use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Figure, Measurement, Outcome, Table};
 use crate::references::{Case, Control, Observable, RecordedRun, Run};
 use crate::scenes::Draft;
 use rayon::prelude::*;
@@ -194,13 +194,13 @@ fn plot(case: &Case, courses: &[Course]) -> Result<Option<Exhibit>, Failure> {
         let rows = table.rows.iter();
         Ok::<_, Failure>(rows.map(|row| [row[step], row[place]]).collect::<Vec<_>>())
     };
-    Ok(Some(Exhibit::Plot(Plot {
-        title: format!("{} in the first run", observable.label()),
-        x: Axis::linear("step"),
-        y: Axis::linear(&observable.label()),
-        curves: vec![
+    Ok(Some(Exhibit::Figure(Figure::new(
+        format!("{} in the first run", observable.label()),
+        Axis::linear("step", ""),
+        Axis::linear(&observable.label(), ""),
+        vec![
             Curve::line(&case.result.engine, points(recorded)?),
             Curve::marks("kernel", points(&course.0)?),
         ],
-    })))
+    ))))
 }

@@ -1,7 +1,7 @@
 //! Step-by-step motion: the kernel compared with the particles recorded by an engine.
 
 use crate::checks::dem::scenes::advance;
-use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Figure, Measurement, Outcome};
 use crate::references::{Case, RecordedRun, Table};
 use crate::scenes::Draft;
 use gouge_dem::World;
@@ -24,7 +24,7 @@ pub(super) struct Difference {
     /// Speeds or spins of the first particles at the recorded times.
     tracks: Vec<Track>,
     /// The quantity in the tracks.
-    shown: &'static str,
+    shown: [&'static str; 2],
 }
 
 /// A quantity of a particle over time, from the engine and from the kernel.
@@ -46,7 +46,7 @@ impl Difference {
 /// Compares all runs of a case.
 pub(super) fn compare(case: &Case) -> Outcome {
     let mut measured = Vec::new();
-    let (mut residuals, mut motions, mut shown) = (Vec::new(), Vec::new(), "");
+    let (mut residuals, mut motions, mut shown) = (Vec::new(), Vec::new(), [""; 2]);
     for (run, difference) in differences(case)? {
         measured.push(Measurement::absolute(
             0.0,
@@ -64,22 +64,22 @@ pub(super) fn compare(case: &Case) -> Outcome {
         residuals.push(Curve::marked_line(run, difference.course));
     }
     let first = case.runs.first().map_or("", |run| &run.name);
-    let motion = Plot {
-        title: format!("Run \"{first}\""),
-        x: Axis::linear("time in s"),
-        y: Axis::linear(shown),
-        curves: motions,
-    };
-    let residual = Plot {
-        title: "Largest difference at the recorded steps, in units of the largest value of its kind; exact agreement is not shown".to_owned(),
-        x: Axis::linear("time in s"),
-        y: Axis::logarithmic("difference"),
-        curves: residuals,
-    };
+    let motion = Figure::new(
+        format!("Run \"{first}\""),
+        Axis::linear("time", "s"),
+        Axis::linear(shown[0], shown[1]),
+        motions,
+    );
+    let residual = Figure::new(
+        "Largest difference at the recorded steps, in units of the largest value of its kind; exact agreement is not shown",
+        Axis::linear("time", "s"),
+        Axis::logarithmic("difference", ""),
+        residuals,
+    );
     let mut exhibits = vec![Exhibit::Text(case.agreement.clone())];
     let moves = residual.curves.iter().any(|curve| curve.points.len() > 1);
     if moves {
-        exhibits.extend([motion, residual].map(Exhibit::Plot));
+        exhibits.extend([motion, residual].map(Exhibit::Figure));
     }
     Ok(Measurement::worst(measured).showing(exhibits))
 }
@@ -196,12 +196,12 @@ impl Columns {
         })
     }
 
-    /// Label of the quantity in the tracks.
-    fn shown(&self) -> &'static str {
+    /// The quantity in the tracks, and its unit.
+    fn shown(&self) -> [&'static str; 2] {
         if self.spins {
-            "spin in rad/s"
+            ["spin", "rad/s"]
         } else {
-            "speed in m/s"
+            ["speed", "m/s"]
         }
     }
 

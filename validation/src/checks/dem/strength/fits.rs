@@ -2,7 +2,7 @@
 
 use super::distributions::{Laws, exact};
 use super::sampled::independent;
-use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, Style, Table, largest};
+use crate::checks::{Axis, Curve, Exhibit, Figure, Measurement, Outcome, Table, largest};
 use crate::oracles::emergent::Strength;
 use crate::oracles::minimum::minimum;
 use crate::oracles::quadrature::{nodes_over, root};
@@ -205,13 +205,13 @@ pub fn weibull() -> Outcome {
         }
     }
     curves.push(dashed("k = 5, location zero, by variation", &thesis_fit()));
-    let plot = Plot {
-        title: "Figure 8 of the thesis redrawn: the strengths of bonds, the thesis's curve, and Weibull distributions".to_owned(),
-        x: Axis::linear("strength relative to a mean grain with factor one"),
-        y: Axis::linear("probability density"),
+    let plot = Figure::new(
+        "Figure 8 of the thesis redrawn: the strengths of bonds, the thesis's curve, and Weibull distributions",
+        Axis::linear("strength relative to a mean grain with factor one", ""),
+        Axis::linear("probability density", ""),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot), Exhibit::Table(table)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot), Exhibit::Table(table)]))
 }
 
 fn thesis_fit() -> [f64; 3] {
@@ -265,9 +265,5 @@ fn dashed(name: &str, fit: &[f64; 3]) -> Curve {
         let q = 0.4 + 1.4 * f64::from(k) / 150.0;
         [q, of_kernel(fit, q)[0]]
     });
-    Curve {
-        label: format!("Weibull, {name}, k = {:.2}", fit[0]),
-        style: Style::Dashed,
-        points: points.collect(),
-    }
+    Curve::dashed(&format!("Weibull, {name}, k = {:.2}", fit[0]), points)
 }

@@ -2,7 +2,7 @@
 
 use super::distributions::{Laws, preferring};
 use super::sampled::{distance, strength};
-use crate::checks::{Axis, Curve, Exhibit, Failure, Measurement, Outcome, Plot, Table, largest};
+use crate::checks::{Axis, Curve, Exhibit, Failure, Figure, Measurement, Outcome, Table, largest};
 use crate::oracles::emergent::Strength;
 use crate::scenes::Draft;
 use crate::scenes::packing::settled;
@@ -226,11 +226,11 @@ fn histogram(samples: &[f64], law: &Strength) -> Exhibit {
     let line = |density: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
         (0..=200).map(|k| [at(k), density(at(k))]).collect()
     };
-    Exhibit::Plot(Plot {
-        title: "Strengths of the bonds of settled packings follow the smaller radius".to_owned(),
-        x: Axis::linear("strength relative to a mean grain with factor one"),
-        y: Axis::linear("probability density"),
-        curves: vec![
+    Exhibit::Figure(Figure::new(
+        "Strengths of the bonds of settled packings follow the smaller radius",
+        Axis::linear("strength relative to a mean grain with factor one", ""),
+        Axis::linear("probability density", ""),
+        vec![
             Curve::line("one radius", line(&|q| laws.single.density(q))),
             Curve::line("smaller of two radii", line(&|q| laws.smaller.density(q))),
             Curve::line(
@@ -239,7 +239,7 @@ fn histogram(samples: &[f64], law: &Strength) -> Exhibit {
             ),
             Curve::marks("packings", bars),
         ],
-    })
+    ))
 }
 
 pub fn packings() -> Outcome {

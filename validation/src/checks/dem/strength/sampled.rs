@@ -1,7 +1,7 @@
 //! Strengths of bonds made by the kernel, and their distance from distributions.
 
 use super::distributions::{Laws, exact};
-use crate::checks::{Axis, Curve, Exhibit, Measurement, Outcome, Plot, largest};
+use crate::checks::{Axis, Curve, Exhibit, Figure, Measurement, Outcome, largest};
 use crate::oracles::quadrature::root;
 use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
@@ -171,17 +171,20 @@ pub fn power() -> Outcome {
         found.push([number as f64, power]);
         least.push([number as f64, expected]);
     }
-    let plot = Plot {
-        title: "A hundred independent bonds distinguish the two laws".to_owned(),
-        x: Axis::logarithmic("number of bonds"),
-        y: Axis::linear("probability of rejecting the single radius at level 1 %"),
-        curves: vec![
+    let plot = Figure::new(
+        "A hundred independent bonds distinguish the two laws",
+        Axis::logarithmic("number of bonds", ""),
+        Axis::linear(
+            "probability of rejecting the single radius at level 1 %",
+            "",
+        ),
+        vec![
             Curve::line(
                 "lower bound, from the point of largest difference alone",
                 least,
             ),
             Curve::marks("simulated", found),
         ],
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }

@@ -2,7 +2,7 @@
 
 use super::modes::{Linearised, Mode};
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, thesis,
 };
 use crate::oracles::amplification::{
     Method, boundary, characteristic, closed_boundary, course, one_step,
@@ -143,13 +143,13 @@ fn boundaries() -> Outcome {
             points,
         ));
     }
-    let plot = Plot {
-        title: "The damping ratio decides which integrator allows the longest time step".to_owned(),
-        x: Axis::logarithmic("damping ratio"),
-        y: Axis::logarithmic("critical step in units of 1/w"),
+    let plot = Figure::new(
+        "The damping ratio decides which integrator allows the longest time step",
+        Axis::logarithmic("damping ratio", ""),
+        Axis::logarithmic("critical step in units of 1/w", ""),
         curves,
-    };
-    Ok(Measurement::worst(all).showing([Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::worst(all).showing([Exhibit::Figure(plot)]))
 }
 
 fn closed_forms() -> Outcome {

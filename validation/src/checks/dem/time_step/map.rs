@@ -4,8 +4,8 @@ use super::amplification::geometric;
 use super::modes::{RADIUS, integrator_name, mass};
 use super::running::grows;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Style, Table,
-    thesis,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Style,
+    Table, thesis,
 };
 use crate::oracles::amplification::{Method, crossings, spectral_radius};
 use crate::scenes::events::held;
@@ -120,7 +120,7 @@ fn map(number: usize) -> Outcome {
         let disagrees =
             |run: &&Run| verdict(method, run.0, run.1).is_some_and(|grows| grows != run.2);
         wrong += runs.iter().filter(disagrees).count();
-        exhibits.push(Exhibit::Plot(picture(method, &runs)));
+        exhibits.push(Exhibit::Figure(picture(method, &runs)));
     }
     Ok(Measurement::count(wrong).showing(exhibits))
 }
@@ -142,35 +142,30 @@ fn operating_points() -> [[f64; 2]; 3] {
     })
 }
 
-fn picture(method: Method, runs: &[Run]) -> Plot {
-    let cells = |grew: bool| {
-        let points = runs.iter().filter(|run| run.2 == grew);
-        points.map(|run| [run.0, run.1]).collect()
-    };
-    let curve = |label: &str, style, points: Vec<[f64; 2]>| Curve {
-        label: label.to_owned(),
-        style,
-        points,
+fn picture(method: Method, runs: &[Run]) -> Figure {
+    let cells = |grew| {
+        let points = runs.iter().filter(move |run: &&Run| run.2 == grew);
+        points.map(|run| [run.0, run.1])
     };
     let name = integrator_name(method);
     let mut curves = vec![
-        curve("does not grow", Style::Cells, cells(false)),
-        curve("grows", Style::Cells, cells(true)),
+        Curve::new("does not grow", Style::Cells, cells(false)),
+        Curve::new("grows", Style::Cells, cells(true)),
     ];
     let boundaries = boundaries(method);
     curves.extend(
         boundaries
             .into_iter()
-            .map(|line| curve("theory", Style::Dashed, line)),
+            .map(|line| Curve::dashed("theory", line)),
     );
     let thesis = operating_points().to_vec();
-    curves.push(curve("bonds of the thesis, 10 ns", Style::Marks, thesis));
-    Plot {
-        title: format!("Runs with {name} grow beyond the theoretical limit and nowhere else"),
-        x: Axis::logarithmic("damping ratio"),
-        y: Axis::logarithmic("time step in units of 1/w"),
+    curves.push(Curve::marks("bonds of the thesis, 10 ns", thesis));
+    Figure::new(
+        format!("Runs with {name} grow beyond the theoretical limit and nowhere else"),
+        Axis::logarithmic("damping ratio", ""),
+        Axis::logarithmic("time step in units of 1/w", ""),
         curves,
-    }
+    )
 }
 
 /// The first, second, ... step at which growth begins or ends, against the damping ratio.
@@ -268,13 +263,13 @@ fn slipping(scaled: &[f64], ratios: &[f64], frictions: &[f64]) -> Outcome {
         let points = pairs().map(|(contact, run)| [contact.2, run.1]);
         curves.push(Curve::marks(integrator_name(method), points));
     }
-    let plot = Plot {
-        title: "Growth in a sticking contact is limited by slip, for every stiffness ratio and friction coefficient".to_owned(),
-        x: Axis::logarithmic("time step in units of 1/w"),
-        y: Axis::logarithmic("largest spin in units of the spin at the limit"),
+    let plot = Figure::new(
+        "Growth in a sticking contact is limited by slip, for every stiffness ratio and friction coefficient",
+        Axis::logarithmic("time step in units of 1/w", ""),
+        Axis::logarithmic("largest spin in units of the spin at the limit", ""),
         curves,
-    };
-    Ok(Measurement::count(wrong).showing([Exhibit::Table(table), Exhibit::Plot(plot)]))
+    );
+    Ok(Measurement::count(wrong).showing([Exhibit::Table(table), Exhibit::Figure(plot)]))
 }
 
 fn few_slips() -> Outcome {

@@ -5,7 +5,7 @@ use super::block::Packing;
 use super::modes::{Mode, integrator_name};
 use super::network::Linearisation;
 use crate::checks::{
-    Axis, Check, Curve, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Plot, Table,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
     largest, thesis,
 };
 use crate::oracles::amplification::{Method, boundary, closed_boundary, spectral_radius};
@@ -185,7 +185,7 @@ fn proportional() -> Outcome {
     let exhibits = [
         Exhibit::Table(table),
         Exhibit::Table(extremes(&squares)),
-        Exhibit::Plot(spectrum(&squares)),
+        Exhibit::Figure(spectrum(&squares)),
     ];
     Ok(Measurement::count(wrong).showing(exhibits))
 }
@@ -219,19 +219,18 @@ fn extremes(squares: &[f64]) -> Table {
     table
 }
 
-fn spectrum(squares: &[f64]) -> Plot {
+fn spectrum(squares: &[f64]) -> Figure {
     let part = |n: usize| (n + 1) as f64 / squares.len() as f64;
     let points = squares.iter().enumerate();
-    Plot {
-        title: "Squared frequencies of the packing: half of all modes are stiffer than a pair"
-            .to_owned(),
-        x: Axis::logarithmic("angular frequency in 1/s"),
-        y: Axis::linear("fraction of modes below"),
-        curves: vec![Curve::line(
+    Figure::new(
+        "Squared frequencies of the packing: half of all modes are stiffer than a pair",
+        Axis::logarithmic("angular frequency", "1/s"),
+        Axis::linear("fraction of modes below", ""),
+        vec![Curve::line(
             "packing",
             points.map(|(n, square)| [square.max(0.0).sqrt(), part(n)]),
         )],
-    }
+    )
 }
 
 /// Methods that lose stability only at an eigenvalue of minus one.

@@ -191,7 +191,7 @@ mod tests {
     fn shown(curves: &Curves) -> usize {
         let exhibits = curves.exhibits();
         let curves = exhibits.iter().filter_map(|exhibit| match exhibit {
-            Exhibit::Plot(plot) => Some(&plot.curves),
+            Exhibit::Figure(plot) => Some(&plot.curves),
             _ => None,
         });
         let theirs = curves.flatten().filter(|curve| curve.label == PEER);

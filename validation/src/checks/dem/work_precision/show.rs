@@ -5,7 +5,7 @@ use super::advice::{front, words};
 use super::case::Case;
 use super::lammps::Recorded;
 use super::sweep::{Precision, Rung, Sweep};
-use crate::checks::{Axis, Curve, Exhibit, Plot, Style, Table};
+use crate::checks::{Axis, Curve, Exhibit, Figure, Table};
 
 /// Label of the points of LAMMPS.
 pub const PEER: &str = "LAMMPS, velocity Verlet with half-step velocities";
@@ -39,19 +39,19 @@ impl Curves {
         });
         let beside = self.beside(&mut plot);
         let exhibits = [
-            Exhibit::Plot(self.plot(types, &numbers, |sweep| {
+            Exhibit::Figure(self.plot(types, &numbers, |sweep| {
                 format!("{} in {}", sweep.integrator, sweep.precision.name())
             })),
             Exhibit::Table(self.table()),
             Exhibit::Text(words(self.case, &self.methods)),
             Exhibit::Text(self.scalar_words()),
         ];
-        let first = [Exhibit::Plot(plot)].into_iter();
+        let first = [Exhibit::Figure(plot)].into_iter();
         first.chain(beside).chain(exhibits).collect()
     }
 
     /// Plots the recorded runs of LAMMPS; returns their text and table.
-    fn beside(&self, plot: &mut Plot) -> Vec<Exhibit> {
+    fn beside(&self, plot: &mut Figure) -> Vec<Exhibit> {
         let (Some(recorded), Some(verlet)) = (Recorded::of(self.case), self.methods.get(VERLET))
         else {
             return Vec::new();
@@ -70,28 +70,26 @@ impl Curves {
         seconds / (1e3 * self.case.end())
     }
 
-    fn plot(&self, title: String, sweeps: &[&Sweep], label: fn(&Sweep) -> String) -> Plot {
+    fn plot(&self, title: String, sweeps: &[&Sweep], label: fn(&Sweep) -> String) -> Figure {
         let point = |rung: &Rung| Some([self.per_unit(rung.time?.median), rung.error]);
         let curve = |sweep: &&Sweep| {
             Curve::marked_line(&label(sweep), sweep.rungs.iter().filter_map(point))
         };
         let mut curves: Vec<Curve> = sweeps.iter().map(curve).collect();
         let front = front(sweeps.iter().copied());
-        curves.push(Curve {
-            style: Style::Dashed,
-            ..Curve::line(
-                "Pareto front",
-                front
-                    .iter()
-                    .map(|&[time, error]| [self.per_unit(time), error]),
-            )
-        });
-        Plot {
+        let front = front
+            .iter()
+            .map(|&[time, error]| [self.per_unit(time), error]);
+        curves.push(Curve::dashed("Pareto front", front));
+        Figure::new(
             title,
-            x: Axis::logarithmic("wall time per simulated millisecond in s"),
-            y: Axis::logarithmic("largest error of a position over the largest displacement"),
+            Axis::logarithmic("wall time per simulated millisecond", "s"),
+            Axis::logarithmic(
+                "largest error of a position over the largest displacement",
+                "",
+            ),
             curves,
-        }
+        )
     }
 
     fn table(&self) -> Table {
