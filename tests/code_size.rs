@@ -13,13 +13,12 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 /// Folders with source files.
-const FOLDERS: [&str; 9] = [
+const FOLDERS: [&str; 8] = [
     "benches",
     "cli",
     "kernel",
     "page",
     "runner",
-    "studies",
     "tests",
     "tools",
     "validation",
