@@ -15,6 +15,8 @@ pub struct Sweep {
     pub file: String,
     /// A scene file, or the name of a built-in scene.
     pub scene: PathBuf,
+    /// Overrides that all runs have, as `KEY=VALUE`.
+    pub set: Vec<String>,
     /// The axes, the slowest first.
     pub axes: Vec<Axis>,
     /// The axes of seeds, crossed with everything.
@@ -27,15 +29,25 @@ pub struct Sweep {
     pub observe_untrusted: bool,
 }
 
-/// The values of a key.
+/// The values of a key, or of several keys that change together.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// The dotted key.
-    pub key: String,
-    /// The values, as TOML.
-    pub values: Vec<String>,
-    /// Their names in tables.
+    /// Its name in tables.
+    pub name: String,
+    /// The dotted keys.
+    pub keys: Vec<String>,
+    /// The values as TOML, of all keys at each place of the axis.
+    pub values: Vec<Vec<String>>,
+    /// Names of the places in tables.
     pub labels: Vec<String>,
+}
+
+impl Axis {
+    /// The overrides at a place, as `KEY=VALUE`.
+    pub fn overrides(&self, place: usize) -> impl Iterator<Item = String> {
+        let pairs = self.keys.iter().zip(&self.values[place]);
+        pairs.map(|(key, value)| format!("{key}={value}"))
+    }
 }
 
 /// The keys of a sweep file.
@@ -43,6 +55,8 @@ pub struct Axis {
 #[serde(deny_unknown_fields)]
 struct Keys {
     scene: String,
+    #[serde(default)]
+    set: Vec<String>,
     #[serde(default)]
     axis: Vec<Spanned<AxisKeys>>,
     #[serde(default)]
@@ -59,7 +73,9 @@ struct Keys {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct AxisKeys {
-    key: String,
+    key: Option<String>,
+    keys: Option<Vec<String>>,
+    name: Option<String>,
     values: Vec<Value>,
     labels: Option<Vec<String>>,
     times: Option<f64>,
@@ -115,6 +131,7 @@ impl Sweep {
             } else {
                 PathBuf::from(&keys.scene)
             },
+            set: keys.set,
             axes,
             seeds,
             core_hours: keys.budget.core_hours,
@@ -153,29 +170,54 @@ impl Place<'_> {
     fn axis(&self, axis: &Spanned<AxisKeys>) -> Result<Axis, SceneError> {
         let refusal =
             |key: &str, accepted: &str| self.error(axis.span(), &format!("axis.{key}"), accepted);
-        let keys = axis.get_ref();
-        if keys.values.is_empty() {
+        let table = axis.get_ref();
+        if table.values.is_empty() {
             return Err(refusal("values", "must hold at least one value"));
         }
-        let scaled = |value: &Value| match keys.times {
+        let (name, keys, values) = match (&table.key, &table.keys) {
+            (Some(key), None) => {
+                let values = table.values.iter().map(|value| vec![value.clone()]);
+                (key, vec![key.clone()], values.collect())
+            }
+            (None, Some(keys)) if !keys.is_empty() => {
+                let name = table
+                    .name
+                    .as_ref()
+                    .ok_or_else(|| refusal("name", "missing; an axis of several keys needs one"))?;
+                (
+                    name,
+                    keys.clone(),
+                    together(&table.values, keys.len())
+                        .map_err(|accepted| refusal("values", &accepted))?,
+                )
+            }
+            _ => return Err(refusal("key", "must have either key, or keys with name")),
+        };
+        let scaled = |value: &Value| match table.times {
             None => Ok(value.clone()),
             Some(factor) => number(value)
                 .map(|number| Value::Float(number * factor))
                 .ok_or_else(|| refusal("times", "needs values that are numbers")),
         };
-        let values: Vec<Value> = keys.values.iter().map(scaled).collect::<Result<_, _>>()?;
-        let labels = match &keys.labels {
+        let scaled = |values: &Vec<Value>| {
+            values
+                .iter()
+                .map(|value| Ok(inline(&scaled(value)?)))
+                .collect()
+        };
+        let labels = match &table.labels {
             Some(labels) if labels.len() != values.len() => {
                 let accepted =
                     format!("must hold one name for each of the {} values", values.len());
                 return Err(refusal("labels", &accepted));
             }
             Some(labels) => labels.clone(),
-            None => keys.values.iter().map(inline).collect(),
+            None => table.values.iter().map(inline).collect(),
         };
         Ok(Axis {
-            key: keys.key.clone(),
-            values: values.iter().map(inline).collect(),
+            name: table.name.as_ref().unwrap_or(name).clone(),
+            keys,
+            values: values.iter().map(scaled).collect::<Result<_, _>>()?,
             labels,
         })
     }
@@ -201,17 +243,25 @@ impl Place<'_> {
                 "must be a range such as \"0..8\" or a list of integers, with at least one seed";
             self.error(value.span(), &format!("seeds.{name}"), accepted)
         })?;
-        let values: Vec<String> = seeds.iter().map(u64::to_string).collect();
+        let labels: Vec<String> = seeds.iter().map(u64::to_string).collect();
+        let key = match name {
+            "setup" => "setup.seed",
+            other => other,
+        };
         Ok(Axis {
-            key: if name == "setup" {
-                "setup.seed".to_owned()
-            } else {
-                name.to_owned()
-            },
-            labels: values.clone(),
-            values,
+            name: key.to_owned(),
+            keys: vec![key.to_owned()],
+            values: labels.iter().map(|label| vec![label.clone()]).collect(),
+            labels,
         })
     }
+}
+
+/// The values of several keys at each place of an axis.
+fn together(values: &[Value], keys: usize) -> Result<Vec<Vec<Value>>, String> {
+    let of_all = |value: &Value| value.as_array().filter(|list| list.len() == keys).cloned();
+    let values: Option<_> = values.iter().map(of_all).collect();
+    values.ok_or_else(|| format!("must hold arrays of {keys} values, one for each of the keys"))
 }
 
 fn number(value: &Value) -> Option<f64> {

@@ -1,5 +1,7 @@
 //! What is observed in a run.
 
+use crate::decay::Decay;
+use crate::series::Series;
 use gouge_runner::run::Summary;
 use serde::Deserialize;
 use std::path::Path;
@@ -31,6 +33,62 @@ pub enum Quantity {
     FrictionMargin,
     /// Number of broken bonds.
     BondsBroken,
+    /// Limit of friction in the fit of thesis (100).
+    DecayLimit,
+    /// Half the width of its confidence interval.
+    DecayLimitMargin,
+    /// Rate of the decay in 1/s.
+    DecayRate,
+    /// Largest friction.
+    DecayPeak,
+    /// Its time in s.
+    DecayPeakTime,
+    /// Standard deviation of the residuals.
+    DecayDeviation,
+    /// Correlation of neighbouring residuals.
+    DecayCorrelation,
+}
+
+impl Quantity {
+    /// Its name in files and tables.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Friction => "friction",
+            Self::FrictionMargin => "friction-margin",
+            Self::BondsBroken => "bonds-broken",
+            Self::DecayLimit => "decay-limit",
+            Self::DecayLimitMargin => "decay-limit-margin",
+            Self::DecayRate => "decay-rate",
+            Self::DecayPeak => "decay-peak",
+            Self::DecayPeakTime => "decay-peak-time",
+            Self::DecayDeviation => "decay-deviation",
+            Self::DecayCorrelation => "decay-correlation",
+        }
+    }
+
+    /// Its value in a finished run.
+    fn value(self, folder: &Path, summary: &Summary) -> Option<f64> {
+        let friction = summary.friction.as_ref();
+        match self {
+            Self::Friction => friction.map(|one| one.coefficient),
+            Self::FrictionMargin => friction.map(|one| 0.5 * (one.interval[1] - one.interval[0])),
+            Self::BondsBroken => Some(summary.bonds_broken as f64),
+            _ => {
+                let series = Series::read(folder)?;
+                let mu = series.column("friction_load")?;
+                let decay = Decay::fit(series.column("time")?, mu)?;
+                Some(match self {
+                    Self::DecayLimitMargin => decay.limit_margin(),
+                    Self::DecayLimit => decay.limit,
+                    Self::DecayRate => decay.rate,
+                    Self::DecayPeak => decay.peak,
+                    Self::DecayPeakTime => decay.peak_time,
+                    Self::DecayDeviation => decay.deviation(),
+                    _ => decay.correlation(),
+                })
+            }
+        }
+    }
 }
 
 /// What is taken of a column.
@@ -67,7 +125,7 @@ impl Observation {
     /// The name in tables.
     pub fn name(&self) -> String {
         let default = || match (&self.quantity, &self.column, &self.statistic) {
-            (Some(quantity), ..) => format!("{quantity:?}").to_lowercase(),
+            (Some(quantity), ..) => quantity.name().to_owned(),
             (None, Some(column), Some(statistic)) => {
                 format!("{column}_{}", format!("{statistic:?}").to_lowercase())
             }
@@ -79,16 +137,10 @@ impl Observation {
     /// The value in a finished run; none if the run does not have it.
     pub fn value(&self, folder: &Path, summary: &Summary) -> Option<f64> {
         if let Some(quantity) = self.quantity {
-            let friction = summary.friction.as_ref();
-            return match quantity {
-                Quantity::Friction => friction.map(|one| one.coefficient),
-                Quantity::FrictionMargin => {
-                    friction.map(|one| 0.5 * (one.interval[1] - one.interval[0]))
-                }
-                Quantity::BondsBroken => Some(summary.bonds_broken as f64),
-            };
+            return quantity.value(folder, summary);
         }
-        let values = column(folder, self.column.as_ref()?, self.after)?;
+        let series = Series::read(folder)?;
+        let values = series.column_after(self.column.as_ref()?, self.after)?;
         let number = values.len() as f64;
         let mean = values.iter().sum::<f64>() / number;
         Some(match self.statistic? {
@@ -102,23 +154,4 @@ impl Observation {
             Statistic::Last => *values.last()?,
         })
     }
-}
-
-/// A column of the series from a time on.
-fn column(folder: &Path, name: &str, after: f64) -> Option<Vec<f64>> {
-    let mut reader = csv::Reader::from_path(folder.join("series.csv")).ok()?;
-    let place = reader
-        .headers()
-        .ok()?
-        .iter()
-        .position(|column| column == name)?;
-    let mut values = Vec::new();
-    for row in reader.records() {
-        let row = row.ok()?;
-        let number = |cell: usize| row.get(cell)?.parse::<f64>().ok();
-        if number(0)? >= after {
-            values.push(number(place)?);
-        }
-    }
-    (!values.is_empty()).then_some(values)
 }

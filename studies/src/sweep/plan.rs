@@ -60,7 +60,9 @@ pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
         let reason = format!("{file}: the axes give {number} runs; at most {MOST} are accepted");
         return Err(Error::Argument(reason));
     }
-    let mut runs: Vec<Planned> = (0..number).map(|index| nameless(&axes, index)).collect();
+    let mut runs: Vec<Planned> = (0..number)
+        .map(|index| nameless(sweep, &axes, index))
+        .collect();
     let first = runs.iter().find_map(|run| run.scene(sweep).ok());
     let Some(first) = first else {
         return Err(runs[0]
@@ -109,12 +111,14 @@ impl Names {
     fn of(sweep: &Sweep, scene: &Scene, out: &Path) -> Self {
         let mut hash = Sha256::new_with_prefix(env!("CARGO_PKG_VERSION"));
         hash.update(format!(
-            "{:?} {:?} {:?}",
-            sweep.scene, sweep.axes, sweep.seeds
+            "{:?} {:?} {:?} {:?}",
+            sweep.scene, sweep.set, sweep.axes, sweep.seeds
         ));
         hash.update(scene.sha256.as_bytes());
         let folder = sweep.scene.parent().unwrap_or(Path::new("."));
-        let values = sweep.all_axes().flat_map(|axis| &axis.values);
+        let values = sweep
+            .all_axes()
+            .flat_map(|axis| axis.values.iter().flatten());
         let named = values.map(|value| folder.join(value.trim_matches('"')));
         for file in scene.files.iter().cloned().chain(named) {
             hash.update(std::fs::read(&file).unwrap_or_default());
@@ -155,7 +159,7 @@ fn name(sweep: &Sweep, run: &Planned) -> String {
 }
 
 /// A run without its name.
-fn nameless(axes: &[&Axis], index: usize) -> Planned {
+fn nameless(sweep: &Sweep, axes: &[&Axis], index: usize) -> Planned {
     let mut rest = index;
     let mut places: Vec<usize> = axes
         .iter()
@@ -168,10 +172,10 @@ fn nameless(axes: &[&Axis], index: usize) -> Planned {
         .collect();
     places.reverse();
     let chosen = axes.iter().zip(&places);
-    let overrides = chosen.map(|(axis, &place)| format!("{}={}", axis.key, axis.values[place]));
+    let overrides = chosen.flat_map(|(axis, &place)| axis.overrides(place));
     Planned {
         name: String::new(),
-        overrides: overrides.collect(),
+        overrides: sweep.set.iter().cloned().chain(overrides).collect(),
         places,
     }
 }

@@ -18,7 +18,7 @@ pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, E
     let mut writer = csv::Writer::from_writer(Vec::new());
     let axes: Vec<&Axis> = sweep.all_axes().collect();
     let mut header = vec!["run".to_owned()];
-    header.extend(axes.iter().map(|axis| axis.key.clone()));
+    header.extend(axes.iter().map(|axis| axis.name.clone()));
     header.extend(["status", "cause"].map(str::to_owned));
     header.extend(sweep.observations.iter().map(|one| one.name()));
     header.extend(
