@@ -36,6 +36,7 @@ mod rolling;
 mod search;
 mod sources;
 mod start;
+mod studies;
 mod sweep;
 mod watch;
 mod worlds;

@@ -202,6 +202,84 @@ fn status_retry_and_collect_read_and_change_only_files() {
 }
 
 #[test]
+fn keys_that_change_together_form_one_axis() {
+    let folder = Folder::new(
+        r#"
+scene = "head-on"
+set = ["time.end=1e-6"]
+[[axis]]
+name = "pair"
+keys = ["time.step", "contact.normal.damping"]
+values = [[1e-8, 0.0], [2e-8, 1.0]]
+labels = ["fine", "coarse"]
+[[observe]]
+column = "time"
+statistic = "last"
+"#,
+    );
+    let (status, _, said) = folder.sweep("out", &[]);
+    assert_eq!(status, Some(0), "{said}");
+    let rows = folder.rows("out");
+    let cells =
+        |column: &str| -> Vec<&str> { rows.iter().map(|row| row[column].as_str()).collect() };
+    assert_eq!(cells("pair"), ["fine", "coarse"]);
+    assert_eq!(cells("steps"), ["100", "50"]);
+    assert_eq!(cells("time_last"), ["1e-6", "1e-6"]);
+}
+
+#[test]
+fn a_sweep_of_a_hundred_thousand_runs_is_handled_in_seconds() {
+    let folder = Folder::new(
+        r#"
+scene = "head-on"
+[[axis]]
+key = "time.step"
+values = [1e-8]
+[seeds]
+"particles.0.velocity.0" = "1..100001"
+[[observe]]
+quantity = "bonds-broken"
+"#,
+    );
+    let (_, said, _) = folder.sweep("out", &["status"]);
+    assert_eq!(said, "waiting         100000\n");
+    // All runs but one are made up: links to the one that is run.
+    let out = folder.path("out");
+    let plan = fs::read_to_string(out.join("plan")).expect("the names of all runs");
+    let names: Vec<&str> = plan.lines().skip(1).collect();
+    assert_eq!(names.len(), 100_000);
+    let first = out.join("runs").join(names[0]);
+    let first_text = first.to_str().expect("UTF-8");
+    let done = run(&[
+        "run",
+        "head-on",
+        "--out",
+        first_text,
+        "-q",
+        "--set",
+        "time.step=1e-8",
+    ]);
+    assert!(done.status.success());
+    for name in &names[1..] {
+        std::os::unix::fs::symlink(&first, out.join("runs").join(name)).expect("a link");
+    }
+    for (command, most) in [("status", 10), ("collect", 30)] {
+        let began = Instant::now();
+        let (status, _, said) = folder.sweep("out", &[command]);
+        assert_eq!(status, Some(0), "{said}");
+        let took = began.elapsed();
+        assert!(took < Duration::from_secs(most), "{command} took {took:?}");
+    }
+    assert_eq!(
+        folder.sweep("out", &["status"]).1,
+        "done            100000\n"
+    );
+    let rows = folder.rows("out");
+    assert_eq!(rows.len(), 100_000);
+    assert!(rows.iter().all(|row| row["bonds-broken"] == "0.0"));
+}
+
+#[test]
 fn mistakes_in_a_sweep_are_named() {
     let cases = [
         (SWEEP.replace("head-on", "no-such-scene"), "no-such-scene"),

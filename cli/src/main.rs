@@ -2,6 +2,7 @@
 
 mod account;
 mod compare;
+mod study;
 mod sweep;
 mod terminal;
 mod verify;
@@ -19,6 +20,7 @@ use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::LazyLock;
+use study::StudyArguments;
 use sweep::SweepArguments;
 use terminal::Terminal;
 
@@ -87,6 +89,8 @@ enum Command {
     },
     /// Run a scene with every combination of some values of its keys
     Sweep(SweepArguments),
+    /// Repeat a published study with many seeds and test its claims
+    Study(StudyArguments),
     /// Run the checks and write report.html and report.json
     Verify {
         /// Run only checks whose identifier contains this text
@@ -184,6 +188,7 @@ fn execute(command: Command) -> Result<(), Error> {
         }
         Command::Compare { scene, data } => return compare::launch(&scene.load()?, data),
         Command::Sweep(arguments) => return sweep::launch(&arguments),
+        Command::Study(arguments) => return study::launch(&arguments),
         Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&scene.load()?)?,
         Command::Stability { scene } => commands::stability(&scene.load()?)?,

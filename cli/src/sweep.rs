@@ -234,7 +234,8 @@ fn script(
     })
 }
 
-fn cores() -> u16 {
+/// Number of cores.
+pub fn cores() -> u16 {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     u16::try_from(cores).unwrap_or(u16::MAX)
 }
@@ -264,7 +265,11 @@ fn within_budget(sweep: &Sweep, cost: Cost) -> Result<(), Error> {
     }
 }
 
-fn run(
+/// Execute runs and show the progress.
+///
+/// # Errors
+/// Failures of the file system, an interruption.
+pub fn run(
     sweep: &Sweep,
     runs: &[Planned],
     out: &Path,
@@ -287,7 +292,8 @@ fn run(
     outcome
 }
 
-fn bar(all: usize, done: usize) -> ProgressBar {
+/// Progress over a number of runs.
+pub fn bar(all: usize, done: usize) -> ProgressBar {
     let bar = ProgressBar::new(all as u64).with_position(done as u64);
     let style = "{wide_bar} {pos}/{len} runs  {elapsed} elapsed, {eta} remaining";
     if let Ok(style) = ProgressStyle::with_template(style) {

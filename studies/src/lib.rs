@@ -1,5 +1,7 @@
-//! Many runs: sweeps over the keys of a scene.
+//! Many runs: sweeps over the keys of a scene, and the study of the thesis.
 
+mod columns;
 pub mod decay;
-mod series;
+pub mod statistics;
+pub mod study;
 pub mod sweep;

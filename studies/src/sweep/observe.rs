@@ -1,8 +1,10 @@
 //! What is observed in a run.
 
+use crate::columns::Columns;
 use crate::decay::Decay;
-use crate::series::Series;
+use gouge_dem::laws::characteristic_length;
 use gouge_runner::run::Summary;
+use gouge_runner::scene::Scene;
 use serde::Deserialize;
 use std::path::Path;
 
@@ -12,7 +14,7 @@ use std::path::Path;
 pub struct Observation {
     /// Its name in tables; by default that of its quantity or column and statistic.
     pub name: Option<String>,
-    /// A quantity of the summary.
+    /// A quantity of the run.
     pub quantity: Option<Quantity>,
     /// A column of the series.
     pub column: Option<String>,
@@ -23,7 +25,17 @@ pub struct Observation {
     pub after: f64,
 }
 
-/// Quantities of the summary.
+/// A finished run.
+pub struct Finished<'a> {
+    /// Its folder.
+    pub folder: &'a Path,
+    /// Its summary.
+    pub summary: &'a Summary,
+    /// Reads its scene.
+    pub scene: &'a dyn Fn() -> Option<Scene>,
+}
+
+/// Quantities of a run.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
@@ -31,6 +43,10 @@ pub enum Quantity {
     Friction,
     /// Half the width of its confidence interval.
     FrictionMargin,
+    /// Slip in m over which that coefficient is averaged.
+    Slip,
+    /// Mean load over the second half of the run, in units of the pressure times the area.
+    LoadHeld,
     /// Number of broken bonds.
     BondsBroken,
     /// Limit of friction in the fit of thesis (100).
@@ -55,6 +71,8 @@ impl Quantity {
         match self {
             Self::Friction => "friction",
             Self::FrictionMargin => "friction-margin",
+            Self::Slip => "slip",
+            Self::LoadHeld => "load-held",
             Self::BondsBroken => "bonds-broken",
             Self::DecayLimit => "decay-limit",
             Self::DecayLimitMargin => "decay-limit-margin",
@@ -67,16 +85,21 @@ impl Quantity {
     }
 
     /// Its value in a finished run.
-    fn value(self, folder: &Path, summary: &Summary) -> Option<f64> {
+    fn value(self, run: &Finished) -> Option<f64> {
+        let Finished {
+            folder, summary, ..
+        } = run;
         let friction = summary.friction.as_ref();
         match self {
+            Self::Slip => friction.map(|one| one.slip),
+            Self::LoadHeld => load_held(run),
             Self::Friction => friction.map(|one| one.coefficient),
             Self::FrictionMargin => friction.map(|one| 0.5 * (one.interval[1] - one.interval[0])),
             Self::BondsBroken => Some(summary.bonds_broken as f64),
             _ => {
-                let series = Series::read(folder)?;
-                let mu = series.column("friction_load")?;
-                let decay = Decay::fit(series.column("time")?, mu)?;
+                let series = Columns::of_series(folder)?;
+                let mu = series.get("friction_load")?;
+                let decay = Decay::fit(series.get("time")?, mu)?;
                 Some(match self {
                     Self::DecayLimitMargin => decay.limit_margin(),
                     Self::DecayLimit => decay.limit,
@@ -135,12 +158,12 @@ impl Observation {
     }
 
     /// The value in a finished run; none if the run does not have it.
-    pub fn value(&self, folder: &Path, summary: &Summary) -> Option<f64> {
+    pub fn value(&self, run: &Finished) -> Option<f64> {
         if let Some(quantity) = self.quantity {
-            return quantity.value(folder, summary);
+            return quantity.value(run);
         }
-        let series = Series::read(folder)?;
-        let values = series.column_after(self.column.as_ref()?, self.after)?;
+        let series = Columns::of_series(run.folder)?;
+        let values = series.after(self.column.as_ref()?, self.after)?;
         let number = values.len() as f64;
         let mean = values.iter().sum::<f64>() / number;
         Some(match self.statistic? {
@@ -154,4 +177,18 @@ impl Observation {
             Statistic::Last => *values.last()?,
         })
     }
+}
+
+fn load_held(run: &Finished) -> Option<f64> {
+    let scene = (run.scene)()?;
+    let particles = Columns::read(&run.folder.join("particles.csv"))?;
+    let driving = scene.driving?;
+    let law = driving.law(
+        scene.domain.width?,
+        characteristic_length(particles.get("radius")?),
+    );
+    let series = Columns::of_series(run.folder)?;
+    let force = series.after("drive_force_y", 0.5 * run.summary.time)?;
+    let load = -force.iter().sum::<f64>() / force.len() as f64;
+    Some(load / (law.pressure * law.area))
 }

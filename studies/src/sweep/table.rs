@@ -1,6 +1,7 @@
 //! The results of a sweep as a table in long form.
 
 use super::file::{Axis, Sweep};
+use super::observe::{Finished, Observation};
 use super::plan::Planned;
 use super::state::{State, Status};
 use gouge_runner::error::Error;
@@ -62,11 +63,15 @@ fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> 
         _ => false,
     };
     let summary = state.summary.as_ref();
+    let scene = || run.scene(sweep).ok();
+    let finished = summary.filter(|_| is_observed).map(|summary| Finished {
+        folder: &folder,
+        summary,
+        scene: &scene,
+    });
     let shown = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
-    row.extend(sweep.observations.iter().map(|observation| {
-        let summary = summary.filter(|_| is_observed);
-        shown(summary.and_then(|summary| observation.value(&folder, summary)))
-    }));
+    let observe = |one: &Observation| finished.as_ref().and_then(|run| one.value(run));
+    row.extend(sweep.observations.iter().map(|one| shown(observe(one))));
     let of_summary = |text: &dyn Fn(&gouge_runner::run::Summary) -> String| {
         summary.map_or_else(String::new, text)
     };

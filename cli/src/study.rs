@@ -1,0 +1,111 @@
+//! `gouge study`: a published study, repeated with many seeds.
+
+use crate::print;
+use crate::sweep::{bar, cores, run};
+use clap::{Args, ValueEnum};
+use gouge_runner::error::Error;
+use gouge_studies::study::{Prepared, Scale, conclude, known, prepare};
+use gouge_studies::sweep::{Planned, collect, estimate, plan};
+use indicatif::ProgressBar;
+use std::path::{Path, PathBuf};
+
+/// A study and where it goes.
+#[derive(Args)]
+pub struct StudyArguments {
+    /// The study
+    #[arg(value_enum)]
+    study: Study,
+    /// Folder of the study
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// How much is run
+    #[arg(long, value_enum, default_value = "small")]
+    scale: Size,
+    /// Number of runs at a time; as many as there are cores if absent
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// Folder with runs.csv and curves.csv of an earlier study, whose runs are not run again; repeatable
+    #[arg(long, value_name = "DIR")]
+    earlier: Vec<PathBuf>,
+    /// Print what would be run and what it would cost, and stop
+    #[arg(long)]
+    plan: bool,
+    /// Show no progress
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// Studies.
+#[derive(Clone, Copy, ValueEnum)]
+enum Study {
+    /// Kiiskinen's thesis: friction between shearing brittle surfaces
+    Thesis,
+}
+
+/// How much is run.
+#[derive(Clone, Copy, ValueEnum)]
+enum Size {
+    /// Blocks of 25 mm, four seeds
+    Small,
+    /// Also blocks of 100 mm, and 32 seeds of the small ones
+    Full,
+}
+
+/// Run what is missing, then conclude from what is there.
+///
+/// # Errors
+/// Failures of the file system, an interruption.
+pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
+    let Study::Thesis = arguments.study;
+    let scale = match arguments.scale {
+        Size::Small => Scale::Small,
+        Size::Full => Scale::Full,
+    };
+    let out = &arguments.out;
+    let earlier: Vec<&Path> = arguments.earlier.iter().map(PathBuf::as_path).collect();
+    let known = known(&earlier)?;
+    let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
+    let prepared = prepare(scale, out)?;
+    let mut outcome = Ok(());
+    for one in &prepared {
+        let folder = out.join(one.part.name);
+        let all = plan(&one.sweep, &folder)?;
+        let open: Vec<Planned> = all
+            .iter()
+            .filter(|run| !known.contains(&run.name) && !run.state(&folder).status.is_final())
+            .cloned()
+            .collect();
+        if arguments.plan {
+            print(&planned(one, all.len(), &open))?;
+            continue;
+        }
+        if outcome.is_ok() {
+            let bar = match arguments.quiet {
+                true => ProgressBar::hidden(),
+                false => bar(all.len(), all.len() - open.len()),
+            };
+            outcome = run(&one.sweep, &open, &folder, jobs, &bar);
+        }
+        collect(&one.sweep, &all, &folder)?;
+    }
+    if arguments.plan {
+        return Ok(());
+    }
+    conclude(&prepared, &earlier, out)?;
+    if !arguments.quiet {
+        print(&format!("{}\n", out.join("study.html").display()))?;
+    }
+    outcome
+}
+
+fn planned(one: &Prepared, all: usize, open: &[Planned]) -> String {
+    let runs: Vec<&Planned> = open.iter().collect();
+    let cost = estimate(&one.sweep, &runs);
+    format!(
+        "{:16}{all:5} runs, of which {:5} are not done yet: {:.2} core-hours, {:.0} MB\n",
+        one.part.name,
+        open.len(),
+        cost.core_hours,
+        cost.bytes / 1e6
+    )
+}
