@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use gouge_studies::decay::Decay;
 use gouge_studies::statistics::{Mean, holm, rising, slope};
-use gouge_studies::study::conclude;
+use gouge_studies::study::Study;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use std::collections::BTreeMap;
@@ -137,7 +137,8 @@ fn verdicts(folder: &Path, friction: impl Fn(&str, f64, u64) -> f64) -> BTreeMap
     std::fs::write(folder.join("runs.csv"), table).expect("a table");
     let out = folder.join("out");
     std::fs::create_dir_all(&out).expect("a folder");
-    conclude(&[], &[folder], &out).expect("conclusions");
+    let study = Study::named("thesis").expect("a study");
+    study.conclude(&[], &[folder], &out).expect("conclusions");
     let reader = csv::Reader::from_path(out.join("claims.csv")).expect("claims");
     let rows = reader.into_deserialize::<BTreeMap<String, String>>();
     let rows = rows.map(|row| row.expect("a row"));

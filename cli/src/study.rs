@@ -1,20 +1,19 @@
 //! `gouge study`: a published study, repeated with many seeds.
 
 use crate::print;
-use crate::sweep::{bar, cores, run};
+use crate::sweep::{cores, run};
 use clap::{Args, ValueEnum};
 use gouge_runner::error::Error;
-use gouge_studies::study::{Prepared, Scale, conclude, known, prepare};
+use gouge_studies::study::{Prepared, STUDIES, Scale, Study, known};
 use gouge_studies::sweep::{Planned, collect, estimate, plan};
-use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
 /// A study and where it goes.
 #[derive(Args)]
 pub struct StudyArguments {
-    /// The study
-    #[arg(value_enum)]
-    study: Study,
+    /// thesis: friction between shearing brittle surfaces. media: the same in water and other liquids
+    #[arg(value_parser = study)]
+    study: &'static Study,
     /// Folder of the study
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -35,20 +34,21 @@ pub struct StudyArguments {
     quiet: bool,
 }
 
-/// Studies.
-#[derive(Clone, Copy, ValueEnum)]
-enum Study {
-    /// Kiiskinen's thesis: friction between shearing brittle surfaces
-    Thesis,
-}
-
 /// How much is run.
 #[derive(Clone, Copy, ValueEnum)]
 enum Size {
-    /// Blocks of 25 mm, four seeds
+    /// What two cores do in two hours
     Small,
-    /// Also blocks of 100 mm, and 32 seeds of the small ones
+    /// All of it
     Full,
+}
+
+/// The study of a name.
+fn study(name: &str) -> Result<&'static Study, String> {
+    Study::named(name).ok_or_else(|| {
+        let names: Vec<&str> = STUDIES.iter().map(|study| study.name).collect();
+        format!("must be one of: {}", names.join(", "))
+    })
 }
 
 /// Run what is missing, then conclude from what is there.
@@ -56,7 +56,6 @@ enum Size {
 /// # Errors
 /// Failures of the file system, an interruption.
 pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
-    let Study::Thesis = arguments.study;
     let scale = match arguments.scale {
         Size::Small => Scale::Small,
         Size::Full => Scale::Full,
@@ -65,7 +64,7 @@ pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
     let earlier: Vec<&Path> = arguments.earlier.iter().map(PathBuf::as_path).collect();
     let known = known(&earlier)?;
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
-    let prepared = prepare(scale, out)?;
+    let prepared = arguments.study.prepare(scale, out)?;
     let mut outcome = Ok(());
     for one in &prepared {
         let folder = out.join(one.part.name);
@@ -80,18 +79,14 @@ pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
             continue;
         }
         if outcome.is_ok() {
-            let bar = match arguments.quiet {
-                true => ProgressBar::hidden(),
-                false => bar(all.len(), all.len() - open.len()),
-            };
-            outcome = run(&one.sweep, &open, &folder, jobs, &bar);
+            outcome = run(&one.sweep, &open, &folder, jobs, arguments.quiet);
         }
         collect(&one.sweep, &all, &folder)?;
     }
     if arguments.plan {
         return Ok(());
     }
-    conclude(&prepared, &earlier, out)?;
+    arguments.study.conclude(&prepared, &earlier, out)?;
     if !arguments.quiet {
         print(&format!("{}\n", out.join("study.html").display()))?;
     }

@@ -9,7 +9,10 @@ use gouge_studies::sweep::{
     plan, retry, status,
 };
 use indicatif::{ProgressBar, ProgressStyle};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 /// A sweep and what is done with it.
 #[derive(Args)]
@@ -116,11 +119,8 @@ pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
     if sweep.core_hours.is_some() {
         within_budget(&sweep, estimate(&sweep, &open))?;
     }
-    let bar = match arguments.quiet {
-        true => ProgressBar::hidden(),
-        false => bar(runs.len(), runs.len() - open.len()),
-    };
-    let outcome = run(&sweep, &runs, out, jobs, &bar);
+    let open: Vec<Planned> = open.into_iter().cloned().collect();
+    let outcome = run(&sweep, &open, out, jobs, arguments.quiet);
     let path = collect(&sweep, &runs, out)?;
     if !arguments.quiet {
         print(&format!("{}{}\n", states(&runs, out), path.display()))?;
@@ -265,7 +265,7 @@ fn within_budget(sweep: &Sweep, cost: Cost) -> Result<(), Error> {
     }
 }
 
-/// Execute runs and show the progress.
+/// Execute runs, and show the progress and the time left unless told to be quiet.
 ///
 /// # Errors
 /// Failures of the file system, an interruption.
@@ -274,11 +274,23 @@ pub fn run(
     runs: &[Planned],
     out: &Path,
     jobs: usize,
-    bar: &ProgressBar,
+    quiet: bool,
 ) -> Result<(), Error> {
     let (stop, program) = (stopped_by_signals()?, own_program()?);
+    let steps = |run: &Planned| (run.name.clone(), run.steps(sweep));
+    let steps: HashMap<String, u64> = match quiet {
+        true => HashMap::new(),
+        false => runs.iter().map(steps).collect(),
+    };
+    let bar = match quiet {
+        true => ProgressBar::hidden(),
+        false => bar(steps.values().sum()),
+    };
+    let ended = AtomicUsize::new(0);
     let report = |progress: Progress| {
-        bar.inc(1);
+        let number = 1 + ended.fetch_add(1, Ordering::Relaxed);
+        bar.set_message(format!("{number}/{} runs", runs.len()));
+        bar.inc(steps.get(&progress.name).copied().unwrap_or(0));
         bar.suspend(|| tell(progress));
     };
     let execution = Execution {
@@ -292,13 +304,14 @@ pub fn run(
     outcome
 }
 
-/// Progress over a number of runs.
-pub fn bar(all: usize, done: usize) -> ProgressBar {
-    let bar = ProgressBar::new(all as u64).with_position(done as u64);
-    let style = "{wide_bar} {pos}/{len} runs  {elapsed} elapsed, {eta} remaining";
+/// Progress over a number of steps.
+fn bar(steps: u64) -> ProgressBar {
+    let bar = ProgressBar::new(steps);
+    let style = "{wide_bar} {percent} % of all steps, {msg}  {elapsed} elapsed, {eta} remaining";
     if let Ok(style) = ProgressStyle::with_template(style) {
         bar.set_style(style);
     }
+    bar.enable_steady_tick(Duration::from_secs(1));
     bar
 }
 

@@ -1,26 +1,74 @@
-//! The study of the thesis, repeated with many seeds: its sweeps, its claims, and a page of verdicts.
-//!
-//! Rules and tests are fixed in `claims` and do not depend on results.
+//! Studies: sweeps, claims with rules that are fixed before the runs, and a page of verdicts.
 
-mod claims;
+mod claim;
 mod curves;
-mod figures;
+mod media;
 mod page;
-mod parts;
-mod printed;
 mod results;
-
-pub use parts::{Part, Scale, parts};
+mod sample;
+mod thesis;
 
 use crate::sweep::Sweep;
+use claim::{Claim, Rule};
 use curves::Curves;
+use gouge_page::Figure;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
+use maud::Markup;
 use results::Results;
 use std::collections::HashSet;
 use std::path::Path;
 
-/// A part of the study with its sweep, ready to be executed.
+/// A study.
+pub struct Study {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Title of its page.
+    title: &'static str,
+    /// What it asks and how, in words.
+    introduction: fn() -> Markup,
+    /// Its parts, in the order in which they are run.
+    parts: fn(Scale) -> Vec<Part>,
+    /// All its parts, the most telling first.
+    order: &'static [&'static str],
+    /// Its claims.
+    rules: fn() -> Vec<&'static Rule>,
+    /// Its figures.
+    figures: fn(&Results, &Curves) -> Vec<Figure>,
+}
+
+/// All studies.
+pub static STUDIES: [&Study; 2] = [&thesis::STUDY, &media::STUDY];
+
+/// How much is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// What two cores do in two hours.
+    Small,
+    /// All of it.
+    Full,
+}
+
+/// A sweep of a study.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Its name, also of its folder.
+    pub name: &'static str,
+    /// Its sweep file.
+    sweep: String,
+}
+
+impl Part {
+    /// A part, from a sweep file in which `SEEDS` stands for the seeds.
+    fn new(name: &'static str, sweep: &str, seeds: &str) -> Self {
+        Self {
+            name,
+            sweep: sweep.replace("SEEDS", seeds),
+        }
+    }
+}
+
+/// A part of a study with its sweep, ready to be executed.
 pub struct Prepared {
     /// The part.
     pub part: Part,
@@ -28,20 +76,64 @@ pub struct Prepared {
     pub sweep: Sweep,
 }
 
-/// Write the sweep files of all parts into folders below `out` and read them.
-///
-/// # Errors
-/// Failures of the file system.
-pub fn prepare(scale: Scale, out: &Path) -> Result<Vec<Prepared>, Error> {
-    let prepare = |part: Part| {
-        let folder = out.join(part.name);
-        std::fs::create_dir_all(&folder).map_err(|error| Error::file("create", &folder, error))?;
-        let file = folder.join("sweep.toml");
-        write_whole(&file, part.sweep.as_bytes())?;
-        let sweep = Sweep::load(&file)?;
-        Ok(Prepared { part, sweep })
-    };
-    parts(scale).into_iter().map(prepare).collect()
+impl Study {
+    /// The study of a name.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        STUDIES.into_iter().find(|study| study.name == name)
+    }
+
+    /// Write the sweep files of all parts into folders below `out` and read them.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn prepare(&self, scale: Scale, out: &Path) -> Result<Vec<Prepared>, Error> {
+        let prepare = |part: Part| {
+            let folder = out.join(part.name);
+            std::fs::create_dir_all(&folder)
+                .map_err(|error| Error::file("create", &folder, error))?;
+            let file = folder.join("sweep.toml");
+            write_whole(&file, part.sweep.as_bytes())?;
+            let sweep = Sweep::load(&file)?;
+            Ok(Prepared { part, sweep })
+        };
+        (self.parts)(scale).into_iter().map(prepare).collect()
+    }
+
+    /// Join the tables of all parts into `runs.csv` and `curves.csv`, test every claim, and write `claims.csv` and
+    /// `study.html`.
+    ///
+    /// `earlier` are folders with `runs.csv` and `curves.csv` of earlier studies, whose results count, too.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn conclude(
+        &self,
+        prepared: &[Prepared],
+        earlier: &[&Path],
+        out: &Path,
+    ) -> Result<(), Error> {
+        let mut results = Results::default();
+        let mut curves = Curves::default();
+        for folder in earlier {
+            results.add_joint(&folder.join("runs.csv"))?;
+            curves.add(&folder.join("curves.csv"))?;
+        }
+        for one in prepared {
+            let folder = out.join(one.part.name);
+            results.add(one.part.name, &folder.join("runs.csv"))?;
+        }
+        curves.observe(&results, out);
+        results.write(&out.join("runs.csv"))?;
+        curves.write(&out.join("curves.csv"))?;
+        let rules = (self.rules)().into_iter();
+        let claims: Vec<Claim> = rules
+            .map(|rule| Claim::judged(rule, self.order, &results))
+            .collect();
+        claim::write(&claims, &out.join("claims.csv"))?;
+        let figures = (self.figures)(&results, &curves);
+        let page = page::page(self, &results, &claims, &figures);
+        write_whole(&out.join("study.html"), page.into_string().as_bytes())
+    }
 }
 
 /// Names of the runs that earlier studies finished.
@@ -55,32 +147,4 @@ pub fn known(earlier: &[&Path]) -> Result<HashSet<String>, Error> {
     }
     let finished = results.runs().iter().filter(|run| run.is_finished());
     Ok(finished.map(|run| run.name.clone()).collect())
-}
-
-/// Join the tables of all parts into `runs.csv` and `curves.csv`, test every claim, and write `claims.csv` and
-/// `study.html`.
-///
-/// `earlier` are folders with `runs.csv` and `curves.csv` of earlier studies, whose results count, too.
-///
-/// # Errors
-/// Failures of the file system.
-pub fn conclude(prepared: &[Prepared], earlier: &[&Path], out: &Path) -> Result<(), Error> {
-    let mut results = Results::default();
-    let mut curves = Curves::default();
-    for folder in earlier {
-        results.add_joint(&folder.join("runs.csv"))?;
-        curves.add(&folder.join("curves.csv"))?;
-    }
-    for one in prepared {
-        let folder = out.join(one.part.name);
-        results.add(one.part.name, &folder.join("runs.csv"))?;
-    }
-    curves.observe(&results, out);
-    results.write(&out.join("runs.csv"))?;
-    curves.write(&out.join("curves.csv"))?;
-    let claims = claims::all(&results);
-    claims::write(&claims, &out.join("claims.csv"))?;
-    let figures = figures::all(&results, &curves);
-    let page = page::page(&results, &claims, &figures);
-    write_whole(&out.join("study.html"), page.into_string().as_bytes())
 }

@@ -1,33 +1,33 @@
 //! The page of the study.
 
-use super::claims::{Claim, PARTS};
+use super::Study;
+use super::claim::Claim;
 use super::results::{Results, Run};
 use gouge_page::{Figure, table};
 use maud::{Markup, html};
 use std::collections::BTreeMap;
 
 /// The page: verdicts first, then what was run, then figures.
-pub fn page(results: &Results, claims: &[Claim], figures: &[Figure]) -> Markup {
+pub fn page(study: &Study, results: &Results, claims: &[Claim], figures: &[Figure]) -> Markup {
     gouge_page::page(
-        "Friction between shearing brittle surfaces: the study of the thesis with many seeds",
+        study.title,
         html! {
-            h1 { "The study of the thesis, repeated" }
-            p {
-                "Kiiskinen's thesis ran 75 simulations, 3 laws of friction times 25 pressures, of one packing. "
-                "Here every run is repeated with several packings, and each claim has a rule that was fixed before the runs. "
-                "The corrected arm uses the equations as corrected in the errata, velocity Verlet, and a stable step for each law. "
-                "The other arm computes as the author's program did: explicit Euler at 10 ns, friction as printed, moment of inertia 3/5 m r². "
-                "Runs of the corrected arm whose energy balance is off do not count; those of the other arm all do."
-            }
+            h1 { (study.title) }
+            ((study.introduction)())
             h2 { "Claims and verdicts" }
+            p { "Each claim has a rule that was fixed before the runs. Parts of the study stand in brackets." }
             (verdicts(claims))
             h2 { "Runs" }
-            (runs(results))
+            (runs(study, results))
             (lost(results))
             h2 { "Figures" }
             @for figure in figures { (figure.html()) }
             h2 { "Data" }
-            p { "One row a run: " a href="runs.csv" { "runs.csv" } ". Friction and heat over time: " a href="curves.csv" { "curves.csv" } "." }
+            p {
+                "One row a run: " a href="runs.csv" { "runs.csv" }
+                ". Verdicts: " a href="claims.csv" { "claims.csv" }
+                ". Friction and heat over time: " a href="curves.csv" { "curves.csv" } "."
+            }
         },
     )
 }
@@ -48,7 +48,7 @@ fn verdicts(claims: &[Claim]) -> Markup {
 }
 
 /// How many runs of each part ended how, and what they cost.
-fn runs(results: &Results) -> Markup {
+fn runs(study: &Study, results: &Results) -> Markup {
     let row = |part: &&str| {
         let all = || results.runs().iter().filter(|run| run.part == **part);
         let mut states: BTreeMap<&str, usize> = BTreeMap::new();
@@ -66,7 +66,7 @@ fn runs(results: &Results) -> Markup {
         ];
         (all().next().is_some()).then_some(cells.into())
     };
-    let rows: Vec<Vec<String>> = PARTS.iter().filter_map(row).collect();
+    let rows: Vec<Vec<String>> = study.order.iter().filter_map(row).collect();
     let columns = ["part", "runs", "of which", "core-hours"].map(str::to_owned);
     table("Runs of each part", &columns, &rows)
 }

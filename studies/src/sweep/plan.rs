@@ -3,7 +3,7 @@
 use super::file::{Axis, Sweep};
 use super::state::State;
 use gouge_runner::error::Error;
-use gouge_runner::run::write_whole;
+use gouge_runner::run::{phases, write_whole};
 use gouge_runner::scene::{Overrides, Scene, hex};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
@@ -34,6 +34,13 @@ impl Planned {
     /// The state of the run.
     pub fn state(&self, out: &Path) -> State {
         State::of(&self.folder(out))
+    }
+
+    /// Number of steps of the run, those of its set-up included; zero if its scene is refused. Runs of a sweep differ
+    /// in cost mainly by this.
+    pub fn steps(&self, sweep: &Sweep) -> u64 {
+        let steps = |scene: Scene| phases(&scene).iter().map(|phase| phase.steps).sum();
+        self.scene(sweep).map_or(0, steps)
     }
 
     /// The scene of the run.

@@ -1,16 +1,17 @@
 //! Claims about energy.
 
-use super::{Finding, Rule, Sample, Verdict};
 use crate::statistics::{Mean, slope};
-use crate::study::printed::LAWS;
+use crate::study::claim::{Finding, Rule, Verdict};
 use crate::study::results::Run;
+use crate::study::sample::Sample;
+use crate::study::thesis::printed::LAWS;
 
 /// Drift that the thesis calls acceptable, in J/s.
 const DRIFT: f64 = 200.0;
 /// Residual of a corrected run, as a part of the work of the drive.
 const RESIDUAL: f64 = 1e-3;
 
-pub(super) const RULES: [Rule; 2] = [
+pub(super) static RULES: [Rule; 2] = [
     Rule {
         statement: "The drift of the energy is at most 200 J/s in most cases.",
         rule: "Computed as in the thesis: in more than half of the runs of full size. Corrected: in every run the residual is below 0.1 % of the work of the drive.",

@@ -1,8 +1,9 @@
 //! Claims about friction.
 
-use super::{Finding, Rule, Sample, Verdict};
 use crate::statistics::{Mean, holm, rising, slope};
-use crate::study::printed::LAWS;
+use crate::study::claim::{Finding, Rule, Verdict};
+use crate::study::sample::Sample;
+use crate::study::thesis::printed::LAWS;
 
 /// The laws with friction.
 const RUBBING: [&str; 2] = ["HW", "CS"];
@@ -11,7 +12,7 @@ const LEVEL: f64 = 0.01;
 /// Difference of two laws below which they count as alike.
 const ALIKE: f64 = 0.10;
 
-pub(super) const RULES: [Rule; 6] = [
+pub(super) static RULES: [Rule; 6] = [
     Rule {
         statement: "Friction decays exponentially after its peak, thesis (100).",
         rule: "In 90 % of the runs, neighbouring residuals of the fit are not correlated by more than chance (2 standard errors).",

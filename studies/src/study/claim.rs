@@ -1,15 +1,9 @@
-//! The claims of the thesis, each with a rule that was fixed before the runs.
-
-mod blocks;
-mod dissipation;
-mod friction;
-mod sample;
-mod variants;
+//! Claims, each with a rule that is fixed before the runs, and verdicts on them.
 
 use super::results::Results;
+use super::sample::Sample;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
-pub use sample::Sample;
 use std::path::Path;
 
 /// What the runs say of a claim.
@@ -34,7 +28,7 @@ impl Verdict {
     }
 
     /// Holds if the rule is met, refuted if its opposite is.
-    fn of(is_met: bool, is_opposed: bool) -> Self {
+    pub fn of(is_met: bool, is_opposed: bool) -> Self {
         match (is_met, is_opposed) {
             (true, _) => Self::Holds,
             (false, true) => Self::Refuted,
@@ -53,22 +47,26 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn new(verdict: Verdict, numbers: String) -> Self {
+    /// A verdict and its numbers.
+    pub fn new(verdict: Verdict, numbers: String) -> Self {
         Self { verdict, numbers }
     }
 }
 
 /// A claim, its rule, and how it is tested in a part of the study; none if the part lacks the runs for it.
-struct Rule {
-    statement: &'static str,
-    rule: &'static str,
-    test: fn(&Sample) -> Option<Finding>,
+pub struct Rule {
+    /// The claim.
+    pub statement: &'static str,
+    /// When it passes.
+    pub rule: &'static str,
+    /// The test.
+    pub test: fn(&Sample) -> Option<Finding>,
 }
 
 /// A claim with what each part of the study finds.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// What the thesis says.
+    /// The claim.
     pub statement: &'static str,
     /// When it passes.
     pub rule: &'static str,
@@ -76,28 +74,16 @@ pub struct Claim {
     pub findings: Vec<(&'static str, Finding)>,
 }
 
-/// Parts in which claims are tested, the most telling first.
-pub const PARTS: [&str; 5] = [
-    "corrected-full",
-    "corrected-small",
-    "thesis-full",
-    "thesis-small",
-    "variants-small",
-];
-
-/// All claims with their findings.
-pub fn all(results: &Results) -> Vec<Claim> {
-    let rules = blocks::RULES.iter().chain(&friction::RULES);
-    let rules = rules.chain(&dissipation::RULES).chain(&variants::RULES);
-    let claim = |rule: &Rule| Claim {
-        statement: rule.statement,
-        rule: rule.rule,
-        findings: PARTS
-            .into_iter()
-            .filter_map(|part| Some((part, (rule.test)(&Sample { results, part })?)))
-            .collect(),
-    };
-    rules.map(claim).collect()
+impl Claim {
+    /// What some parts of a study say of a claim.
+    pub fn judged(rule: &Rule, parts: &[&'static str], results: &Results) -> Self {
+        let finding = |&part: &&'static str| Some((part, (rule.test)(&Sample { results, part })?));
+        Self {
+            statement: rule.statement,
+            rule: rule.rule,
+            findings: parts.iter().filter_map(finding).collect(),
+        }
+    }
 }
 
 /// Write the verdicts: one row for each claim and part.

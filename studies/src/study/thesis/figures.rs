@@ -1,10 +1,10 @@
 //! Figures 12, 13 and 14 of the thesis, from many seeds.
 
-use super::claims::Sample;
-use super::curves::{Curves, PRESSURES, Point};
 use super::printed::LAWS;
-use super::results::{Results, Run};
 use crate::statistics::Mean;
+use crate::study::curves::{Curves, PRESSURES, Point};
+use crate::study::results::{Results, Run};
+use crate::study::sample::Sample;
 use gouge_page::{Axis, Curve, Figure};
 
 /// Parts of the study that have figures, with words for their titles.

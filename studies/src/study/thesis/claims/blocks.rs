@@ -1,7 +1,8 @@
 //! Claims about the runs themselves.
 
-use super::{Finding, Rule, Sample, Verdict};
+use crate::study::claim::{Finding, Rule, Verdict};
 use crate::study::results::Run;
+use crate::study::sample::Sample;
 
 /// Time of a full run in s and how far it may be off.
 const TIME: [f64; 2] = [50e-3, 1e-6];
@@ -10,7 +11,7 @@ const SLIP: [f64; 2] = [50e-3, 0.5e-3];
 /// How far the mean load may be off, as a part of it.
 const LOAD: f64 = 0.01;
 
-pub(super) const RULES: [Rule; 2] = [
+pub(super) static RULES: [Rule; 2] = [
     Rule {
         statement: "Each run lasts 50.000 ms +- 0.001 ms and reaches a strain of 1.00 +- 0.01.",
         rule: "Every run of full size; the strain of its second half is 0.500 +- 0.005.",

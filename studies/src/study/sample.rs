@@ -1,6 +1,6 @@
 //! The runs of one part of the study, paired by seed.
 
-use crate::study::results::{Results, Run};
+use super::results::{Results, Run};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Lowest and highest pressure between which friction is said to fall, in units of the normal strength.

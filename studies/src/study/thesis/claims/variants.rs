@@ -1,15 +1,16 @@
 //! Claims about what does not matter.
 
-use super::{Finding, Rule, Sample, Verdict};
 use crate::statistics::Mean;
+use crate::study::claim::{Finding, Rule, Verdict};
 use crate::study::results::Run;
+use crate::study::sample::Sample;
 
 /// Change of friction below which a parameter counts as immaterial.
 const IMMATERIAL: f64 = 0.05;
 /// The part with which variants are compared, and its law.
 const BASE: (&str, &str) = ("corrected-small", "CS");
 
-pub(super) const RULES: [Rule; 1] = [Rule {
+pub(super) static RULES: [Rule; 1] = [Rule {
     statement: "The height of the jags and the stiffness of the well make no difference. (Friction 0.8 between grains is tried with them, because the author may have used it.)",
     rule: "The 90 % interval of the change of friction, averaged over the pressures of each seed, lies within 0.05 of zero for the flat fault, jags of twice the height and a well of twice the stiffness.",
     test: immaterial,

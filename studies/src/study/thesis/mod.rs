@@ -1,0 +1,60 @@
+//! The study of the thesis, repeated with many seeds.
+
+mod claims;
+mod figures;
+mod printed;
+
+use super::{Part, Scale, Study};
+use maud::{Markup, html};
+
+/// The study.
+pub static STUDY: Study = Study {
+    name: "thesis",
+    title: "Friction between shearing brittle surfaces: the study of the thesis, repeated",
+    introduction,
+    parts,
+    order: &[
+        "corrected-full",
+        "corrected-small",
+        "thesis-full",
+        "thesis-small",
+        "variants-small",
+    ],
+    rules: || claims::rules().collect(),
+    figures: figures::all,
+};
+
+/// The sweep files.
+const SWEEPS: [(&str, &str); 5] = [
+    (
+        "corrected-small",
+        include_str!("sweeps/corrected-small.toml"),
+    ),
+    ("thesis-small", include_str!("sweeps/thesis-small.toml")),
+    ("variants-small", include_str!("sweeps/variants-small.toml")),
+    ("corrected-full", include_str!("sweeps/corrected-full.toml")),
+    ("thesis-full", include_str!("sweeps/thesis-full.toml")),
+];
+
+fn parts(scale: Scale) -> Vec<Part> {
+    let seeds = |name: &str| match scale == Scale::Full && name.ends_with("-small") {
+        true => "0..32",
+        false => "0..4",
+    };
+    let is_run = |name: &str| scale == Scale::Full || name.ends_with("-small");
+    let all = SWEEPS.into_iter().filter(|(name, _)| is_run(name));
+    all.map(|(name, text)| Part::new(name, text, seeds(name)))
+        .collect()
+}
+
+fn introduction() -> Markup {
+    html! {
+        p {
+            "Kiiskinen's thesis ran 75 simulations, 3 laws of friction times 25 pressures, of one packing. "
+            "Here every run is repeated with several packings. "
+            "The corrected arm uses the equations as corrected in the errata, velocity Verlet, and a stable step for each law. "
+            "The other arm computes as the author's program did: explicit Euler at 10 ns, friction as printed, moment of inertia 3/5 m r². "
+            "Runs of the corrected arm whose energy balance is off do not count; those of the other arm all do."
+        }
+    }
+}
