@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 /// A study and where it goes.
 #[derive(Args)]
 pub struct StudyArguments {
-    /// thesis: friction between shearing brittle surfaces. media: the same in water and other liquids
+    /// thesis: friction between shearing brittle surfaces; strength: distributions of bond strengths; media: water and
+    /// other liquids
     #[arg(value_parser = study)]
     study: &'static Study,
     /// Folder of the study

@@ -6,6 +6,7 @@ mod media;
 mod page;
 mod results;
 mod sample;
+mod strength;
 mod thesis;
 
 use crate::sweep::Sweep;
@@ -38,7 +39,7 @@ pub struct Study {
 }
 
 /// All studies.
-pub static STUDIES: [&Study; 2] = [&thesis::STUDY, &media::STUDY];
+pub static STUDIES: [&Study; 3] = [&thesis::STUDY, &strength::STUDY, &media::STUDY];
 
 /// How much is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! The runs of one part of the study, paired by seed.
 
 use super::results::{Results, Run};
+use crate::statistics::Mean;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Lowest and highest pressure between which friction is said to fall, in units of the normal strength.
@@ -81,5 +82,29 @@ impl<'a> Sample<'a> {
         let ones = self.by_seed(law, pressure, column).into_iter();
         ones.filter_map(|(seed, one)| Some((seed, one - others.get(seed)?)))
             .collect()
+    }
+
+    /// What changes if an axis has one value instead of another, for each seed and averaged over everything else.
+    /// A seed that lacks a run does not count.
+    pub fn changes(
+        self,
+        axis: &str,
+        [value, base]: [&str; 2],
+        of: impl Fn(&Run) -> Option<f64>,
+    ) -> Vec<f64> {
+        let key = |run: &'a Run| (run.law(), run.text("pressure"));
+        let of_seed = |seed: &&str| -> Option<f64> {
+            let own = |value| {
+                let runs = self.runs();
+                runs.filter(move |run| run.seed() == *seed && run.text(axis) == value)
+            };
+            let change = |run: &'a Run| {
+                let mut others = own(base);
+                Some(of(run)? - of(others.find(|other| key(other) == key(run))?)?)
+            };
+            let changes: Option<Vec<f64>> = own(value).map(change).collect();
+            Mean::of(&changes?).map(|mean| mean.mean)
+        };
+        self.seeds().iter().filter_map(of_seed).collect()
     }
 }

@@ -69,25 +69,10 @@ fn introduction() -> Markup {
     }
 }
 
-/// Change of friction in a medium for each seed, averaged over laws and pressures.
-fn changes(sample: Sample, medium: &str) -> Vec<f64> {
-    let key = |run: &Run| (run.law().to_owned(), run.text("pressure").to_owned());
-    let of_seed = |seed: &&str| -> Option<f64> {
-        let own = || sample.runs().filter(move |run| run.seed() == *seed);
-        let base: Vec<_> = own().filter(|run| run.text("medium") == NOTHING).collect();
-        let change = |run: &Run| {
-            let other = base.iter().find(|other| key(other) == key(run))?;
-            Some(run.number("friction")? - other.number("friction")?)
-        };
-        let runs = own().filter(|run| run.text("medium") == medium);
-        let changes: Option<Vec<f64>> = runs.map(change).collect();
-        Mean::of(&changes?).map(|mean| mean.mean)
-    };
-    sample.seeds().iter().filter_map(of_seed).collect()
-}
-
+/// Change of friction in a medium, averaged over laws and pressures, with its 90 % interval over seeds.
 fn change(sample: Sample, medium: &str) -> Option<(Mean, [f64; 2])> {
-    let mean = Mean::of(&changes(sample, medium)).filter(|mean| mean.number > 1)?;
+    let changes = sample.changes("medium", [medium, NOTHING], |run| run.number("friction"));
+    let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
     Some((mean, mean.interval(0.9)))
 }
 

@@ -1,0 +1,120 @@
+//! An open question of the thesis: which strength factors give a wanted distribution of strengths, and does it matter?
+
+use super::claim::{Finding, Rule, Verdict};
+use super::curves::Curves;
+use super::results::{Results, Run};
+use super::sample::Sample;
+use super::{Part, Scale, Study};
+use crate::statistics::Mean;
+use gouge_page::{Axis, Curve, Figure};
+use maud::{Markup, html};
+
+/// The study.
+pub static STUDY: Study = Study {
+    name: "strength",
+    title: "Which distribution of bond strengths, and does it matter?",
+    introduction,
+    parts,
+    order: &[PART],
+    rules: || RULES.iter().collect(),
+    figures,
+};
+
+const PART: &str = "strength";
+/// The distribution with which the others are compared, and the others.
+const BASE: &str = "factors of the thesis";
+const OTHERS: [&str; 3] = ["one strength", "Weibull 5", "Weibull 2"];
+/// Change of friction below which a distribution counts as immaterial.
+const IMMATERIAL: f64 = 0.05;
+/// Change of the number of broken bonds, as a part of it, that counts as large.
+const LARGE: f64 = 0.1;
+
+static RULES: [Rule; 2] = [
+    Rule {
+        statement: "The distribution of strengths does not change the coefficient of friction.",
+        rule: "For each distribution of the same mean, the 90 % interval of the change, averaged over laws and pressures of each seed, lies within 0.05 of zero.",
+        test: friction,
+    },
+    Rule {
+        statement: "It does not change the number of broken bonds.",
+        rule: "The 90 % interval of the change of the logarithm of that number lies within 0.1 of zero.",
+        test: broken,
+    },
+];
+
+fn parts(scale: Scale) -> Vec<Part> {
+    let seeds = match scale {
+        Scale::Small => "0..4",
+        Scale::Full => "0..16",
+    };
+    vec![Part::new(PART, include_str!("strength.toml"), seeds)]
+}
+
+fn introduction() -> Markup {
+    html! {
+        p {
+            "The thesis asks which distribution of the strength factor s reproduces any given distribution of strengths exactly. "
+            "A bond that is pulled breaks at Q = π σ (s min{r_i, r_j})². "
+            "Factors that do not depend on the radii can only widen the distribution of the radii, so that most distributions are out of reach. "
+            "With s = √(F⁻¹(U) / (π σ)) / min{r_i, r_j}, U uniform, every bond has the distribution F exactly, independently of all others, in any packing: "
+            "the radii cancel. "
+            "The key strength of the bonding of a set-up does this, and docs/bond-strength.md has the proof. "
+            "This study asks what the distribution does to a sheared fault: four of the same mean, on the same packings."
+        }
+    }
+}
+
+fn judged(sample: Sample, limit: f64, of: fn(&Run) -> Option<f64>) -> Option<Finding> {
+    let (mut is_met, mut is_opposed, mut said) = (true, false, Vec::new());
+    for other in OTHERS {
+        let changes = sample.changes("distribution", [other, BASE], of);
+        let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
+        let [low, high] = mean.interval(0.9);
+        is_met &= low > -limit && high < limit;
+        is_opposed |= low > limit || high < -limit;
+        said.push(format!("{other}: {:+.3} [{low:.3}, {high:.3}]", mean.mean));
+    }
+    let numbers = format!("{} (90 %).", said.join("; "));
+    Some(Finding::new(Verdict::of(is_met, is_opposed), numbers))
+}
+
+fn friction(sample: &Sample) -> Option<Finding> {
+    judged(*sample, IMMATERIAL, |run| run.number("friction"))
+}
+
+fn broken(sample: &Sample) -> Option<Finding> {
+    judged(*sample, LARGE, |run| {
+        let number = run.number("bonds-broken")?;
+        (number > 0.0).then(|| number.ln())
+    })
+}
+
+fn figures(results: &Results, _: &Curves) -> Vec<Figure> {
+    let sample = Sample {
+        results,
+        part: PART,
+    };
+    let curve = |distribution: &str| {
+        let mean = |p: f64| {
+            let runs = sample.runs().filter(|run| {
+                run.law() == "CS" && run.pressure() == p && run.text("distribution") == distribution
+            });
+            let values: Vec<f64> = runs.filter_map(|run| run.number("friction")).collect();
+            Mean::of(&values).filter(|mean| mean.number > 1)
+        };
+        let pressures = sample.pressures().into_iter();
+        let means: Vec<(f64, Mean)> = pressures.filter_map(|p| Some((p, mean(p)?))).collect();
+        let intervals: Vec<[f64; 2]> = means.iter().map(|(_, mean)| mean.interval(0.95)).collect();
+        let points = means.iter().map(|(p, mean)| [*p, mean.mean]);
+        Curve::marked_line(distribution, points).with_intervals(intervals)
+    };
+    let curves: Vec<Curve> = [BASE].iter().chain(&OTHERS).map(|one| curve(one)).collect();
+    let is_empty = curves.iter().all(|curve| curve.points.is_empty());
+    let figure = Figure::new(
+        "Friction over pressure for four distributions of bond strengths, law CS, 95 % intervals over seeds.",
+        Axis::logarithmic("pressure over normal strength", ""),
+        Axis::linear("coefficient of friction", ""),
+        curves,
+    );
+    if is_empty { Vec::new() } else { vec![figure] }
+}
