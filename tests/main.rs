@@ -24,6 +24,7 @@ mod layering;
 mod links;
 mod machine;
 mod measurements;
+mod measures;
 mod nothing_lost;
 mod original_program;
 mod overrides;

@@ -6,6 +6,7 @@
 
 use super::balance::Balance;
 use super::bytes::{Reader, put_record, put_text, put_words};
+use super::displacements::Displacements;
 use super::fingerprint::{Fingerprint, Kinship};
 use super::folder::write_whole;
 use super::friction::DriveSample;
@@ -13,6 +14,7 @@ use super::phases::{PhaseKind, phase_model, phases};
 use crate::error::Error;
 use crate::machine::with_chosen_execution;
 use crate::scene::{Keys, Scene};
+use gouge_common::geometry::Vec2;
 use gouge_common::record::Record;
 use gouge_dem::World;
 use sha2::{Digest, Sha256};
@@ -21,7 +23,7 @@ use std::path::Path;
 /// First bytes of every checkpoint.
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
 /// Version of the format.
-const VERSION: u64 = 6;
+const VERSION: u64 = 7;
 /// Bytes of a checksum or fingerprint.
 const DIGEST: usize = 32;
 /// Bytes before the version.
@@ -52,6 +54,8 @@ pub struct Checkpoint {
     pub balance: Balance,
     /// What the samples so far say about the drive.
     pub drive_samples: Vec<DriveSample>,
+    /// Displacements since t = 0, if the scene measures strains.
+    pub displacements: Option<Displacements>,
     /// The warnings so far, one per line.
     pub warnings: String,
     /// The keys of the scene.
@@ -85,6 +89,7 @@ impl Checkpoint {
         for sample in &self.drive_samples {
             put_words(&mut bytes, &sample.numbers().map(f64::to_bits));
         }
+        Displacements::put(self.displacements.as_ref(), &mut bytes);
         put_text(&mut bytes, &self.keys.to_text());
         put_text(&mut bytes, &self.warnings);
         put_record(&mut bytes, &self.state);
@@ -145,6 +150,7 @@ impl Checkpoint {
             rebuilds: rest.rebuilds,
             balance: rest.balance,
             drive_samples: rest.drive_samples,
+            displacements: rest.displacements,
             warnings: rest.warnings,
             keys: rest.keys,
             state: rest.state,
@@ -160,6 +166,22 @@ impl Checkpoint {
         let world = world_of_record(scene, kind, &self.state);
         world.ok_or_else(|| refusal(path, UNFIT))
     }
+
+    /// The displacements to the positions of the stored state, if there are any.
+    ///
+    /// # Errors
+    /// Displacements of another number of particles.
+    pub fn displacements(
+        &self,
+        path: &Path,
+        positions: &[Vec2],
+    ) -> Result<Option<Displacements>, Error> {
+        let Some(stored) = self.displacements.clone() else {
+            return Ok(None);
+        };
+        let continued = stored.continued(positions);
+        continued.map(Some).ok_or_else(|| refusal(path, UNFIT))
+    }
 }
 
 /// What follows the head.
@@ -167,6 +189,7 @@ struct Rest {
     rebuilds: u64,
     balance: Balance,
     drive_samples: Vec<DriveSample>,
+    displacements: Option<Displacements>,
     keys: Keys,
     warnings: String,
     state: Record,
@@ -178,6 +201,7 @@ impl Rest {
             rebuilds: rest.word()?,
             balance: Balance::read(&mut rest)?,
             drive_samples: drive_samples(&mut rest)?,
+            displacements: Displacements::read(&mut rest)?,
             keys: Keys::of_text(&rest.text()?),
             warnings: rest.text()?,
             state: rest.record().filter(|_| rest.0.is_empty())?,

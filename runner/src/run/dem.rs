@@ -1,5 +1,6 @@
 //! Outputs of the thesis's model: values of the series, columns of particles, frames.
 
+use super::displacements::Displacements;
 use super::friction::DriveSample;
 use super::links;
 use super::measures::measured;
@@ -13,14 +14,22 @@ use gouge_dem::forces::Interaction;
 use gouge_dem::particles::{Particles, Role, sphere_mass};
 use gouge_dem::{Drive, World};
 
-/// A sample of a world with the given driving force and, if the scene keeps the balance, energies.
-pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>, energy: Option<&Energy>) -> Sample {
+/// A sample of a world: with the energies if the scene keeps the balance, and with strains if displacements are given.
+/// `evaluated` is the world with the forces in its state.
+pub fn sample(
+    scene: &Scene,
+    world: &World,
+    evaluated: &World,
+    energy: Option<&Energy>,
+    displacements: Option<&Displacements>,
+) -> Sample {
     let mut sample = vec![("time", Value::Number(world.time()))];
     if let Some(energy) = energy {
         let energies = Energy::<f64>::NAMES.into_iter().zip(energy.values());
         sample.extend(energies.map(|(name, energy)| (name, Value::Number(energy))));
     }
     if scene.driving.is_some() {
+        let drive = evaluated.drive();
         let numbers = [
             ("friction_load", friction_load(drive)),
             ("friction_feedback", friction_feedback(drive)),
@@ -34,8 +43,7 @@ pub fn sample(scene: &Scene, world: &World, drive: &Drive<f64>, energy: Option<&
         sample.push(("bonds", Value::Count(number_of_bonds(world))));
         sample.push(("fragments", Value::Count(fragments)));
     }
-    let measures = scene.output.measure.iter();
-    sample.extend(measures.flat_map(|&measure| measured(measure, world)));
+    sample.extend(measured(scene, world, evaluated, displacements));
     sample
 }
 
@@ -55,9 +63,13 @@ pub fn drive_sample(world: &World, drive: &Drive<f64>) -> Option<DriveSample> {
 }
 
 /// Names of the values in every sample of a scene.
-pub fn series_columns(scene: &Scene, world: &World) -> Vec<&'static str> {
+pub fn series_columns(
+    scene: &Scene,
+    world: &World,
+    displacements: Option<&Displacements>,
+) -> Vec<&'static str> {
     let energy = scene.output.energy.then(Energy::default);
-    let sample = sample(scene, world, world.drive(), energy.as_ref());
+    let sample = sample(scene, world, world, energy.as_ref(), displacements);
     sample.into_iter().map(|(name, _)| name).collect()
 }
 

@@ -4,6 +4,7 @@ mod balance;
 mod bytes;
 mod checkpoint;
 mod dem;
+mod displacements;
 mod doubts;
 mod existing;
 mod fingerprint;

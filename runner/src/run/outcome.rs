@@ -190,7 +190,7 @@ impl SceneRun<'_> {
         let number = world.particles().len();
         let rate = |amount: f64| if main > 0.0 { amount / main } else { 0.0 };
         let bonds = dem::number_of_bonds(world);
-        let columns = dem::series_columns(scene, world);
+        let columns = dem::series_columns(scene, world, self.displacements.as_ref());
         Summary {
             steps,
             time,

@@ -4,9 +4,10 @@ use super::scene_run::SceneRun;
 use super::series::Sample;
 use super::{Event, Warning, dem};
 use crate::error::Error;
-use crate::scene::Scene;
+use crate::scene::{Measure, Scene};
 use gouge_dem::estimators::Energy;
-use gouge_dem::{Drive, StepError, World};
+use gouge_dem::{StepError, World};
+use std::borrow::Cow;
 
 impl SceneRun<'_> {
     /// Write a sample of the current state.
@@ -18,10 +19,18 @@ impl SceneRun<'_> {
             checked => checked,
         });
         checked.map_err(|source| self.step_error(source))?;
-        let drive =
-            present_drive(self.scene, &self.world).map_err(|source| self.step_error(source))?;
+        let evaluated =
+            evaluated(self.scene, &self.world).map_err(|source| self.step_error(source))?;
         let energy = self.scene.output.energy.then(|| self.world.energy());
-        let sample = dem::sample(self.scene, &self.world, &drive, energy.as_ref());
+        let displacements = self.displacements.as_ref();
+        let sample = dem::sample(
+            self.scene,
+            &self.world,
+            &evaluated,
+            energy.as_ref(),
+            displacements,
+        );
+        let drive = *evaluated.drive();
         if let Some(name) = dem::infinite_energy(&sample) {
             return Err(Error::Energy {
                 phase: self.phases[self.phase].name.clone(),
@@ -78,26 +87,28 @@ impl SceneRun<'_> {
     }
 }
 
-/// A sample of a world in the scene proper.
+/// A sample of a world in the scene proper, without strains, which depend on the past.
 ///
 /// # Errors
 /// Forces that cannot be evaluated.
 pub fn sample_of(scene: &Scene, world: &World) -> Result<Sample, Error> {
-    let drive = present_drive(scene, world).map_err(|source| Error::Step {
+    let evaluated = evaluated(scene, world).map_err(|source| Error::Step {
         phase: "run".to_owned(),
         source,
     })?;
     let energy = scene.output.energy.then(|| world.energy());
-    Ok(dem::sample(scene, world, &drive, energy.as_ref()))
+    Ok(dem::sample(scene, world, &evaluated, energy.as_ref(), None))
 }
 
-/// The driving force and the reaction force in the current state. If forces are not evaluated yet, they are evaluated
-/// in a copy: the evaluation may break bonds, which belongs to the next step and not to this sample.
-fn present_drive(scene: &Scene, world: &World) -> Result<Drive<f64>, StepError> {
-    if scene.driving.is_none() || !world.is_pending() {
-        return Ok(*world.drive());
+/// The world with the forces in its present state, if a sample needs them. If they are not evaluated yet, they are
+/// evaluated in a copy: the evaluation may break bonds, which belongs to the next step and not to this sample.
+fn evaluated<'a>(scene: &Scene, world: &'a World) -> Result<Cow<'a, World>, StepError> {
+    let measure = &scene.output.measure;
+    let needs_forces = scene.driving.is_some() || measure.contains(&Measure::UnbalancedForce);
+    if !needs_forces || !world.is_pending() {
+        return Ok(Cow::Borrowed(world));
     }
     let mut ahead = world.clone();
     ahead.evaluate_if_pending()?;
-    Ok(*ahead.drive())
+    Ok(Cow::Owned(ahead))
 }

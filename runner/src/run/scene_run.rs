@@ -3,6 +3,7 @@
 use super::balance::Balance;
 use super::checkpoint::Checkpoint;
 use super::dem;
+use super::displacements::Displacements;
 use super::doubts;
 use super::fingerprint::Fingerprint;
 use super::folder::{CHECKPOINT, SUMMARY, outputs, remove_outputs};
@@ -16,7 +17,7 @@ use super::transitions::begin_phase;
 use super::warning::in_phase;
 use super::{Event, Observer, RunOptions, Warning};
 use crate::error::Error;
-use crate::scene::Scene;
+use crate::scene::{Measure, Scene};
 use crate::stability::{Bound, exceeded, pair_bounds, smallest};
 use gouge_dem::{State, StepError, World};
 use std::path::{Path, PathBuf};
@@ -50,6 +51,8 @@ pub struct SceneRun<'a> {
     pub(super) balance: Balance,
     /// What the samples so far say about the drive.
     pub(super) drive_samples: Vec<DriveSample>,
+    /// Displacements since t = 0, if the scene measures strains.
+    pub(super) displacements: Option<Displacements>,
     /// The warnings so far, one per line.
     pub(super) warnings: String,
     /// The smallest bound of single pairs in the current phase, once it was sought.
@@ -131,6 +134,7 @@ impl<'a> SceneRun<'a> {
         let phases = phases(scene);
         let phase = (saved.phase as usize).min(phases.len() - 1);
         let world = saved.world(&path, scene, phases[phase].kind)?;
+        let displacements = saved.displacements(&path, &world.particles().position)?;
         let mut run = Self::new(
             scene,
             (folder, lock),
@@ -146,6 +150,7 @@ impl<'a> SceneRun<'a> {
         run.earlier_rebuilds = saved.rebuilds;
         run.balance = saved.balance;
         run.drive_samples = saved.drive_samples;
+        run.displacements = displacements;
         run.is_step_doubted = saved.warnings.contains(&in_phase(&run.phases[phase].name));
         run.warnings = saved.warnings;
         if run.is_main() {
@@ -206,6 +211,7 @@ impl<'a> SceneRun<'a> {
             },
             balance: Balance::default(),
             drive_samples: Vec::new(),
+            displacements: None,
             warnings: String::new(),
             pair_bound: None,
             is_step_doubted: false,
@@ -265,6 +271,9 @@ impl<'a> SceneRun<'a> {
         self.judge_step();
         if self.is_main() {
             self.bonds_initial = dem::number_of_bonds(&self.world);
+            let is_measured = self.scene.output.measure.contains(&Measure::Strain);
+            let position = &self.world.particles().position;
+            self.displacements = is_measured.then(|| Displacements::new(position));
             self.balance = Balance::new(&self.world);
             for doubt in doubts::about_beginning(self.scene, &self.world) {
                 self.warn(doubt);
@@ -279,7 +288,7 @@ impl<'a> SceneRun<'a> {
     }
 
     fn open_series(&self, bytes: Option<u64>) -> Result<Series, Error> {
-        let columns = dem::series_columns(self.scene, &self.world);
+        let columns = dem::series_columns(self.scene, &self.world, self.displacements.as_ref());
         Series::open(&self.folder, &columns, bytes)
     }
 
@@ -332,6 +341,11 @@ impl<'a> SceneRun<'a> {
                 if let Err(source) = self.world.step() {
                     return Err(self.step_error(source));
                 }
+            }
+            if let (Some(displacements), Some(period)) =
+                (&mut self.displacements, self.scene.domain.period())
+            {
+                displacements.follow(&self.world.particles().position, period);
             }
             self.observer.event(Event::Progress {
                 phase: self.phase,
@@ -403,6 +417,7 @@ impl<'a> SceneRun<'a> {
             rebuilds: self.rebuilds(),
             balance: progress.balance,
             drive_samples: self.drive_samples.clone(),
+            displacements: self.displacements.clone(),
             warnings: progress.warnings,
             keys: self.scene.keys.clone(),
             state: self.world.record(),

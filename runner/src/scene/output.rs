@@ -34,10 +34,30 @@ pub enum Trajectory {
 pub enum Measure {
     /// Speeds of rolling and of slip in the debris.
     Rolling,
+    /// Mean stress in the free grains.
+    Stress,
+    /// Mean number of contacts and bonds per grain.
+    Coordination,
+    /// Packing fraction of the free grains.
+    PackingFraction,
+    /// Mean resultant force over mean force of contacts and bonds.
+    UnbalancedForce,
+    /// Largest overlap over the smaller radius.
+    LargestOverlap,
+    /// Strain of the free grains since t = 0.
+    Strain,
 }
 
 /// Names of the quantities, in the order of their columns.
-const MEASURES: [(&str, Measure); 1] = [("rolling", Measure::Rolling)];
+const MEASURES: [(&str, Measure); 7] = [
+    ("rolling", Measure::Rolling),
+    ("stress", Measure::Stress),
+    ("coordination", Measure::Coordination),
+    ("packing-fraction", Measure::PackingFraction),
+    ("unbalanced-force", Measure::UnbalancedForce),
+    ("largest-overlap", Measure::LargestOverlap),
+    ("strain", Measure::Strain),
+];
 
 const FORMATS: [(&str, Trajectory); 3] = [
     ("none", Trajectory::None),

@@ -1,11 +1,13 @@
 //! Estimators that need no model: they read points, radii or a contact network.
 
+mod deformation;
 mod fragments;
 mod network;
 mod packing;
 mod radial;
 mod stress;
 
+pub use deformation::displacement_gradient;
 pub use fragments::{Fragments, connected};
 pub use network::{ContactNetwork, NetworkContact};
 pub use packing::packing_fraction;

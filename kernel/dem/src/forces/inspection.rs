@@ -8,6 +8,7 @@ use crate::contacts::Contacts;
 use crate::geometry::{Arm, PairFrame, overlap_factor};
 use crate::laws::{BeamLaw, NormalLaw, TangentialLaw, YieldLaw};
 use crate::particles::Particles;
+use gouge_common::estimators::NetworkContact;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
@@ -54,6 +55,23 @@ pub struct Interaction {
     pub tangential_force: f64,
     /// Torques on both ends in N m, positive counter-clockwise.
     pub torque: [f64; 2],
+}
+
+impl Interaction {
+    /// Force of j on i in N.
+    pub fn force(&self) -> Vec2 {
+        self.normal * self.normal_force + self.normal.perpendicular() * self.tangential_force
+    }
+}
+
+impl From<&Interaction> for NetworkContact {
+    fn from(one: &Interaction) -> Self {
+        Self {
+            pair: one.pair,
+            branch: one.normal * one.distance,
+            force: one.force(),
+        }
+    }
 }
 
 fn doubles<S: Lanes>(pair: [S; 2]) -> [f64; 2] {

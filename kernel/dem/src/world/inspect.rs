@@ -6,7 +6,7 @@ use super::state::State;
 use crate::forces::{self, BondPass, ContactPass, Interaction};
 use crate::geometry::Arm;
 use crate::laws::{BeamLaw, NormalLaw, TangentialLaw, YieldLaw};
-use gouge_common::estimators::{ContactNetwork, NetworkContact};
+use gouge_common::estimators::ContactNetwork;
 use gouge_common::geometry::{Metric, WithMetric};
 use gouge_common::pair::Pair;
 
@@ -30,17 +30,9 @@ impl<S: Number> World<S> {
 
     /// The network of contacts and bonds, for estimators.
     pub fn contact_network(&self) -> ContactNetwork {
-        let contact = |one: Interaction| {
-            let (normal, tangent) = (one.normal, one.normal.perpendicular());
-            NetworkContact {
-                pair: one.pair,
-                branch: normal * one.distance,
-                force: normal * one.normal_force + tangent * one.tangential_force,
-            }
-        };
         ContactNetwork {
             particles: self.state.particles.len(),
-            contacts: self.interactions().into_iter().map(contact).collect(),
+            contacts: self.interactions().iter().map(Into::into).collect(),
         }
     }
 

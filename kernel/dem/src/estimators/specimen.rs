@@ -1,0 +1,111 @@
+//! The free particles of a state as a specimen that the others hold and load.
+
+use crate::forces::{Forces, Interaction, InteractionKind};
+use crate::particles::{Particles, Role};
+use crate::world::World;
+use gouge_common::estimators::{ContactNetwork, NetworkContact, packing_fraction};
+use gouge_equations::rendered;
+
+/// Width and height in m of the specimen: of the smallest upright rectangle around the discs of all free particles. In
+/// a periodic box it is as wide as the period. Not finite without free particles.
+pub fn specimen_size(world: &World) -> [f64; 2] {
+    let p = world.particles();
+    let extent = |at: fn(&Particles, usize) -> f64| {
+        let free = p.with_role(Role::Free);
+        let ends = free.map(|i| (at(p, i) - p.radius[i], at(p, i) + p.radius[i]));
+        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = ends.fold(none, |all, end| (all.0.min(end.0), all.1.max(end.1)));
+        high - low
+    };
+    let width = world.model().domain.period();
+    [
+        width.unwrap_or_else(|| extent(|p, i| p.position[i].x)),
+        extent(|p, i| p.position[i].y),
+    ]
+}
+
+/// Mean stress in the specimen in Pa, positive in tension: `[[xx, xy], [yx, yy]]`.
+///
+/// $$ \sigma_{ab} = \frac{1}{V} \sum_{ij} F_{ij,a}\, b_{ij,b} $$
+///
+/// $F_{ij}$ in N is the force of j on i, over all contacts and bonds with a free particle. $b_{ij}$ in m points from the
+/// centre of i to that of j; where one of them is not free, it begins or ends at the contact point instead, which is
+/// where the force enters the specimen. So the sum is that of the forces on the boundary times their places if the
+/// specimen is at rest and nothing else acts on it. V in m^3 is the area of the rectangle of [`specimen_size`] times
+/// `thickness`. NaN without free particles.
+#[rendered]
+pub fn specimen_stress(
+    world: &World,
+    interactions: &[Interaction],
+    thickness: f64,
+) -> [[f64; 2]; 2] {
+    let roles = &world.particles().role;
+    let contact = |one: &Interaction| {
+        let (i, j) = one.pair.indices();
+        let part = match [i, j].map(|end| roles[end] == Role::Free) {
+            [true, true] => 1.0,
+            [true, false] => one.overlap_factor,
+            [false, true] => 1.0 - one.overlap_factor,
+            [false, false] => return None,
+        };
+        let whole = NetworkContact::from(one);
+        Some(NetworkContact {
+            branch: whole.branch * part,
+            ..whole
+        })
+    };
+    let network = ContactNetwork {
+        particles: roles.len(),
+        contacts: interactions.iter().filter_map(contact).collect(),
+    };
+    let [width, height] = specimen_size(world);
+    match height.is_finite() {
+        true => network.mean_stress(width * height * thickness),
+        false => [[f64::NAN; 2]; 2],
+    }
+}
+
+/// Packing fraction of the specimen, dimensionless: [`packing_fraction`] of the free particles in the rectangle of
+/// [`specimen_size`].
+pub fn specimen_packing(world: &World) -> f64 {
+    let p = world.particles();
+    let radii: Vec<f64> = p.with_role(Role::Free).map(|i| p.radius[i]).collect();
+    let [width, height] = specimen_size(world);
+    packing_fraction(&radii, width * height)
+}
+
+/// Unbalanced force, dimensionless: how far the free particles are from equilibrium.
+///
+/// $$ u = \frac{\left\langle |F_i| \right\rangle_{\text{free } i}}{\left\langle |F_{ij}| \right\rangle_{ij}} $$
+///
+/// The mean magnitude of the resultant force on free particles over the mean magnitude of the forces of all contacts and
+/// bonds, both in N. Zero in equilibrium. NaN without contacts and bonds and without free particles.
+#[rendered]
+pub fn unbalanced_force(
+    particles: &Particles,
+    resultant: &Forces<f64>,
+    interactions: &[Interaction],
+) -> f64 {
+    let free = particles.with_role(Role::Free);
+    let resultants = mean(free.map(|i| resultant.force[i].norm()));
+    resultants / mean(interactions.iter().map(|one| one.force().norm()))
+}
+
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, number) = values.fold((0.0, 0.0), |(sum, number), value| {
+        (sum + value, number + 1.0)
+    });
+    sum / number
+}
+
+/// The largest overlap of a contact over the smaller radius of its two particles, dimensionless; zero without contacts.
+pub fn largest_overlap(world: &World, interactions: &[Interaction]) -> f64 {
+    let radius = &world.particles().radius;
+    let relative = |one: &Interaction| {
+        let (i, j) = one.pair.indices();
+        one.normal_displacement / radius[i].min(radius[j])
+    };
+    let contacts = interactions.iter();
+    let contacts = contacts.filter(|one| one.kind == InteractionKind::Contact);
+    contacts.map(relative).fold(0.0, f64::max)
+}
