@@ -33,6 +33,7 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
+mod restitution;
 mod rolling;
 mod search;
 mod sources;

@@ -110,6 +110,14 @@ struct Lightest {
 }
 
 impl Lightest {
+    /// Reduced mass in kg; zero if nothing can move.
+    fn reduced_mass(&self) -> f64 {
+        match self.inverse_mass > 0.0 {
+            true => 1.0 / self.inverse_mass,
+            false => 0.0,
+        }
+    }
+
     fn of(p: &Particles) -> Self {
         let mobile = || (0..p.len()).filter(|&i| p.role[i] != Role::Fixed);
         let by_mass = |i: &usize, j: &usize| p.mass[*i].total_cmp(&p.mass[*j]);
@@ -142,11 +150,12 @@ fn pair_bound(world: &World, name: &'static str, meaning: &'static str, [k, c]: 
 /// Bounds from a contact of two particles, whether they touch now or not.
 fn contact_bounds(world: &World, laws: ContactLaws, pair: &Lightest) -> Vec<Bound> {
     let per_mass = |constants: [f64; 2], inverse: f64| constants.map(|one| one * inverse);
+    let normal = laws.normal.constants([pair.radius; 2], pair.reduced_mass());
     let mut bounds = vec![pair_bound(
         world,
         "contact normal",
         "collision of the two lightest particles",
-        per_mass(laws.normal.constants([pair.radius; 2]), pair.inverse_mass),
+        per_mass(normal, pair.inverse_mass),
     )];
     if let Some(law) = laws.tangential {
         // For equal spheres 1 + m r^2 / J is 7/2.

@@ -47,6 +47,8 @@ pub trait Real:
     fn asin(self) -> Self;
     /// Inverse cosine.
     fn acos(self) -> Self;
+    /// Power of a positive number.
+    fn powf(self, exponent: f64) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
@@ -134,6 +136,9 @@ impl Real for f64 {
     }
     fn acos(self) -> Self {
         libm::acos(self)
+    }
+    fn powf(self, exponent: f64) -> Self {
+        libm::pow(self, exponent)
     }
     #[inline(always)]
     fn is_finite(self) -> bool {

@@ -5,7 +5,7 @@ use crate::integrators::Integrator;
 use crate::laws::{
     AdjustedKelvinVoigt, Bshp, CorrelationDrag, CreepingDrag, CundallStrack,
     CundallStrackTruncated, Driving, EulerBernoulli, Gravity, HaffWerner, HarmonicWell,
-    KelvinVoigt, ZhangEckert,
+    KelvinVoigt, NormalLaw, ReboundingBshp, ReboundingKelvinVoigt, ZhangEckert,
 };
 use crate::particles::{COMPUTED_INERTIA_FACTOR, SPHERE_INERTIA_FACTOR};
 use gouge_common::geometry::Domain;
@@ -37,6 +37,10 @@ pub enum ContactNormal {
     KelvinVoigt(KelvinVoigt),
     /// BSHP: viscoelastic spheres.
     Bshp(Bshp),
+    /// Truncated Kelvin-Voigt with the same restitution for every pair.
+    ReboundingKelvinVoigt(ReboundingKelvinVoigt),
+    /// BSHP with the same restitution for every pair.
+    ReboundingBshp(ReboundingBshp),
 }
 
 /// Tangential law of contacts.
@@ -54,19 +58,35 @@ pub enum ContactTangential {
 const TYPICAL_OVERLAP: f64 = 0.1;
 
 impl ContactNormal {
-    /// Stiffness in kg/s^2 and damping in kg/s of the linearised law, for a pair with radii in m.
+    /// Stiffness in kg/s^2 and damping in kg/s of the linearised law, for a pair with radii in m and its reduced mass in
+    /// kg.
     ///
     /// BSHP is linearised at an overlap of a tenth of the smaller radius.
-    pub fn constants(&self, radii: [f64; 2]) -> [f64; 2] {
+    pub fn constants(&self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
+        let scaled = |[stiffness, damping]: [f64; 2], factor: f64| [stiffness, damping * factor];
         match self {
-            Self::KelvinVoigt(law) => [law.stiffness, law.damping],
-            Self::Bshp(law) => {
-                let xi = TYPICAL_OVERLAP * radii[0].min(radii[1]);
-                let slope = 1.5 * law.prefactor(radii) * xi.sqrt();
-                [slope, slope / 1.5 * law.dissipative_constant]
+            Self::KelvinVoigt(law) => linear(*law),
+            Self::Bshp(law) => linearised(*law, radii),
+            Self::ReboundingKelvinVoigt(law) => {
+                let factor = law.damping_factor(radii, reduced_mass);
+                scaled(linear(law.of_unit_mass), factor)
+            }
+            Self::ReboundingBshp(law) => {
+                let factor = law.damping_factor(radii, reduced_mass);
+                scaled(linearised(law.of_unit_pair, radii), factor)
             }
         }
     }
+}
+
+fn linear(law: KelvinVoigt) -> [f64; 2] {
+    [law.stiffness, law.damping]
+}
+
+fn linearised(law: Bshp, radii: [f64; 2]) -> [f64; 2] {
+    let xi = TYPICAL_OVERLAP * radii[0].min(radii[1]);
+    let slope = 1.5 * law.prefactor(radii) * xi.sqrt();
+    [slope, slope / 1.5 * law.dissipative_constant]
 }
 
 impl ContactTangential {

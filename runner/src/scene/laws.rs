@@ -3,12 +3,14 @@
 use super::table::{Range, Table};
 use crate::error::SceneError;
 use gouge_common::geometry::Domain;
+use gouge_dem::calibration::{rebounding_bshp, rebounding_kelvin_voigt};
 use gouge_dem::geometry::{ContactDistance, Lever, MixedArms, Translation};
 use gouge_dem::laws::{
     AdjustedKelvinVoigt, Bshp, Controller, CorrelationDrag, CreepingDrag, CundallStrack,
     CundallStrackTruncated, Driving, EulerBernoulli, Gravity, HaffWerner, HarmonicWell,
     KelvinVoigt, ZhangEckert,
 };
+use gouge_dem::material::Elastic;
 use gouge_dem::model::{
     Ambient, BondLaws, ContactLaws, ContactNormal, ContactTangential, External, Reading, Yielding,
 };
@@ -82,26 +84,72 @@ fn contact_normal(table: &Table) -> Result<ContactNormal> {
         ("bshp", Normal::Bshp),
     ];
     match table.choice("law", &laws)? {
-        Normal::KelvinVoigt => {
-            table.allow(&["law", "stiffness", "damping"])?;
-            Ok(ContactNormal::KelvinVoigt(KelvinVoigt {
-                stiffness: table.number("stiffness", Range::NonNegative)?,
-                damping: table.number("damping", Range::NonNegative)?,
-            }))
+        Normal::KelvinVoigt => kelvin_voigt(table),
+        Normal::Bshp => bshp(table),
+    }
+}
+
+fn kelvin_voigt(table: &Table) -> Result<ContactNormal> {
+    table.allow(&["law", "stiffness", "damping", "restitution"])?;
+    let stiffness = table.number("stiffness", Range::NonNegative)?;
+    Ok(match restitution(table, "damping")? {
+        Some(restitution) => {
+            ContactNormal::ReboundingKelvinVoigt(rebounding_kelvin_voigt(stiffness, restitution))
         }
-        Normal::Bshp => {
-            table.allow(&[
-                "law",
-                "youngs_modulus",
-                "poissons_ratio",
-                "dissipative_constant",
-            ])?;
-            Ok(ContactNormal::Bshp(Bshp {
-                youngs_modulus: table.number("youngs_modulus", Range::NonNegative)?,
-                poissons_ratio: table.number("poissons_ratio", Range::Between(-1.0, 0.5))?,
-                dissipative_constant: table.number("dissipative_constant", Range::NonNegative)?,
-            }))
-        }
+        None => ContactNormal::KelvinVoigt(KelvinVoigt {
+            stiffness,
+            damping: table.number("damping", Range::NonNegative)?,
+        }),
+    })
+}
+
+fn bshp(table: &Table) -> Result<ContactNormal> {
+    table.allow(&[
+        "law",
+        "youngs_modulus",
+        "poissons_ratio",
+        "dissipative_constant",
+        "restitution",
+        "restitution_speed",
+    ])?;
+    let youngs_modulus = table.number("youngs_modulus", Range::NonNegative)?;
+    let poissons_ratio = table.number("poissons_ratio", Range::Between(-1.0, 0.5))?;
+    if let Some(restitution) = restitution(table, "dissipative_constant")? {
+        let elastic = Elastic {
+            youngs_modulus: table.number("youngs_modulus", Range::Positive)?,
+            poissons_ratio,
+        };
+        let speed = table.number("restitution_speed", Range::Positive)?;
+        let law = rebounding_bshp(elastic, restitution, speed);
+        return Ok(ContactNormal::ReboundingBshp(law));
+    }
+    if table.has("restitution_speed") {
+        let accepted = "belongs to contact.normal.restitution, which is absent";
+        return Err(table.error("restitution_speed", accepted));
+    }
+    Ok(ContactNormal::Bshp(Bshp {
+        youngs_modulus,
+        poissons_ratio,
+        dissipative_constant: table.number("dissipative_constant", Range::NonNegative)?,
+    }))
+}
+
+/// The wanted coefficient of restitution, if it is given instead of a constant of the law.
+fn restitution(table: &Table, constant: &str) -> Result<Option<f64>> {
+    let (is_wanted, is_given) = (table.has("restitution"), table.has(constant));
+    if is_wanted && is_given {
+        let accepted = format!("must not be given together with {constant}");
+        return Err(table.error("restitution", &accepted));
+    }
+    if !is_wanted && !is_given {
+        let number = Range::NonNegative.text();
+        let accepted = format!("missing; {number}, unless restitution is given instead");
+        return Err(table.error(constant, &accepted));
+    }
+    let accepted = "must be a number greater than 0, at most 1";
+    match table.optional_number("restitution", Range::Finite)? {
+        Some(number) if number <= 0.0 || number > 1.0 => Err(table.error("restitution", accepted)),
+        restitution => Ok(restitution),
     }
 }
 

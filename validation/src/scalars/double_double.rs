@@ -58,6 +58,9 @@ impl Real for DoubleDouble {
     fn acos(self) -> Self {
         Self(self.0.acos())
     }
+    fn powf(self, exponent: f64) -> Self {
+        Self((self.0.ln() * exponent).exp())
+    }
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.0.hi().is_finite()

@@ -89,6 +89,9 @@ impl Real for Dual {
     fn acos(self) -> Self {
         Self(self.0.acos())
     }
+    fn powf(self, exponent: f64) -> Self {
+        Self(self.0.powf(exponent))
+    }
     fn is_finite(self) -> bool {
         self.value().is_finite() && self.slope().is_finite()
     }

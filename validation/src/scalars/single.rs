@@ -53,6 +53,9 @@ impl Real for Single {
     fn acos(self) -> Self {
         Self(libm::acosf(self.0))
     }
+    fn powf(self, exponent: f64) -> Self {
+        Self(libm::powf(self.0, exponent as f32))
+    }
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.0.is_finite()

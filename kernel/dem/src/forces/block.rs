@@ -38,6 +38,7 @@ pub(crate) struct Inputs<S> {
     angles: [[S; PAIRS]; 2],
     spins: [[S; PAIRS]; 2],
     radii: [[S; PAIRS]; 2],
+    reduced_masses: [S; PAIRS],
 }
 
 /// Pair frames of a block, as columns.
@@ -141,6 +142,7 @@ impl<S: Lanes> Default for Inputs<S> {
             angles: zeros,
             spins: zeros,
             radii: zeros,
+            reduced_masses: [S::zero(); PAIRS],
         }
     }
 }
@@ -230,6 +232,10 @@ impl<S: Lanes> Inputs<S> {
         if reads.radii {
             set_two(&mut self.radii, two, [columns.radii(a), columns.radii(b)]);
         }
+        if reads.masses {
+            let masses = [columns.reduced_mass(a), columns.reduced_mass(b)];
+            self.reduced_masses.as_chunks_mut().0[two] = masses;
+        }
         if reads.angles {
             set_two(
                 &mut self.angles,
@@ -249,6 +255,7 @@ impl<S: Lanes> Inputs<S> {
             angles: get(&self.angles, lane),
             spins: get(&self.spins, lane),
             radii: get(&self.radii, lane),
+            reduced_mass: self.reduced_masses[lane],
         }
     }
 }

@@ -3,12 +3,11 @@
 use super::block::{Block, IDLE, IRREGULAR, Outputs, PAIRS};
 use super::bond_pass::{BondPass, BondState};
 use super::cross_part::CrossPartForces;
-use super::ends::{Ends, Reads};
+use super::ends::{Bodies, Ends, Reads};
 use super::pair_loop::PairForces;
 use super::workspace::PartWorkspace;
 use crate::bonds::BondColumns;
 use crate::laws::{BeamLaw, YieldLaw};
-use crate::particles::Particles;
 use core::ops::Range;
 use gouge_common::geometry::Metric;
 use gouge_common::lanes::Lanes;
@@ -17,7 +16,7 @@ use gouge_common::pair::{Pair, map_ends};
 /// A range of consecutive bonds. Bonds that break exert no force and are listed.
 pub(crate) struct BondForces<'a, S: Lanes, M, B, Y, const LEDGER: bool> {
     pub pass: BondPass<M, B, Y>,
-    pub particles: &'a Particles<S>,
+    pub bodies: Bodies<'a, S>,
     pub bonds: BondColumns<'a, S>,
 }
 
@@ -31,6 +30,7 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool> PairForce
         angles: !B::ABSENT,
         spins: !B::ABSENT,
         radii: false,
+        masses: false,
     };
 
     #[inline(always)]
@@ -128,7 +128,7 @@ impl<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>
             workspace.broken.push((self.bonds.first + position) as u32);
             if LEDGER {
                 let (pair, rest) = (self.bonds.pairs[position], self.bonds.rest(position));
-                let state = self.pass.state_of(self.particles, pair, rest);
+                let state = self.pass.state_of(self.bodies, pair, rest);
                 workspace.bookings.breaking += self.pass.stored_energy(&state);
             }
         }

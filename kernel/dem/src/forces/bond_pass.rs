@@ -1,11 +1,10 @@
 //! Kinematics and laws of a single bond.
 
-use super::ends::{Columns, Ends};
+use super::ends::{Bodies, Columns, Ends};
 use super::rotations::{general_rotations, regular_rotations};
 use crate::bonds::{Bonds, Rest};
 use crate::geometry::{PairFrame, PairMotion};
 use crate::laws::{AdjustedKelvinVoigt, BeamLaw, YieldLaw};
-use crate::particles::Particles;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
@@ -111,11 +110,11 @@ impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
     /// Present state of a bond.
     pub fn state_of<S: Lanes>(
         &self,
-        particles: &Particles<S>,
+        bodies: Bodies<S>,
         pair: Pair,
         mut rest: Rest<S>,
     ) -> BondState<S> {
-        let ends = Columns::of(particles).ends(pair);
+        let ends = Columns::of(bodies).ends(pair);
         self.general_state(&ends, &mut rest)
     }
 
@@ -134,10 +133,10 @@ impl<M: Metric, B: BeamLaw, Y: YieldLaw> BondPass<M, B, Y> {
     }
 
     /// Elastic energy stored in all bonds in J, thesis eq. (77).
-    pub fn total_stored_energy<S: Lanes>(&self, particles: &Particles<S>, bonds: &Bonds<S>) -> S {
+    pub fn total_stored_energy<S: Lanes>(&self, bodies: Bodies<S>, bonds: &Bonds<S>) -> S {
         let mut sum = S::zero();
         for bond in bonds.iter() {
-            sum += self.stored_energy(&self.state_of(particles, bond.pair, bond.rest));
+            sum += self.stored_energy(&self.state_of(bodies, bond.pair, bond.rest));
         }
         sum
     }

@@ -42,6 +42,7 @@ impl<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: 
         angles: ContactPass::<M, A, N, T>::FOLLOWS_ANGLES,
         spins: !T::ABSENT,
         radii: true,
+        masses: N::SCALES_DAMPING,
     };
 
     #[inline(always)]

@@ -1,13 +1,11 @@
 //! Kinematics and laws of a single contact.
 
-use super::ends::Columns;
-use super::ends::Ends;
+use super::ends::{Bodies, Columns, Ends};
 use super::rotations::{general_rotations, regular_rotations};
 use crate::contacts::{ContactMemory, Contacts};
 use crate::geometry::{Arm, PairFrame, PairMotion};
 use crate::laws::{Friction, NormalLaw, TangentialLaw, TangentialMotion};
 use crate::model::Reading;
-use crate::particles::Particles;
 use gouge_common::geometry::{Metric, Vec2};
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::map_ends;
@@ -61,7 +59,9 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
     ) -> ContactState<S> {
         let motion = PairMotion::new(&frame, ends.velocity);
         let xi = frame.normal_displacement(ends.radii);
-        let normal_force = self.normal.force(ends.radii, xi, motion.normal_velocity);
+        let normal_force = self
+            .normal
+            .force(ends.radii, xi, self.damped(ends, &motion));
         let mut state = ContactState {
             frame,
             motion,
@@ -81,6 +81,16 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
             self.add_tangential(ends, angles, memory, &mut state);
         }
         state
+    }
+
+    /// The normal velocity in m/s, scaled with the damping of the pair if the law scales it.
+    #[inline(always)]
+    fn damped<S: Lanes>(&self, ends: &Ends<S>, motion: &PairMotion<S>) -> S {
+        if N::SCALES_DAMPING {
+            motion.normal_velocity * self.normal.damping_factor(ends.radii, ends.reduced_mass)
+        } else {
+            motion.normal_velocity
+        }
     }
 
     /// Compute the tangential displacements and velocities, the tangential force, and the torques on both particles.
@@ -211,12 +221,8 @@ impl<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw> ContactPass<M, A, N, T> 
     }
 
     /// Elastic energy stored in all contacts in J, thesis eqs. (75)-(76).
-    pub fn total_stored_energy<S: Lanes>(
-        &self,
-        particles: &Particles<S>,
-        contacts: &Contacts<S>,
-    ) -> S {
-        let columns = Columns::of(particles);
+    pub fn total_stored_energy<S: Lanes>(&self, bodies: Bodies<S>, contacts: &Contacts<S>) -> S {
+        let columns = Columns::of(bodies);
         let mut sum = S::zero();
         for (position, pair) in contacts.pairs.iter().enumerate() {
             let ends = columns.ends(*pair);

@@ -5,6 +5,7 @@ use crate::particles::Particles;
 use gouge_common::geometry::Vec2;
 use gouge_common::lanes::Lanes;
 use gouge_common::pair::Pair;
+use gouge_common::scalar::Real;
 use prefetch_index::prefetch_index;
 
 /// Which particle data the laws read, besides positions and velocities.
@@ -13,6 +14,7 @@ pub(crate) struct Reads {
     pub angles: bool,
     pub spins: bool,
     pub radii: bool,
+    pub masses: bool,
 }
 
 /// Data of the two particles of a pair.
@@ -28,6 +30,33 @@ pub(crate) struct Ends<S> {
     pub spins: [S; 2],
     /// Radii in m.
     pub radii: [S; 2],
+    /// Reduced mass in kg; zero if forces can move neither particle.
+    pub reduced_mass: S,
+}
+
+/// Particles, and how forces move them.
+pub(crate) struct Bodies<'a, S> {
+    pub particles: &'a Particles<S>,
+    /// Inverse masses in 1/kg, zero for particles that forces cannot move.
+    pub inverse_mass: &'a [S],
+}
+
+impl<S> Clone for Bodies<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<S> Copy for Bodies<'_, S> {}
+
+/// Reduced mass in kg of two particles with inverse masses in 1/kg; zero if forces can move neither.
+#[inline(always)]
+pub(crate) fn reduced_mass<S: Real>(inverse_masses: [S; 2]) -> S {
+    let sum = inverse_masses[0] + inverse_masses[1];
+    if sum > S::zero() {
+        S::from_f64(1.0) / sum
+    } else {
+        S::zero()
+    }
 }
 
 /// The columns of particles that pairs read, all cut to the same length so that one bounds check serves all.
@@ -38,13 +67,16 @@ pub(crate) struct Columns<'a, S> {
     angle: &'a [S],
     angular_velocity: &'a [S],
     radius: &'a [S],
+    inverse_mass: &'a [S],
 }
 
 impl<'a, S: Lanes> Columns<'a, S> {
     #[inline(always)]
-    pub fn of(particles: &'a Particles<S>) -> Self {
+    pub fn of(bodies: Bodies<'a, S>) -> Self {
+        let particles = bodies.particles;
         let number = particles.len();
         Self {
+            inverse_mass: &bodies.inverse_mass[..number],
             position: &particles.position[..number],
             velocity: &particles.velocity[..number],
             angle: &particles.angle[..number],
@@ -68,6 +100,7 @@ impl<'a, S: Lanes> Columns<'a, S> {
             angles: self.angles(pair),
             spins: self.spins(pair),
             radii: self.radii(pair),
+            reduced_mass: self.reduced_mass(pair),
         }
     }
     /// Prefetch the data of a particle, and of other particles in the same cache lines.
@@ -83,6 +116,9 @@ impl<'a, S: Lanes> Columns<'a, S> {
         }
         if reads.radii {
             prefetch_index(self.radius, particle);
+        }
+        if reads.masses {
+            prefetch_index(self.inverse_mass, particle);
         }
     }
     #[inline(always)]
@@ -109,6 +145,11 @@ impl<'a, S: Lanes> Columns<'a, S> {
     pub fn radii(&self, pair: Pair) -> [S; 2] {
         let (i, j) = self.indices(pair);
         [self.radius[i], self.radius[j]]
+    }
+    #[inline(always)]
+    pub fn reduced_mass(&self, pair: Pair) -> S {
+        let (i, j) = self.indices(pair);
+        reduced_mass([self.inverse_mass[i], self.inverse_mass[j]])
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::bond_pass::BondPass;
 use super::contact_pass::ContactPass;
-use super::ends::Columns;
+use super::ends::{Bodies, Columns};
 use crate::bonds::{Bond, Bonds};
 use crate::contacts::Contacts;
 use crate::geometry::{Arm, PairFrame, overlap_factor};
@@ -111,10 +111,10 @@ fn common<S: Lanes>(
 /// All contacts of a state.
 pub(crate) fn contact_states<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
     pass: ContactPass<M, A, N, T>,
-    particles: &Particles<S>,
+    bodies: Bodies<S>,
     contacts: &Contacts<S>,
 ) -> Vec<Interaction> {
-    let columns = Columns::of(particles);
+    let (particles, columns) = (bodies.particles, Columns::of(bodies));
     let state = |(position, &pair): (usize, &Pair)| {
         let ends = columns.ends(pair);
         if !pass.overlaps(&ends) {
@@ -143,11 +143,11 @@ pub(crate) fn contact_states<S: Lanes, M: Metric, A: Arm, N: NormalLaw, T: Tange
 /// All bonds of a state.
 pub(crate) fn bond_states<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw>(
     pass: BondPass<M, B, Y>,
-    particles: &Particles<S>,
+    bodies: Bodies<S>,
     bonds: &Bonds<S>,
 ) -> Vec<Interaction> {
     let state = |bond: Bond<S>| {
-        let state = pass.state_of(particles, bond.pair, bond.rest);
+        let state = pass.state_of(bodies, bond.pair, bond.rest);
         Interaction {
             adjusted_normal_displacement: state.xi_adjusted.to_f64(),
             tangential_displacement: doubles(state.zeta),
@@ -156,7 +156,12 @@ pub(crate) fn bond_states<S: Lanes, M: Metric, B: BeamLaw, Y: YieldLaw>(
             normal_force: state.normal_force.to_f64(),
             tangential_force: state.tangential_force.to_f64(),
             torque: doubles(state.torques),
-            ..common(InteractionKind::Bond, bond.pair, particles, &state.frame)
+            ..common(
+                InteractionKind::Bond,
+                bond.pair,
+                bodies.particles,
+                &state.frame,
+            )
         }
     };
     bonds.iter().map(state).collect()

@@ -31,6 +31,7 @@ pub(crate) use bookings::Bookings;
 pub(crate) use contact_forces::ContactForces;
 pub(crate) use contact_pass::ContactPass;
 pub(crate) use driving::{driving, measure_driven};
+pub(crate) use ends::{Bodies, reduced_mass};
 pub(crate) use external::external;
 pub(crate) use inspection::{bond_states, contact_states};
 pub(crate) use pair_loop::PairLoop;

@@ -2,13 +2,12 @@
 
 use super::block::{Block, IDLE, IRREGULAR, blocks};
 use super::cross_part::CrossPartForces;
-use super::ends::{Columns, Reads};
+use super::ends::{Bodies, Columns, Reads};
 use super::prefetch::is_large;
 use super::scatter::Scatter;
 use super::sums::Sums;
 use super::workspace::PartWorkspace;
 use crate::pairs::ListVersion;
-use crate::particles::Particles;
 use core::ops::Range;
 use gouge_common::instructions::Instructions;
 use gouge_common::lanes::Lanes;
@@ -54,7 +53,7 @@ pub(crate) trait PairForces<S: Lanes>: Sized + Send {
 /// Reads particles and pairs; writes force sums, memories and bookings. Allocates nothing.
 pub(crate) struct PairLoop<'a, S, F> {
     pub forces: F,
-    pub particles: &'a Particles<S>,
+    pub bodies: Bodies<'a, S>,
     pub sums: Sums<'a, S>,
     pub list_version: ListVersion,
 }
@@ -81,8 +80,8 @@ impl<S: Lanes, F: PairForces<S>> Work<PartWorkspace<S>> for PairLoop<'_, S, F> {
     fn run_part(mut self, workspace: &mut PartWorkspace<S>, instructions: Instructions) {
         let (cross_part, _) = F::cross_part_and_block(workspace);
         cross_part.begin(self.list_version, self.forces.pairs(), self.sums.first);
-        let columns = Columns::of(self.particles);
-        let is_large = is_large(self.particles.len());
+        let columns = Columns::of(self.bodies);
+        let is_large = is_large(self.bodies.particles.len());
         for positions in blocks(self.forces.first(), self.forces.pairs().len()) {
             let block = &mut workspace.block;
             let flags = self.compute_block(block, columns, positions.clone(), is_large);

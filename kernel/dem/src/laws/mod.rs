@@ -8,6 +8,7 @@ mod ambient;
 mod driving;
 mod external;
 mod normal;
+mod rebound;
 mod tangential;
 mod yielding;
 
@@ -20,6 +21,7 @@ pub use normal::{
     AdjustedKelvinVoigt, Bshp, KelvinVoigt, NormalLaw, dissipative_constant,
     dissipative_constant_printed,
 };
+pub use rebound::{ReboundingBshp, ReboundingKelvinVoigt};
 pub use tangential::{
     BeamLaw, CundallStrack, CundallStrackTruncated, EulerBernoulli, Friction, Frictionless,
     HaffWerner, NoBending, TangentialLaw, TangentialMotion,

@@ -6,6 +6,16 @@ use gouge_equations::rendered;
 
 /// Normal law of a contact.
 pub trait NormalLaw: Copy + Send + Sync {
+    /// Whether the damping of a pair depends on its reduced mass.
+    const SCALES_DAMPING: bool = false;
+    /// Factor of the damping of a pair beside that of the law, for the radii in m and the reduced mass in kg of the pair.
+    ///
+    /// The force depends on the rate only in its product with the damping, so a pair has the force of the law at the
+    /// rate times this factor.
+    #[inline(always)]
+    fn damping_factor<S: Real>(self, _radii: [S; 2], _reduced_mass: S) -> S {
+        S::from_f64(1.0)
+    }
     /// Force in N along the normal, never positive: contacts only repel.
     ///
     /// `xi` is the normal displacement in m, `d_xi` its rate in m/s, and `radii` are the radii of the pair in m.
@@ -121,10 +131,16 @@ impl Bshp {
     /// ```
     #[inline(always)]
     pub fn prefactor<S: Real>(self, radii: [S; 2]) -> S {
-        let reduced_radius = radii[0] * radii[1] / (radii[0] + radii[1]);
+        let reduced_radius = reduced_radius(radii);
         let modulus = self.youngs_modulus / (1.0 - self.poissons_ratio * self.poissons_ratio);
         reduced_radius.sqrt() * (2.0 / 3.0 * modulus)
     }
+}
+
+/// Reduced radius of a pair in m.
+#[inline(always)]
+pub(super) fn reduced_radius<S: Real>(radii: [S; 2]) -> S {
+    radii[0] * radii[1] / (radii[0] + radii[1])
 }
 
 impl NormalLaw for Bshp {

@@ -84,6 +84,8 @@ impl<V: WithContactPass> WithMetric for ChooseContactLaws<V> {
         match self.laws.normal {
             ContactNormal::KelvinVoigt(normal) => self.choose_tangential(metric, normal),
             ContactNormal::Bshp(normal) => self.choose_tangential(metric, normal),
+            ContactNormal::ReboundingKelvinVoigt(normal) => self.choose_tangential(metric, normal),
+            ContactNormal::ReboundingBshp(normal) => self.choose_tangential(metric, normal),
         }
     }
 }

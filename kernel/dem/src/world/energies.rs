@@ -7,7 +7,7 @@ use super::dispatch::{
 use super::simulation::{Number, World};
 use super::state::State;
 use crate::balance::Energy;
-use crate::forces::{BondPass, ContactPass};
+use crate::forces::{Bodies, BondPass, ContactPass};
 use crate::geometry::Arm;
 use crate::laws::{BeamLaw, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::geometry::Metric;
@@ -32,15 +32,17 @@ impl<S: Number> World<S> {
     /// The energies that are functions of state, in J.
     pub(super) fn sum_state_energy(&self) -> Energy<S> {
         let (model, state) = (&self.model, &self.state);
+        let bodies = self.bodies();
+        let stored = || Stored { state, bodies };
         let mut energy = Energy::kinetic_of(&state.particles);
         if let Some(external) = model.external {
-            energy.external = with_external_law(external, Stored { state });
+            energy.external = with_external_law(external, stored());
         }
         if let Some(laws) = model.contact {
-            energy.contact += with_contact_pass(model, laws, 0.0, Stored { state });
+            energy.contact += with_contact_pass(model, laws, 0.0, stored());
         }
         if let Some(laws) = model.bond {
-            energy.contact += with_bond_pass(model, laws, Stored { state });
+            energy.contact += with_bond_pass(model, laws, stored());
         }
         energy
     }
@@ -61,6 +63,7 @@ impl<S: Number> WithExternalLaw for Stored<'_, S> {
 /// Energy stored in contacts, in bonds or in the external potential, in J.
 struct Stored<'a, S> {
     state: &'a State<S>,
+    bodies: Bodies<'a, S>,
 }
 
 impl<S: Number> WithContactPass for Stored<'_, S> {
@@ -71,7 +74,7 @@ impl<S: Number> WithContactPass for Stored<'_, S> {
     ) -> S {
         let contacts = self.state.contacts.as_ref();
         contacts.map_or(S::zero(), |contacts| {
-            pass.total_stored_energy(&self.state.particles, contacts)
+            pass.total_stored_energy(self.bodies, contacts)
         })
     }
 }
@@ -81,7 +84,7 @@ impl<S: Number> WithBondPass for Stored<'_, S> {
     fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) -> S {
         let bonds = self.state.bonds.as_ref();
         bonds.map_or(S::zero(), |bonds| {
-            pass.total_stored_energy(&self.state.particles, bonds)
+            pass.total_stored_energy(self.bodies, bonds)
         })
     }
 }

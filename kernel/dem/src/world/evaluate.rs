@@ -6,7 +6,9 @@ use super::dispatch::{
 };
 use super::simulation::{Number, World};
 use crate::error::StepError;
-use crate::forces::{self, BondForces, BondPass, Bookings, ContactForces, ContactPass, PairLoop};
+use crate::forces::{
+    self, Bodies, BondForces, BondPass, Bookings, ContactForces, ContactPass, PairLoop,
+};
 use crate::geometry::Arm;
 use crate::laws::{
     AmbientLaw, BeamLaw, Controller, Driven, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw,
@@ -209,14 +211,17 @@ impl<S: Number> AddForces<'_, S> {
         let Some(bonds) = &mut state.bonds else {
             return;
         };
-        let particles = &state.particles;
+        let bodies = Bodies {
+            particles: &state.particles,
+            inverse_mass: &workspace.inverse_mass,
+        };
         let work = PairLoop {
             list_version: bonds.list_version(),
             sums: state.forces.sums(),
-            particles,
+            bodies,
             forces: BondForces::<_, _, _, _, LEDGER> {
                 pass,
-                particles,
+                bodies,
                 bonds: bonds.columns(),
             },
         };
@@ -260,7 +265,10 @@ impl<S: Number> AddForces<'_, S> {
         let work = PairLoop {
             list_version: contacts.list_version(neighbors),
             sums: state.forces.sums(),
-            particles: &state.particles,
+            bodies: Bodies {
+                particles: &state.particles,
+                inverse_mass: &workspace.inverse_mass,
+            },
             forces: ContactForces::<_, _, _, _, _, LEDGER> {
                 pass,
                 first: 0,

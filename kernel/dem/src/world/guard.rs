@@ -2,9 +2,10 @@
 
 use super::simulation::{Number, World};
 use crate::error::StepError;
+use crate::forces::reduced_mass;
 use crate::integrators::{Oscillator, critical_step, is_stable_below};
 use crate::laws::EulerBernoulli;
-use crate::model::{ContactNormal, ContactTangential, Model};
+use crate::model::{ContactLaws, Model};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 
@@ -168,8 +169,11 @@ fn stiffest<S: Number>(world: &World<S>, touching: &[Pair]) -> Oscillator {
                 world.state.particles.radius[i].to_f64(),
                 world.state.particles.radius[j].to_f64(),
             ];
-            let contact = contact_constants(&laws.normal, &laws.tangential, radii);
-            add((i, j), contact);
+            let masses = [i, j].map(|end| world.workspace.inverse_mass[end].to_f64());
+            add(
+                (i, j),
+                contact_constants(&laws, radii, reduced_mass(masses)),
+            );
         }
     }
     let largest = |sums: &[f64]| {
@@ -221,13 +225,13 @@ pub(super) fn bond_constants(model: &Model) -> Option<PairConstants> {
 
 /// The constants of a contact.
 pub(super) fn contact_constants(
-    normal: &ContactNormal,
-    tangential: &Option<ContactTangential>,
+    laws: &ContactLaws,
     radii: [f64; 2],
+    reduced_mass: f64,
 ) -> PairConstants {
     PairConstants {
-        normal: normal.constants(radii),
-        tangential: tangential.map_or([0.0; 2], |law| law.constants()),
+        normal: laws.normal.constants(radii, reduced_mass),
+        tangential: laws.tangential.map_or([0.0; 2], |law| law.constants()),
         shared: 1.0,
     }
 }

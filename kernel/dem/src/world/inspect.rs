@@ -3,7 +3,7 @@
 use super::dispatch::{WithBondPass, WithContactPass, with_bond_pass, with_contact_pass};
 use super::simulation::{Number, World};
 use super::state::State;
-use crate::forces::{self, BondPass, ContactPass, Interaction};
+use crate::forces::{self, Bodies, BondPass, ContactPass, Interaction};
 use crate::geometry::Arm;
 use crate::laws::{BeamLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::estimators::ContactNetwork;
@@ -18,12 +18,18 @@ impl<S: Number> World<S> {
 
     pub(super) fn find_interactions(&self) -> Vec<Interaction> {
         let (model, state) = (&self.model, &self.state);
+        let bodies = self.bodies();
         let mut all = Vec::new();
         if let Some(laws) = model.contact {
-            all.extend(with_contact_pass(model, laws, 0.0, Inspect { state }));
+            all.extend(with_contact_pass(
+                model,
+                laws,
+                0.0,
+                Inspect { state, bodies },
+            ));
         }
         if let Some(laws) = model.bond {
-            all.extend(with_bond_pass(model, laws, Inspect { state }));
+            all.extend(with_bond_pass(model, laws, Inspect { state, bodies }));
         }
         all
     }
@@ -50,6 +56,7 @@ impl<S: Number> World<S> {
 
 struct Inspect<'a, S> {
     state: &'a State<S>,
+    bodies: Bodies<'a, S>,
 }
 
 impl<S: Number> WithContactPass for Inspect<'_, S> {
@@ -60,7 +67,7 @@ impl<S: Number> WithContactPass for Inspect<'_, S> {
     ) -> Vec<Interaction> {
         let contacts = self.state.contacts.as_ref();
         contacts.map_or_else(Vec::new, |contacts| {
-            forces::contact_states(pass, &self.state.particles, contacts)
+            forces::contact_states(pass, self.bodies, contacts)
         })
     }
 }
@@ -70,7 +77,7 @@ impl<S: Number> WithBondPass for Inspect<'_, S> {
     fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) -> Vec<Interaction> {
         let bonds = self.state.bonds.as_ref();
         bonds.map_or_else(Vec::new, |bonds| {
-            forces::bond_states(pass, &self.state.particles, bonds)
+            forces::bond_states(pass, self.bodies, bonds)
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::guard::{PairConstants, bond_constants, contact_constants};
 use super::simulation::World;
-use crate::forces::{Interaction, InteractionKind};
+use crate::forces::{Interaction, InteractionKind, reduced_mass};
 use crate::integrators::{Oscillator, critical_step};
 use crate::particles::Particles;
 use gouge_common::geometry::Vec2;
@@ -56,7 +56,8 @@ fn links(world: &World) -> Vec<Link> {
             InteractionKind::Bond => bond_constants(model)?,
             InteractionKind::Contact => {
                 let laws = model.contact?;
-                contact_constants(&laws.normal, &laws.tangential, radii)
+                let masses = [i, j].map(|end| world.inverse_mass(end));
+                contact_constants(&laws, radii, reduced_mass(masses))
             }
         };
         Some(Link {

@@ -7,7 +7,7 @@ use crate::balance::Energy;
 use crate::bonds::Bonds;
 use crate::contacts::Contacts;
 use crate::error::StepError;
-use crate::forces::{Forces, Interaction, PartWorkspace};
+use crate::forces::{Bodies, Forces, Interaction, PartWorkspace};
 use crate::model::Model;
 use crate::particles::Particles;
 use gouge_common::instructions::Instructions;
@@ -69,6 +69,17 @@ impl<S: Number> World<S> {
     /// The particles.
     pub fn particles(&self) -> &Particles<S> {
         &self.state.particles
+    }
+    /// The particles, and how forces move them.
+    pub(super) fn bodies(&self) -> Bodies<'_, S> {
+        Bodies {
+            particles: &self.state.particles,
+            inverse_mass: &self.workspace.inverse_mass,
+        }
+    }
+    /// Inverse mass of a particle in 1/kg; zero if forces cannot move it.
+    pub fn inverse_mass(&self, i: usize) -> S {
+        self.workspace.inverse_mass[i]
     }
     /// The bonds, if the model has them.
     pub fn bonds(&self) -> Option<&Bonds<S>> {

@@ -5,6 +5,7 @@ use crate::checks::{Check, Effort, Origin, Topic, thesis};
 pub(super) mod collision;
 mod kelvin_voigt;
 mod momentum;
+mod restitution;
 mod viscoelastic;
 
 /// The topic.
@@ -22,6 +23,18 @@ pub fn topic() -> Topic {
         reason: "Each step rounds each velocity at most five times, each time by at most 2^-53 of the impact speed, which is the largest. The bound is thus 5 roundings in each of 2000 steps. For mirror images the sum must be exactly zero",
         effort: Effort::Quick,
         measure: momentum::momentum,
+    });
+    checks.push(Check {
+        id: "pairs.restitution",
+        claim: "If a scene gives a restitution instead of a damping constant, every pair rebounds with it, for both normal laws, size ratios up to 100 and restitutions from 0.05 to 1.",
+        equations: thesis("(35)-(37), (40), (51), (52)"),
+        scene: "Spheres that initially overlap by a few units in the last place; velocity Verlet with 50 (1 + zeta) to 800 (1 + zeta) steps per collision for Kelvin-Voigt, 200 to 6400 for BSHP",
+        oracle: "The restitution that the scene asks for",
+        norm: "Largest relative error, extrapolated to zero time step",
+        origin: Origin::Convergent,
+        reason: "Kelvin-Voigt: 1e-10 from the extrapolation, as in pairs.kelvin-voigt. At a size ratio of 100 the positions have a rounding error of 1e-14 small radii, 3e-12 of the overlap; amplified by 4 zeta^2 = 15 and about 100 in the interpolation, 5e-9. BSHP: the time step remains to the power 4, (7 x 3 / 200)^4 for b = 7, times the weight of the coarsest run, 1 / (1.8 3 4.7 7 10.3): 7e-8",
+        effort: Effort::Quick,
+        measure: restitution::wanted,
     });
     Topic {
         id: "pairs",

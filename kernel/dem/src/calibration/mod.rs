@@ -1,5 +1,12 @@
 //! Calibration of the model parameters, thesis section 4.3, eqs. (87)-(97), and the friction decay (100).
 
+mod restitution;
+
+pub use restitution::{
+    damping_ratio_for, dissipation_for, rebounding_bshp, rebounding_kelvin_voigt,
+    truncated_duration, truncated_restitution, viscoelastic_restitution,
+};
+
 use crate::laws::Bshp;
 use crate::material::Elastic;
 use crate::particles::sphere_mass;
@@ -98,54 +105,6 @@ pub fn dissipative_constant_printed_from_restitution(
 /// First coefficient in the expansion of the restitution of viscoelastic spheres, dimensionless.
 pub fn first_order_coefficient() -> f64 {
     PI.sqrt() * libm::tgamma(0.6) / (libm::pow(2.0, 0.2) * libm::pow(5.0, 0.4) * libm::tgamma(2.1))
-}
-
-/// Duration of a truncated Kelvin-Voigt collision, in units of the inverse natural frequency.
-///
-/// $$ t = \frac{2 \arccos \zeta}{\sqrt{1 - \zeta^2}}, \quad \zeta < 1, \qquad t = \frac{2\, \mathrm{arcosh}\, \zeta}{\sqrt{\zeta^2 - 1}}, \quad \zeta > 1 $$
-///
-/// The collision ends when the force vanishes, before the overlap does. At critical damping the duration is 2. The
-/// damping ratio is that of the pair, with its reduced mass.
-#[rendered]
-pub fn truncated_duration(damping_ratio: f64) -> f64 {
-    let squared = (1.0 - damping_ratio) * (1.0 + damping_ratio);
-    let w = squared.abs().sqrt();
-    if squared > 0.0 {
-        2.0 * libm::atan2(w, damping_ratio) / w
-    } else if w > 0.0 {
-        2.0 * libm::asinh(w) / w
-    } else {
-        2.0
-    }
-}
-
-/// Coefficient of restitution of a truncated Kelvin-Voigt collision.
-///
-/// $$ \Upsilon = e^{-\zeta t} $$
-///
-/// $t$ is the [`truncated_duration`]. Tends to $1 / (4 \zeta^2)$ for strong damping.
-#[rendered]
-pub fn truncated_restitution(damping_ratio: f64) -> f64 {
-    libm::exp(-damping_ratio * truncated_duration(damping_ratio))
-}
-
-/// Damping ratio for which a truncated Kelvin-Voigt collision has a given coefficient of restitution in (0, 1].
-///
-/// Found by bisection; the restitution decreases monotonically with the damping ratio.
-pub fn damping_ratio_for(restitution: f64) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    while truncated_restitution(high) > restitution && high < 1e150 {
-        (low, high) = (high, 2.0 * high);
-    }
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if truncated_restitution(middle) > restitution {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }
 
 /// Model of the decay of friction after the peak.
