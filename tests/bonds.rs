@@ -57,6 +57,7 @@ fn a_breaking_bond_leaves_the_energy_of_other_contacts_alone() {
                 normal_strength: STRENGTH,
                 tangential_strength: STRENGTH,
             },
+            tensile_strength: None,
             unbreakable_edges: false,
         })
         .law(KelvinVoigt {

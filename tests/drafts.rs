@@ -66,6 +66,7 @@ fn draft() -> Draft {
                 normal_strength: 280e6,
                 tangential_strength: 168e6,
             },
+            tensile_strength: None,
             unbreakable_edges: false,
         })
         .gravity(9.81)

@@ -241,6 +241,7 @@ fn edge_bonds_break_only_in_phases_that_let_them() {
     let model = |edges: bool| {
         let model = *torn(Role::Free, true).model();
         let yielding = |yielding| Yielding {
+            tensile_strength: None,
             unbreakable_edges: edges,
             ..yielding
         };

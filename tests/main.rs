@@ -38,6 +38,7 @@ mod rolling;
 mod search;
 mod sources;
 mod start;
+mod strength;
 mod studies;
 mod sweep;
 mod watch;

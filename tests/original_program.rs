@@ -208,6 +208,7 @@ fn bond(rules: &Rules) -> BondLaws {
             normal_strength,
             tangential_strength,
         },
+        tensile_strength: None,
         unbreakable_edges: true,
     };
     BondLaws {

@@ -26,7 +26,7 @@ fn the_inverse_of_the_restitution_is_one_for_every_restitution() {
         assert!((closed / wanted - 1.0).abs() < 1e-11, "{wanted} {closed}");
     }
     // An overdamped pair creeps: 1 / (4 zeta^2), up to terms of order log(zeta) / zeta^2.
-    for wanted in [1e-320, 1e-300, 1e-30, 1e-13] {
+    for wanted in [1e-300, 1e-30, 1e-13] {
         let ratio = damping_ratio_for(wanted);
         assert!(
             (4.0 * ratio * wanted * ratio - 1.0).abs() < 1e-10,

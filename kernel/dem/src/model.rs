@@ -128,8 +128,17 @@ impl ContactLaws {
 pub struct Yielding {
     /// The yield criterion.
     pub law: ZhangEckert,
+    /// Ultimate tensile strength in Pa; `None` if it is the normal strength.
+    pub tensile_strength: Option<f64>,
     /// Whether bonds with a driven or fixed particle never break.
     pub unbreakable_edges: bool,
+}
+
+impl Yielding {
+    /// Stress in Pa at which a bond that is only pulled breaks.
+    pub fn tensile_strength(&self) -> f64 {
+        self.tensile_strength.unwrap_or(self.law.normal_strength)
+    }
 }
 
 /// Laws of bonds.

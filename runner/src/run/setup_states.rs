@@ -2,9 +2,11 @@
 
 use super::phases::{PhaseKind, phase_model};
 use crate::machine::with_chosen_execution;
-use crate::scene::{Amount, Scene, Setup, wrap};
+use crate::scene::{Amount, BondStrength, Bonding, Scene, Setup, wrap};
 use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
 use gouge_dem::bonds::BondStart;
+use gouge_dem::laws::strength_factor_for;
 use gouge_dem::model::Model;
 use gouge_dem::particles::{Particle, Particles, Role};
 use gouge_dem::setup::{Fault, bonds_within, is_above, strength_factors};
@@ -141,11 +143,11 @@ pub fn bonded_block(
 
 /// Bonds between neighbouring grains, except those that the fault cuts.
 fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
-    let Some(bonding) = setup.bonding else {
+    let Some(bonding) = &setup.bonding else {
         return Vec::new();
     };
     let pairs = bonds_within(grains, &scene.domain, bonding.reach);
-    let factors = strength_factors(pairs.len(), bonding.strength_spread, random(setup, 3));
+    let factors = factors(scene, bonding, grains, &pairs, random(setup, 3));
     let side = |i: usize| match setup.fault {
         Some(table) => {
             let width = scene.domain.width.unwrap_or(1.0);
@@ -166,13 +168,37 @@ fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
         let (i, j) = pair.indices();
         side(i) == side(j)
     });
-    let start = |(pair, strength_factor): (&gouge_common::pair::Pair, f64)| BondStart {
+    let start = |(pair, strength_factor): (&Pair, f64)| BondStart {
         between: [pair.i as usize, pair.j as usize],
         strength_factor,
         initial_distance: None,
         initial_angles: None,
     };
     whole.map(start).collect()
+}
+
+/// Strength factors of the bonds of some pairs, one random number for each.
+fn factors(
+    scene: &Scene,
+    bonding: &Bonding,
+    grains: &Particles,
+    pairs: &[Pair],
+    mut uniform: impl FnMut() -> f64,
+) -> Vec<f64> {
+    if let BondStrength::Spread(spread) = bonding.strength {
+        return strength_factors(pairs.len(), spread, uniform);
+    }
+    let yielding = scene.bond.and_then(|bond| bond.yielding);
+    let strength = yielding.map_or(1.0, |yielding| yielding.tensile_strength());
+    let factor = |pair: &Pair| {
+        let (i, j) = pair.indices();
+        let force = bonding
+            .strength
+            .quantile(uniform())
+            .unwrap_or(f64::INFINITY);
+        strength_factor_for(force, strength, [grains.radius[i], grains.radius[j]])
+    };
+    pairs.iter().map(factor).collect()
 }
 
 /// Roles of all particles; particles that the scene lists keep their roles.

@@ -232,6 +232,7 @@ fn yielding(table: &Table) -> Result<Yielding> {
         "law",
         "normal_strength",
         "tangential_strength",
+        "tensile_strength",
         "unbreakable_edges",
     ])?;
     Ok(Yielding {
@@ -239,6 +240,7 @@ fn yielding(table: &Table) -> Result<Yielding> {
             normal_strength: table.number("normal_strength", Range::Positive)?,
             tangential_strength: table.number("tangential_strength", Range::Positive)?,
         },
+        tensile_strength: table.optional_number("tensile_strength", Range::Positive)?,
         unbreakable_edges: table.optional_truth("unbreakable_edges")?.unwrap_or(true),
     })
 }

@@ -9,6 +9,7 @@ mod overrides;
 mod particles;
 mod rows;
 mod setup;
+mod strength;
 mod table;
 mod text;
 
@@ -18,6 +19,7 @@ pub use output::{Measure, Output, Trajectory};
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
+pub use strength::BondStrength;
 pub use text::hex;
 
 use crate::error::{Error, SceneError};
@@ -249,7 +251,7 @@ impl Scene {
             particles: particles::particles(root, folder, material)?,
             bonds: particles::bonds(root, folder)?,
             contacts: particles::contacts(root, folder)?,
-            setup: setup::setup(root, &domain, reading, material)?,
+            setup: setup::setup(root, &domain, reading, material, folder)?,
             start: particles::start(root, folder)?,
             output: output::output(root, end)?,
             domain,
@@ -410,6 +412,10 @@ fn keys(root: &Table, table: &DeTable, folder: &Path, scene: &Scene) -> Result<K
             &format!("the state with the hash {}", &start.sha256[..12]),
         );
     }
+    if let Some((name, path)) = strength::file(root, folder)? {
+        let content = std::fs::read(path).unwrap_or_default();
+        keys.set_file("setup.bonding.strength.file", &name, &content);
+    }
     for key in FILES {
         if let Some(name) = root.optional_text(key)? {
             let content = std::fs::read(folder.join(name)).unwrap_or_default();
@@ -424,5 +430,6 @@ fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {
     for key in FILES {
         files.extend(root.optional_text(key)?.map(|name| folder.join(name)));
     }
+    files.extend(strength::file(root, folder)?.map(|(_, path)| path));
     Ok(files)
 }

@@ -19,14 +19,18 @@ pub fn side_file(root: &Table, list: &str, folder: &Path) -> Result<Option<Rows>
             format!("cannot be combined with [[{list}]]; only one of the two may be given");
         return Err(root.error(&key, &accepted));
     }
-    let path = folder.join(name);
-    match read_regular(&path) {
-        Ok(bytes) => Ok(Some(Rows {
+    rows_of(root, &key, &folder.join(name)).map(Some)
+}
+
+/// The CSV file that a key names.
+pub fn rows_of(table: &Table, key: &str, path: &Path) -> Result<Rows> {
+    match read_regular(path) {
+        Ok(bytes) => Ok(Rows {
             file: path.display().to_string(),
             bytes,
-        })),
-        Err(error) => Err(root.error(
-            &key,
+        }),
+        Err(error) => Err(table.error(
+            key,
             &format!("must be the name of a readable CSV file: {error}"),
         )),
     }

@@ -2,11 +2,14 @@
 
 use super::laws;
 use super::particles::{Material, mass_problem};
+use super::strength::{BondStrength, bond_strength};
 use super::table::{Range, Table};
 use crate::error::SceneError;
 use gouge_common::geometry::{Domain, Vec2};
 use gouge_dem::model::{Ambient, External, Reading};
 use gouge_dem::setup::{Arrangement, Lattice, REACH, SizeRange};
+
+use std::path::Path;
 
 type Result<T> = std::result::Result<T, SceneError>;
 
@@ -91,12 +94,12 @@ pub struct PhaseTable {
 }
 
 /// `[setup.bonding]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Bonding {
     /// Largest distance of bonded particles in units of the sum of their radii.
     pub reach: f64,
-    /// Half-width of the interval around one from which strength factors are drawn.
-    pub strength_spread: f64,
+    /// How strong the bonds are.
+    pub strength: BondStrength,
 }
 
 /// `[setup.fault]`.
@@ -144,6 +147,7 @@ pub fn setup(
     domain: &Domain,
     reading: Reading,
     material: Material,
+    folder: &Path,
 ) -> Result<Option<Setup>> {
     let Some(table) = root.optional_table("setup")? else {
         return Ok(None);
@@ -170,7 +174,7 @@ pub fn setup(
         sizes,
         settle: phases("settle", false)?,
         clip,
-        bonding: bonding(&table)?,
+        bonding: bonding(root, &table, folder)?,
         correct_density,
         fault: fault(&table, domain)?,
         relax: phases("relax", false)?,
@@ -341,28 +345,15 @@ fn phases(
     setup.tables(key)?.iter().map(read).collect()
 }
 
-fn bonding(setup: &Table) -> Result<Option<Bonding>> {
+fn bonding(root: &Table, setup: &Table, folder: &Path) -> Result<Option<Bonding>> {
     let Some(table) = setup.optional_table("bonding")? else {
         return Ok(None);
     };
-    table.allow(&["reach", "strength_spread"])?;
+    table.allow(&["reach", "strength_spread", "strength"])?;
+    let reach = table.optional_number("reach", Range::Positive)?;
     Ok(Some(Bonding {
-        reach: table
-            .optional_number("reach", Range::Positive)?
-            .unwrap_or(REACH),
-        strength_spread: table
-            .optional_number("strength_spread", Range::NonNegative)?
-            .filter(|&spread| spread < 1.0)
-            .map_or_else(
-                || match table.has("strength_spread") {
-                    true => {
-                        Err(table
-                            .error("strength_spread", "must be a number from 0 to less than 1"))
-                    }
-                    false => Ok(0.0),
-                },
-                Ok,
-            )?,
+        reach: reach.unwrap_or(REACH),
+        strength: bond_strength(root, &table, folder)?,
     }))
 }
 

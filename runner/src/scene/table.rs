@@ -389,6 +389,20 @@ impl<'a> Table<'a> {
             .ok_or_else(|| self.missing(key, "must be an array of two finite numbers"))
     }
 
+    /// An array of numbers.
+    pub fn numbers(&self, key: &str, range: Range) -> Result<Vec<f64>> {
+        let accepted = format!(
+            "must be an array of numbers, each of which {}",
+            range.text()
+        );
+        let Some(value) = self.value(key) else {
+            return Err(self.missing(key, &accepted));
+        };
+        let number = |v: &Spanned<DeValue>| number_of(v.get_ref()).filter(|&x| range.contains(x));
+        let numbers = array_of(value).and_then(|array| array.iter().map(number).collect());
+        numbers.ok_or_else(|| self.error(key, &accepted))
+    }
+
     /// A pair of indices.
     pub fn index_pair(&self, key: &str) -> Result<[usize; 2]> {
         let accepted = "must be an array of two particle indices, counted from 0";

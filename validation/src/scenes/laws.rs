@@ -116,6 +116,8 @@ impl Law for Yielding {
 
     fn entries(&self) -> Vec<(&'static str, Value)> {
         let mut entries = self.law.entries();
+        let tensile = self.tensile_strength.map(Value::from);
+        entries.extend(tensile.map(|strength| ("tensile_strength", strength)));
         entries.push(("unbreakable_edges", self.unbreakable_edges.into()));
         entries
     }

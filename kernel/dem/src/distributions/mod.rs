@@ -2,6 +2,7 @@
 
 mod number;
 mod strength;
+mod tabulated;
 mod uniform;
 mod weibull;
 
@@ -9,6 +10,7 @@ pub use number::{
     DENSEST_DISCS, DENSEST_SPHERES, discs_in_square, spheres_in_cube, spheres_per_disc,
 };
 pub use strength::{Power, WeakestProduct};
+pub use tabulated::Tabulated;
 pub use uniform::{Uniform, UniformProduct, UniformSum, crystallises, relative_deviation_of_ratio};
 pub use weibull::Weibull;
 

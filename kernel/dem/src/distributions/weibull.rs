@@ -17,9 +17,17 @@ pub struct Weibull {
     pub shape: f64,
 }
 
+#[rendered]
 impl Weibull {
     fn moment(&self, order: f64) -> f64 {
         libm::tgamma(1.0 + order / self.shape)
+    }
+    /// Value below which the variable lies with a probability in [0, 1).
+    ///
+    /// $$ F^{-1}(p) = x_0 + \lambda \left( -\log (1 - p) \right)^{1/k} $$
+    pub fn quantile(&self, probability: f64) -> f64 {
+        let exponent = -libm::log1p(-probability);
+        self.location + self.scale * libm::pow(exponent, 1.0 / self.shape)
     }
     /// Mean.
     pub fn mean(&self) -> f64 {

@@ -26,4 +26,6 @@ pub use tangential::{
     BeamLaw, CundallStrack, CundallStrackTruncated, EulerBernoulli, Friction, Frictionless,
     HaffWerner, NoBending, TangentialLaw, TangentialMotion,
 };
-pub use yielding::{Unbreakable, YieldLaw, ZhangEckert, weakest_section};
+pub use yielding::{
+    Unbreakable, YieldLaw, ZhangEckert, ZhangEckertTensile, strength_factor_for, weakest_section,
+};

@@ -33,6 +33,17 @@ pub fn weakest_section<S: Real>(radii: [S; 2], strength_factor: S) -> S {
     weakest * weakest * PI
 }
 
+/// Strength factor of a bond that breaks when its normal force alone reaches `force` in N; `strength` in Pa.
+///
+/// $$ s = \frac{1}{\min\{r_i, r_j\}} \sqrt{\frac{Q}{\pi \sigma}} $$
+///
+/// The inverse of [`weakest_section`] times the strength: forces Q that are drawn from any distribution, independently
+/// of the radii, are then exactly the strengths of the bonds.
+#[rendered]
+pub fn strength_factor_for(force: f64, strength: f64, radii: [f64; 2]) -> f64 {
+    (force / (PI * strength)).sqrt() / radii[0].min(radii[1])
+}
+
 /// Zhang-Eckert yield criterion of brittle fracture.
 ///
 /// # Equation
@@ -90,5 +101,40 @@ impl YieldLaw for ZhangEckert {
         let normal = normal_force * (1.0 / self.normal_strength);
         let tangential = tangential_force * (1.0 / self.tangential_strength);
         normal * normal + tangential * tangential >= section * section
+    }
+}
+
+/// Zhang-Eckert yield criterion with another strength in tension.
+///
+/// # Equation
+/// As [`ZhangEckert`], with $\sigma^n$ replaced by `tensile_strength` while the bond pulls, that is, for a positive
+/// normal force. The yield curve consists of two half ellipses, which meet at zero normal force.
+///
+/// # Example
+/// ```
+/// use gouge_dem::laws::{YieldLaw, ZhangEckert, ZhangEckertTensile};
+/// let law = ZhangEckertTensile {
+///     otherwise: ZhangEckert { normal_strength: 280e6, tangential_strength: 168e6 },
+///     tensile_strength: 20e6,
+/// };
+/// assert!(law.is_exceeded(20.0, 0.0, 1e-6) && !law.is_exceeded(-279.0, 0.0, 1e-6));
+/// ```
+#[rendered]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ZhangEckertTensile {
+    /// The criterion in compression and shear.
+    pub otherwise: ZhangEckert,
+    /// Ultimate tensile strength in Pa.
+    pub tensile_strength: f64,
+}
+
+impl YieldLaw for ZhangEckertTensile {
+    #[inline(always)]
+    fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool {
+        let ratio = self.otherwise.normal_strength / self.tensile_strength;
+        // Selected, so that loops over bonds are vectorised.
+        let pull = if normal_force > S::zero() { ratio } else { 1.0 };
+        self.otherwise
+            .is_exceeded(normal_force * pull, tangential_force, section)
     }
 }

@@ -11,7 +11,7 @@ use crate::integrators::{
 };
 use crate::laws::{
     AmbientLaw, BeamLaw, ExternalLaw, Frictionless, NoBending, NormalLaw, TangentialLaw,
-    Unbreakable, YieldLaw,
+    Unbreakable, YieldLaw, ZhangEckertTensile,
 };
 use crate::model::{
     Ambient, BondLaws, ContactLaws, ContactNormal, ContactTangential, External, Model, Reading,
@@ -158,6 +158,17 @@ impl<V: WithBondPass> WithMetric for ChooseBondLaws<V> {
     type Output = V::Output;
     fn call<M: Metric>(self, metric: M) -> V::Output {
         match self.laws.yielding {
+            Some(Yielding {
+                law: otherwise,
+                tensile_strength: Some(tensile_strength),
+                ..
+            }) => self.choose_beam(
+                metric,
+                ZhangEckertTensile {
+                    otherwise,
+                    tensile_strength,
+                },
+            ),
             Some(Yielding { law, .. }) => self.choose_beam(metric, law),
             None => self.choose_beam(metric, Unbreakable),
         }

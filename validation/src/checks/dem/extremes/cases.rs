@@ -149,6 +149,7 @@ impl Draw {
                 normal_strength: self.positive(),
                 tangential_strength: self.positive(),
             },
+            tensile_strength: None,
             unbreakable_edges: self.happens(),
         });
         BondLaws {

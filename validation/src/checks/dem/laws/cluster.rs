@@ -86,6 +86,7 @@ impl Cluster {
                     normal_strength: 4e6 * k / length,
                     tangential_strength: 2e6 * k / length,
                 },
+                tensile_strength: None,
                 unbreakable_edges: true,
             }),
         });
