@@ -19,6 +19,7 @@ const FOLDERS: [&str; 8] = [
     "kernel",
     "page",
     "runner",
+    "studies",
     "tests",
     "tools",
     "validation",

@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod bonds;
+mod calibrate;
 mod calibration;
 mod code_size;
 mod collisions;

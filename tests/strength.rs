@@ -105,7 +105,8 @@ fn a_tensile_strength_equal_to_the_normal_one_changes_nothing() {
     let run = |tensile: Option<f64>| {
         let chain = (0..6).map(|i| {
             let x = 2.0 * RADIUS * f64::from(i);
-            Grain::at([x, 0.0], RADIUS).moving([if i < 3 { -150.0 } else { 150.0 }, 0.1 * f64::from(i)])
+            Grain::at([x, 0.0], RADIUS)
+                .moving([if i < 3 { -150.0 } else { 150.0 }, 0.1 * f64::from(i)])
         });
         let draft = (1..6).fold(bonded(yielding(tensile)).grains(chain), |draft, i| {
             draft.bonded(i - 1, i)

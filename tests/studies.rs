@@ -3,7 +3,8 @@
 use approx::assert_relative_eq;
 use gouge_studies::decay::Decay;
 use gouge_studies::statistics::{Mean, holm, rising, slope};
-use gouge_studies::study::Study;
+use gouge_studies::study::{STUDIES, Scale, Study};
+use gouge_studies::sweep::plan;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use std::collections::BTreeMap;
@@ -117,6 +118,28 @@ fn jonckheere_finds_trends_and_no_others() {
 fn the_slope_of_a_line_is_its_slope() {
     let points: Vec<[f64; 2]> = [0.3, 1.7, 2.0, 9.0].map(|x| [x, 2.0 - 0.7 * x]).into();
     assert_relative_eq!(slope(&points), -0.7, epsilon = 1e-14);
+}
+
+#[test]
+fn scenes_accept_every_run_of_every_study() {
+    for study in STUDIES {
+        for scale in [Scale::Small, Scale::Full] {
+            let folder = tempfile::tempdir().expect("a folder");
+            for one in study.prepare(scale, folder.path()).expect("sweeps") {
+                let name = one.part.name;
+                let runs = plan(&one.sweep, &folder.path().join(name)).expect("a plan");
+                for run in runs {
+                    let scene = run.load();
+                    assert!(
+                        scene.is_ok(),
+                        "{name}: {:?}: {:?}",
+                        run.overrides,
+                        scene.err()
+                    );
+                }
+            }
+        }
+    }
 }
 
 /// Verdicts on made-up runs, by the beginning of the claim.

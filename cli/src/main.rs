@@ -1,6 +1,7 @@
 //! The `gouge` command: parses arguments and prints results.
 
 mod account;
+mod calibrate;
 mod compare;
 mod study;
 mod sweep;
@@ -8,6 +9,7 @@ mod terminal;
 mod verify;
 
 use account::account;
+use calibrate::CalibrateArguments;
 use clap::{Args, Parser, Subcommand};
 use compare::CompareArguments;
 use gouge_runner::error::Error;
@@ -91,6 +93,8 @@ enum Command {
     Sweep(SweepArguments),
     /// Repeat a published study with many seeds and test its claims
     Study(StudyArguments),
+    /// Find the parameters of scenes that agree with what was measured
+    Calibrate(CalibrateArguments),
     /// Run the checks and write report.html and report.json
     Verify {
         /// Run only checks whose identifier contains this text
@@ -189,6 +193,7 @@ fn execute(command: Command) -> Result<(), Error> {
         Command::Compare { scene, data } => return compare::launch(&scene.load()?, data),
         Command::Sweep(arguments) => return sweep::launch(&arguments),
         Command::Study(arguments) => return study::launch(&arguments),
+        Command::Calibrate(arguments) => return calibrate::launch(&arguments),
         Command::Verify { only, out } => return verify::launch(only.as_deref(), &out),
         Command::Links { scene } => commands::links(&scene.load()?)?,
         Command::Stability { scene } => commands::stability(&scene.load()?)?,

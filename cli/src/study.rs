@@ -2,6 +2,7 @@
 
 use crate::print;
 use crate::sweep::{cores, run};
+use crate::terminal::stopped_by_signals;
 use clap::{Args, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::study::{Prepared, STUDIES, Scale, Study, known};
@@ -66,6 +67,7 @@ pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
     let known = known(&earlier)?;
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
     let prepared = arguments.study.prepare(scale, out)?;
+    let stop = stopped_by_signals()?;
     let mut outcome = Ok(());
     for one in &prepared {
         let folder = out.join(one.part.name);
@@ -80,7 +82,7 @@ pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
             continue;
         }
         if outcome.is_ok() {
-            outcome = run(&one.sweep, &open, &folder, jobs, arguments.quiet);
+            outcome = run(&open, &folder, jobs, &stop, arguments.quiet);
         }
         collect(&one.sweep, &all, &folder)?;
     }
@@ -96,7 +98,7 @@ pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
 
 fn planned(one: &Prepared, all: usize, open: &[Planned]) -> String {
     let runs: Vec<&Planned> = open.iter().collect();
-    let cost = estimate(&one.sweep, &runs);
+    let cost = estimate(&runs);
     format!(
         "{:16}{all:5} runs, of which {:5} are not done yet: {:.2} core-hours, {:.0} MB\n",
         one.part.name,

@@ -11,7 +11,7 @@ use gouge_studies::sweep::{
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
 /// A sweep and what is done with it.
@@ -113,14 +113,14 @@ pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
         .collect();
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
     if arguments.plan {
-        return print(&planned(&runs, &open, estimate(&sweep, &open), jobs));
+        return print(&planned(&runs, &open, estimate(&open), jobs));
     }
     // Without a budget no pilot runs are needed.
     if sweep.core_hours.is_some() {
-        within_budget(&sweep, estimate(&sweep, &open))?;
+        within_budget(&sweep, estimate(&open))?;
     }
     let open: Vec<Planned> = open.into_iter().cloned().collect();
-    let outcome = run(&sweep, &open, out, jobs, arguments.quiet);
+    let outcome = run(&open, out, jobs, &*stopped_by_signals()?, arguments.quiet);
     let path = collect(&sweep, &runs, out)?;
     if !arguments.quiet {
         print(&format!("{}{}\n", states(&runs, out), path.display()))?;
@@ -148,7 +148,7 @@ fn manage(command: &SweepCommand) -> Result<(), Error> {
             print(&format!("{}\n", path.display()))
         }
         SweepCommand::Work { chunk, chunks, .. } => {
-            work(&sweep, &runs, &place.out, *chunk, *chunks as usize)
+            work(&runs, &place.out, *chunk, *chunks as usize)
         }
         SweepCommand::Export {
             cluster,
@@ -164,13 +164,7 @@ fn manage(command: &SweepCommand) -> Result<(), Error> {
 }
 
 /// Run one chunk.
-fn work(
-    sweep: &Sweep,
-    runs: &[Planned],
-    out: &Path,
-    chunk: usize,
-    chunks: usize,
-) -> Result<(), Error> {
+fn work(runs: &[Planned], out: &Path, chunk: usize, chunks: usize) -> Result<(), Error> {
     if chunk >= chunks {
         return Err(Error::Argument(format!(
             "--chunk {chunk}: must be from 0 to {}",
@@ -186,7 +180,7 @@ fn work(
         jobs: 1,
         stop: &stop,
     };
-    execute(sweep, own, execution, &tell)
+    execute(own, execution, &tell)
 }
 
 /// Tell of a run that is not done.
@@ -211,7 +205,7 @@ fn script(
     [workers, minutes, most]: [u32; 3],
 ) -> Result<String, Error> {
     let all: Vec<&Planned> = runs.iter().collect();
-    let cost = estimate(sweep, &all);
+    let cost = estimate(&all);
     within_budget(sweep, cost)?;
     let absolute =
         |path: &Path| std::path::absolute(path).map_err(|error| Error::file("find", path, error));
@@ -270,14 +264,14 @@ fn within_budget(sweep: &Sweep, cost: Cost) -> Result<(), Error> {
 /// # Errors
 /// Failures of the file system, an interruption.
 pub fn run(
-    sweep: &Sweep,
     runs: &[Planned],
     out: &Path,
     jobs: usize,
+    stop: &AtomicBool,
     quiet: bool,
 ) -> Result<(), Error> {
-    let (stop, program) = (stopped_by_signals()?, own_program()?);
-    let steps = |run: &Planned| (run.name.clone(), run.steps(sweep));
+    let program = own_program()?;
+    let steps = |run: &Planned| (run.name.clone(), run.steps());
     let steps: HashMap<String, u64> = match quiet {
         true => HashMap::new(),
         false => runs.iter().map(steps).collect(),
@@ -297,9 +291,9 @@ pub fn run(
         program: &program,
         out,
         jobs,
-        stop: &stop,
+        stop,
     };
-    let outcome = execute(sweep, runs, execution, &report);
+    let outcome = execute(runs, execution, &report);
     bar.finish_and_clear();
     outcome
 }

@@ -110,6 +110,12 @@ pub enum Error {
     /// A run and the data that it was compared with differ.
     #[error("the run and {0} differ by more than the tolerance")]
     Differs(String),
+    /// A model cannot agree with what was measured.
+    #[error("{0} is refuted: no parameters in the ranges agree with its targets")]
+    Refuted(String),
+    /// Some calibrations did not recover known truths.
+    #[error("{0} of {1} calibrations do not recover known truths")]
+    Recoveries(usize, usize),
     /// Some checks failed.
     #[error("{0} of {1} checks failed")]
     Checks(usize, usize),

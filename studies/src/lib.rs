@@ -1,7 +1,11 @@
-//! Many runs: sweeps over the keys of a scene, and the study of the thesis.
+//! Many runs: sweeps over the keys of a scene, the study of the thesis, and calibration.
 
 mod columns;
+mod text;
+
 pub mod decay;
 pub mod statistics;
-pub mod study;
 pub mod sweep;
+
+pub mod calibrate;
+pub mod study;

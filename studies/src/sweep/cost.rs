@@ -1,6 +1,5 @@
-//! What a sweep will cost, from short pilot runs.
+//! What runs will cost, from short pilot runs.
 
-use super::file::Sweep;
 use super::plan::Planned;
 use gouge_runner::error::Error;
 use gouge_runner::run::{begin_phase, phases};
@@ -23,11 +22,11 @@ pub struct Cost {
 }
 
 /// What some runs will cost: a few of them, spread evenly, are tried for a number of steps.
-pub fn estimate(sweep: &Sweep, runs: &[&Planned]) -> Cost {
+pub fn estimate(runs: &[&Planned]) -> Cost {
     let chosen = runs.len().min(PILOTS);
     let pilots = (0..chosen).map(|pilot| runs[pilot * runs.len() / chosen]);
     // What is refused costs nothing.
-    let costs = pilots.map(|run| pilot_run(sweep, run).unwrap_or_default());
+    let costs = pilots.map(|run| pilot_run(run).unwrap_or_default());
     let sum = costs.fold(Cost::default(), |sum, one| Cost {
         core_hours: sum.core_hours + one.core_hours,
         bytes: sum.bytes + one.bytes,
@@ -39,8 +38,8 @@ pub fn estimate(sweep: &Sweep, runs: &[&Planned]) -> Cost {
     }
 }
 
-fn pilot_run(sweep: &Sweep, run: &Planned) -> Result<Cost, Error> {
-    let scene = run.scene(sweep)?;
+fn pilot_run(run: &Planned) -> Result<Cost, Error> {
+    let scene = run.load()?;
     let phases = phases(&scene);
     let mut world = begin_phase(&scene, &phases, 0, None)?.with_threads(1);
     let steps = STEPS.min(phases[0].steps).max(1);

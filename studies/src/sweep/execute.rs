@@ -1,6 +1,5 @@
 //! Runs the runs of a sweep, several at a time, each in a process of its own.
 
-use super::file::Sweep;
 use super::plan::Planned;
 use super::state::{CAUSE, State, Status};
 use gouge_runner::error::Error;
@@ -46,7 +45,6 @@ pub struct Progress {
 /// # Errors
 /// A process that cannot be started, a failure of the file system, or an interruption.
 pub fn execute(
-    sweep: &Sweep,
     runs: &[Planned],
     execution: Execution,
     report: &(dyn Fn(Progress) + Sync),
@@ -62,7 +60,7 @@ pub fn execute(
         for _ in 0..execution.jobs {
             scope.spawn(|| {
                 while let Some(run) = next() {
-                    match execute_one(sweep, run, execution) {
+                    match execute_one(run, execution) {
                         Ok(state) => report(Progress {
                             name: run.name.clone(),
                             state,
@@ -86,14 +84,10 @@ pub fn execute(
     }
 }
 
-fn execute_one(sweep: &Sweep, run: &Planned, execution: Execution) -> Result<State, Error> {
+fn execute_one(run: &Planned, execution: Execution) -> Result<State, Error> {
     let folder = run.folder(execution.out);
     let mut command = Command::new(execution.program);
-    command
-        .arg("run")
-        .arg(&sweep.scene)
-        .arg("--out")
-        .arg(&folder);
+    command.arg("run").arg(&run.scene).arg("--out").arg(&folder);
     command.args(["--resume", "--quiet", "--accept-untrusted"]);
     for one in &run.overrides {
         command.arg("--set").arg(one);

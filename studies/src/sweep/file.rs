@@ -1,10 +1,10 @@
 //! Sweep files.
 
 use super::observe::Observation;
+use crate::text::{Place, inline, number, read_text, scene_beside};
 use gouge_runner::error::{Error, SceneError};
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::{Spanned, Value};
 
@@ -88,9 +88,6 @@ struct Budget {
     core_hours: Option<f64>,
 }
 
-/// Most seeds of an axis.
-const MOST: u64 = 1_000_000;
-
 impl Sweep {
     /// Read a sweep file.
     ///
@@ -98,16 +95,12 @@ impl Sweep {
     /// A file that cannot be read, or a mistake in it: file, line, key, value and what is accepted.
     pub fn load(path: &Path) -> Result<Self, Error> {
         let file = path.display().to_string();
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| Error::Argument(format!("cannot read {file}: {error}")))?;
+        let text = read_text(path)?;
         let place = Place {
             file: &file,
             text: &text,
         };
-        let keys: Keys = toml::from_str(&text).map_err(|error| {
-            let span = error.span().unwrap_or(0..0);
-            place.error(span, "", error.message())
-        })?;
+        let keys: Keys = place.keys()?;
         let axes: Vec<Axis> = keys
             .axis
             .iter()
@@ -116,21 +109,15 @@ impl Sweep {
         let seeds: Vec<Axis> = keys
             .seeds
             .iter()
-            .map(|(name, value)| place.seeds(name, value))
+            .map(|(name, value)| place.seed_axis(name, value))
             .collect::<Result<_, _>>()?;
         for observation in &keys.observe {
             if let Err(accepted) = observation.get_ref().check() {
                 return Err(place.error(observation.span(), "observe", &accepted).into());
             }
         }
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let beside = folder.join(&keys.scene);
         Ok(Self {
-            scene: if beside.is_file() {
-                beside
-            } else {
-                PathBuf::from(&keys.scene)
-            },
+            scene: scene_beside(path, &keys.scene),
             set: keys.set,
             axes,
             seeds,
@@ -147,26 +134,7 @@ impl Sweep {
     }
 }
 
-/// A file and its text, to word errors.
-struct Place<'a> {
-    file: &'a str,
-    text: &'a str,
-}
-
 impl Place<'_> {
-    fn error(&self, span: Range<usize>, key: &str, accepted: &str) -> SceneError {
-        let before = self.text.get(..span.start).unwrap_or_default();
-        let written = self.text.get(span).unwrap_or_default().lines().next();
-        let value: String = written.unwrap_or_default().chars().take(60).collect();
-        SceneError {
-            file: self.file.to_owned(),
-            line: 1 + before.matches('\n').count(),
-            key: key.to_owned(),
-            value,
-            accepted: accepted.trim().replace('\n', "; "),
-        }
-    }
-
     fn axis(&self, axis: &Spanned<AxisKeys>) -> Result<Axis, SceneError> {
         let refusal =
             |key: &str, accepted: &str| self.error(axis.span(), &format!("axis.{key}"), accepted);
@@ -222,27 +190,9 @@ impl Place<'_> {
         })
     }
 
-    /// Seeds as a range "0..8" or a list; `setup` stands for `setup.seed`.
-    fn seeds(&self, name: &str, value: &Spanned<Value>) -> Result<Axis, SceneError> {
-        let range = |text: &str| {
-            let (from, to) = text.split_once("..")?;
-            Some(from.trim().parse::<u64>().ok()?..to.trim().parse::<u64>().ok()?)
-        };
-        let seeds: Option<Vec<u64>> = match value.get_ref() {
-            Value::String(text) => range(text)
-                .filter(|range| range.end.saturating_sub(range.start) <= MOST)
-                .map(Iterator::collect),
-            Value::Array(list) => list
-                .iter()
-                .map(|seed| u64::try_from(seed.as_integer()?).ok())
-                .collect(),
-            _ => None,
-        };
-        let seeds = seeds.filter(|seeds| !seeds.is_empty()).ok_or_else(|| {
-            let accepted =
-                "must be a range such as \"0..8\" or a list of integers, with at least one seed";
-            self.error(value.span(), &format!("seeds.{name}"), accepted)
-        })?;
+    /// An axis of seeds; `setup` stands for `setup.seed`.
+    fn seed_axis(&self, name: &str, value: &Spanned<Value>) -> Result<Axis, SceneError> {
+        let seeds = self.seeds(&format!("seeds.{name}"), value)?;
         let labels: Vec<String> = seeds.iter().map(u64::to_string).collect();
         let key = match name {
             "setup" => "setup.seed",
@@ -262,29 +212,4 @@ fn together(values: &[Value], keys: usize) -> Result<Vec<Vec<Value>>, String> {
     let of_all = |value: &Value| value.as_array().filter(|list| list.len() == keys).cloned();
     let values: Option<_> = values.iter().map(of_all).collect();
     values.ok_or_else(|| format!("must hold arrays of {keys} values, one for each of the keys"))
-}
-
-fn number(value: &Value) -> Option<f64> {
-    let integer = || value.as_integer().map(|integer| integer as f64);
-    value.as_float().or_else(integer)
-}
-
-/// A value on one line.
-fn inline(value: &Value) -> String {
-    match value {
-        Value::Table(table) => {
-            let entry = |(key, value): (&String, &Value)| format!("{key} = {}", inline(value));
-            let entries: Vec<String> = table.iter().map(entry).collect();
-            match entries.is_empty() {
-                true => "{}".to_owned(),
-                false => format!("{{ {} }}", entries.join(", ")),
-            }
-        }
-        Value::Array(list) => {
-            let items: Vec<String> = list.iter().map(inline).collect();
-            format!("[{}]", items.join(", "))
-        }
-        Value::Float(number) => format!("{number:?}"),
-        plain => plain.to_string(),
-    }
 }

@@ -16,6 +16,7 @@ pub use cost::{Cost, estimate};
 pub use execute::{Execution, Progress, execute, retry};
 pub use export::{Chunks, Script};
 pub use file::Sweep;
+pub use observe::{Finished, Observation, Quantity, Statistic};
 pub use plan::{Planned, plan};
 pub use state::{State, Status, status};
 pub use table::collect;

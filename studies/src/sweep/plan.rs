@@ -19,6 +19,8 @@ const NAME: usize = 16;
 pub struct Planned {
     /// Name of its folder: a hash of the resolved scene and the version of the program.
     pub name: String,
+    /// A scene file, or the name of a built-in scene.
+    pub scene: PathBuf,
     /// For each axis, the position of the value.
     pub places: Vec<usize>,
     /// The overrides, as `KEY=VALUE`.
@@ -26,6 +28,18 @@ pub struct Planned {
 }
 
 impl Planned {
+    /// A run of a scene with overrides.
+    pub fn new(scene: &Path, overrides: Vec<String>) -> Self {
+        let mut run = Self {
+            name: String::new(),
+            scene: scene.to_owned(),
+            places: Vec::new(),
+            overrides,
+        };
+        run.name = name(&run);
+        run
+    }
+
     /// Folder of the run in that of the sweep.
     pub fn folder(&self, out: &Path) -> PathBuf {
         out.join("runs").join(&self.name)
@@ -38,17 +52,17 @@ impl Planned {
 
     /// Number of steps of the run, those of its set-up included; zero if its scene is refused. Runs of a sweep differ
     /// in cost mainly by this.
-    pub fn steps(&self, sweep: &Sweep) -> u64 {
+    pub fn steps(&self) -> u64 {
         let steps = |scene: Scene| phases(&scene).iter().map(|phase| phase.steps).sum();
-        self.scene(sweep).map_or(0, steps)
+        self.load().map_or(0, steps)
     }
 
     /// The scene of the run.
     ///
     /// # Errors
     /// A scene that cannot be used.
-    pub fn scene(&self, sweep: &Sweep) -> Result<Scene, Error> {
-        Scene::load_with(&sweep.scene, &Overrides::parse(&self.overrides)?)
+    pub fn load(&self) -> Result<Scene, Error> {
+        Scene::load_with(&self.scene, &Overrides::parse(&self.overrides)?)
     }
 }
 
@@ -70,10 +84,10 @@ pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
     let mut runs: Vec<Planned> = (0..number)
         .map(|index| nameless(sweep, &axes, index))
         .collect();
-    let first = runs.iter().find_map(|run| run.scene(sweep).ok());
+    let first = runs.iter().find_map(|run| run.load().ok());
     let Some(first) = first else {
         return Err(runs[0]
-            .scene(sweep)
+            .load()
             .err()
             .unwrap_or(Error::Argument(format!("{}: no run", sweep.file))));
     };
@@ -84,7 +98,7 @@ pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
             .zip(names)
             .for_each(|(run, name)| run.name = name),
         None => {
-            runs.iter_mut().for_each(|run| run.name = name(sweep, run));
+            runs.iter_mut().for_each(|run| run.name = name(run));
             refuse_twins(sweep, &runs)?;
             kept.write(&runs)?;
         }
@@ -155,9 +169,9 @@ impl Names {
 }
 
 /// Name of a run.
-fn name(sweep: &Sweep, run: &Planned) -> String {
+fn name(run: &Planned) -> String {
     // A combination that the scene refuses is a run, too: it will say so when it is run.
-    let keys = match run.scene(sweep) {
+    let keys = match run.load() {
         Ok(scene) => scene.keys.to_text(),
         Err(_) => run.overrides.join("\n"),
     };
@@ -182,6 +196,7 @@ fn nameless(sweep: &Sweep, axes: &[&Axis], index: usize) -> Planned {
     let overrides = chosen.flat_map(|(axis, &place)| axis.overrides(place));
     Planned {
         name: String::new(),
+        scene: sweep.scene.clone(),
         overrides: sweep.set.iter().cloned().chain(overrides).collect(),
         places,
     }

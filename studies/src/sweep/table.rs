@@ -63,14 +63,14 @@ fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> 
         _ => false,
     };
     let summary = state.summary.as_ref();
-    let scene = || run.scene(sweep).ok();
+    let scene = || run.load().ok();
     let finished = summary.filter(|_| is_observed).map(|summary| Finished {
         folder: &folder,
         summary,
         scene: &scene,
     });
     let shown = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
-    let observe = |one: &Observation| finished.as_ref().and_then(|run| one.value(run));
+    let observe = |one: &Observation| finished.as_ref().and_then(|run| one.value(run).ok());
     row.extend(sweep.observations.iter().map(|one| shown(observe(one))));
     let of_summary = |text: &dyn Fn(&gouge_runner::run::Summary) -> String| {
         summary.map_or_else(String::new, text)

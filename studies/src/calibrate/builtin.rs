@@ -1,0 +1,44 @@
+//! The calibrations that come with the program.
+
+use super::calibration::Calibration;
+use gouge_runner::error::{Error, SceneError};
+use std::path::Path;
+
+/// Name and text of every built-in calibration.
+const CALIBRATIONS: [(&str, &str); 3] = [
+    ("rebound", include_str!("../calibrations/rebound.toml")),
+    (
+        "rebound-stiffness",
+        include_str!("../calibrations/rebound-stiffness.toml"),
+    ),
+    (
+        "rebound-ice",
+        include_str!("../calibrations/rebound-ice.toml"),
+    ),
+];
+
+/// Names of all built-in calibrations.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    CALIBRATIONS.iter().map(|(name, _)| *name)
+}
+
+/// A built-in calibration; none of another name.
+///
+/// # Errors
+/// A mistake in its text.
+pub fn builtin(name: &str) -> Option<Result<Calibration, SceneError>> {
+    let (name, text) = CALIBRATIONS.iter().find(|(other, _)| *other == name)?;
+    Some(Calibration::parse(name, text))
+}
+
+/// The calibration of a file or, if there is no such file, the built-in one of this name.
+///
+/// # Errors
+/// A file that cannot be read, or a mistake in it.
+pub fn load(path: &Path) -> Result<Calibration, Error> {
+    let named = path.to_str().filter(|_| !path.is_file()).and_then(builtin);
+    match named {
+        Some(calibration) => Ok(calibration?),
+        None => Calibration::load(path),
+    }
+}

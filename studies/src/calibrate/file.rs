@@ -1,0 +1,360 @@
+//! Calibration files.
+
+use super::calibration::{Calibration, Design, Observed, Target, Test};
+use super::closed_form::ClosedForm;
+use super::emulator::Form;
+use super::parameter::{Keys, Parameter, Scale};
+use crate::sweep::{Observation, Quantity, Statistic};
+use crate::text::{Place, inline, read_text, scene_beside};
+use gouge_runner::error::{Error, SceneError};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+use toml::{Spanned, Value};
+
+/// The keys of a calibration file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileKeys {
+    title: Option<String>,
+    #[serde(default)]
+    notes: Vec<String>,
+    #[serde(default)]
+    parameter: Vec<Spanned<ParameterKeys>>,
+    #[serde(default)]
+    test: Vec<Spanned<TestKeys>>,
+    #[serde(default)]
+    target: Vec<Spanned<TargetKeys>>,
+    design: Option<Spanned<DesignKeys>>,
+    #[serde(default)]
+    budget: Budget,
+}
+
+/// `[[parameter]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ParameterKeys {
+    name: Option<String>,
+    key: KeysValue,
+    range: [f64; 2],
+    scale: Option<ScaleName>,
+}
+
+/// A key, a list of keys, or a table from tests to either.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum KeysValue {
+    One(String),
+    List(Vec<String>),
+    Tests(BTreeMap<String, OneOrMore>),
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum OneOrMore {
+    One(String),
+    List(Vec<String>),
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+enum ScaleName {
+    Log,
+    Linear,
+}
+
+/// `[[test]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TestKeys {
+    name: String,
+    scene: String,
+    #[serde(default)]
+    set: BTreeMap<String, Value>,
+    seeds: Option<Spanned<Value>>,
+    #[serde(default)]
+    observe: Vec<Spanned<ObserveKeys>>,
+}
+
+/// `[[test.observe]]`: the keys of an observation of a sweep, and how it is emulated.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ObserveKeys {
+    name: Option<String>,
+    quantity: Option<Quantity>,
+    column: Option<String>,
+    statistic: Option<Statistic>,
+    against: Option<String>,
+    range: Option<[f64; 2]>,
+    #[serde(default)]
+    after: f64,
+    times: Option<f64>,
+    #[serde(default)]
+    form: Form,
+    closed_form: Option<ClosedForm>,
+}
+
+/// `[[target]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TargetKeys {
+    test: Option<String>,
+    quantity: String,
+    value: Option<f64>,
+    sd: f64,
+    #[serde(default = "one")]
+    specimens: u32,
+    source: String,
+    #[serde(default)]
+    verified: bool,
+}
+
+fn one() -> u32 {
+    1
+}
+
+/// `[design]`.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DesignKeys {
+    points: Option<u32>,
+    waves: Option<usize>,
+    predictive: Option<usize>,
+    repetitions: Option<u32>,
+}
+
+/// `[budget]`.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Budget {
+    core_hours: Option<f64>,
+    runs: Option<usize>,
+}
+
+/// Accepted numbers of points.
+const POINTS: Range<u32> = 4..4097;
+
+impl Calibration {
+    /// Read a calibration file.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or a mistake in it: file, line, key, value and what is accepted.
+    pub fn load(path: &Path) -> Result<Self, Error> {
+        Ok(Self::parse(&path.display().to_string(), &read_text(path)?)?)
+    }
+
+    /// Read the text of a calibration file.
+    ///
+    /// # Errors
+    /// A mistake in it: file, line, key, value and what is accepted.
+    pub fn parse(file: &str, text: &str) -> Result<Self, SceneError> {
+        let place = Place { file, text };
+        let keys: FileKeys = place.keys()?;
+        let tests: Vec<Test> = keys
+            .test
+            .iter()
+            .map(|test| place.test(test))
+            .collect::<Result<_, _>>()?;
+        let names: Vec<&str> = tests.iter().map(|test| test.name.as_str()).collect();
+        let parameters = keys
+            .parameter
+            .iter()
+            .map(|parameter| place.parameter(parameter, &names))
+            .collect::<Result<Vec<_>, _>>()?;
+        let targets = keys
+            .target
+            .iter()
+            .map(|target| place.target(target, &tests))
+            .collect::<Result<Vec<_>, _>>()?;
+        for (name, is_empty) in [
+            ("parameter", parameters.is_empty()),
+            ("test", tests.is_empty()),
+            ("target", targets.is_empty()),
+        ] {
+            if is_empty {
+                let accepted = format!("needs at least one [[{name}]]");
+                return Err(place.error(0..0, "", &accepted));
+            }
+        }
+        Ok(Self {
+            title: keys.title.unwrap_or_else(|| file.to_owned()),
+            notes: keys.notes,
+            file: file.to_owned(),
+            design: place.design(keys.design)?,
+            parameters,
+            tests,
+            targets,
+            core_hours: keys.budget.core_hours,
+            runs: keys.budget.runs,
+        })
+    }
+}
+
+impl Place<'_> {
+    fn parameter(
+        &self,
+        spanned: &Spanned<ParameterKeys>,
+        tests: &[&str],
+    ) -> Result<Parameter, SceneError> {
+        let keys = spanned.get_ref();
+        let refusal = |key: &str, accepted: &str| {
+            Err(self.error(spanned.span(), &format!("parameter.{key}"), accepted))
+        };
+        let [low, high] = keys.range;
+        if !(low.is_finite() && high.is_finite() && low < high) {
+            return refusal("range", "must be two finite numbers, the smaller one first");
+        }
+        let scale = match keys.scale {
+            Some(ScaleName::Linear) => Scale::Linear,
+            Some(ScaleName::Log) if low <= 0.0 => {
+                return refusal("scale", "a logarithmic scale needs a positive range");
+            }
+            None if low <= 0.0 => Scale::Linear,
+            _ => Scale::Log,
+        };
+        let keys_of = match &keys.key {
+            KeysValue::One(key) => Keys::Same(vec![key.clone()]),
+            KeysValue::List(list) => Keys::Same(list.clone()),
+            KeysValue::Tests(map) => {
+                if let Some(name) = map.keys().find(|name| !tests.contains(&name.as_str())) {
+                    let accepted = format!("{name} is no test; those are {}", tests.join(", "));
+                    return refusal("key", &accepted);
+                }
+                let list = |one: &OneOrMore| match one {
+                    OneOrMore::One(key) => vec![key.clone()],
+                    OneOrMore::List(list) => list.clone(),
+                };
+                Keys::Each(
+                    map.iter()
+                        .map(|(test, one)| (test.clone(), list(one)))
+                        .collect(),
+                )
+            }
+        };
+        let first = tests.iter().find_map(|_| match &keys_of {
+            Keys::Same(list) => list.first(),
+            Keys::Each(map) => map.values().flatten().next(),
+        });
+        let Some(first) = first else {
+            return refusal("key", "must name at least one key");
+        };
+        let last_name = first.rsplit('.').next().unwrap_or(first);
+        Ok(Parameter {
+            name: keys.name.clone().unwrap_or_else(|| last_name.to_owned()),
+            range: keys.range,
+            scale,
+            keys: keys_of,
+        })
+    }
+
+    fn test(&self, spanned: &Spanned<TestKeys>) -> Result<Test, SceneError> {
+        let keys = spanned.get_ref();
+        let seeds = keys.seeds.as_ref();
+        let observed: Vec<Observed> = keys
+            .observe
+            .iter()
+            .map(|one| self.observed(one))
+            .collect::<Result<_, _>>()?;
+        if observed.is_empty() {
+            let accepted = "needs at least one [[test.observe]]";
+            return Err(self.error(spanned.span(), "test.observe", accepted));
+        }
+        let set = keys.set.iter();
+        Ok(Test {
+            name: keys.name.clone(),
+            scene: scene_beside(Path::new(self.file), &keys.scene),
+            set: set
+                .map(|(key, value)| format!("{key}={}", inline(value)))
+                .collect(),
+            seeds: match seeds {
+                Some(seeds) => self.seeds("test.seeds", seeds)?,
+                None => Vec::new(),
+            },
+            observed,
+        })
+    }
+
+    fn observed(&self, spanned: &Spanned<ObserveKeys>) -> Result<Observed, SceneError> {
+        let keys = spanned.get_ref();
+        let observation = Observation {
+            name: keys.name.clone(),
+            quantity: keys.quantity,
+            column: keys.column.clone(),
+            statistic: keys.statistic,
+            against: keys.against.clone(),
+            range: keys.range,
+            after: keys.after,
+            times: keys.times,
+        };
+        match observation.check() {
+            Ok(()) => Ok(Observed {
+                observation,
+                form: keys.form,
+                closed_form: keys.closed_form,
+            }),
+            Err(accepted) => Err(self.error(spanned.span(), "test.observe", &accepted)),
+        }
+    }
+
+    fn target(&self, spanned: &Spanned<TargetKeys>, tests: &[Test]) -> Result<Target, SceneError> {
+        let keys = spanned.get_ref();
+        let refusal = |key: &str, accepted: &str| {
+            Err(self.error(spanned.span(), &format!("target.{key}"), accepted))
+        };
+        let test = match &keys.test {
+            None if tests.len() == 1 => Some(0),
+            None => None,
+            Some(name) => tests.iter().position(|test| test.name == *name),
+        };
+        let Some(test) = test else {
+            let names: Vec<&str> = tests.iter().map(|test| test.name.as_str()).collect();
+            return refusal("test", &format!("must be one of {}", names.join(", ")));
+        };
+        let names: Vec<String> = tests[test]
+            .observed
+            .iter()
+            .map(|one| one.observation.name())
+            .collect();
+        let Some(quantity) = names.iter().position(|name| *name == keys.quantity) else {
+            return refusal("quantity", &format!("must be one of {}", names.join(", ")));
+        };
+        if !(keys.sd.is_finite() && keys.sd > 0.0) {
+            return refusal("sd", "must be a positive number: no measurement is exact");
+        }
+        if keys.specimens == 0 {
+            return refusal("specimens", "must be at least 1");
+        }
+        if keys.source.trim().is_empty() {
+            return refusal("source", "must name who measured the value");
+        }
+        Ok(Target {
+            test,
+            quantity,
+            value: keys.value,
+            deviation: keys.sd,
+            specimens: f64::from(keys.specimens),
+            source: keys.source.clone(),
+            is_verified: keys.verified,
+        })
+    }
+
+    fn design(&self, keys: Option<Spanned<DesignKeys>>) -> Result<Design, SceneError> {
+        let span = keys.as_ref().map_or(0..0, Spanned::span);
+        let keys = keys.map(Spanned::into_inner).unwrap_or_default();
+        let design = Design {
+            points: keys.points.unwrap_or(32),
+            waves: keys.waves.unwrap_or(2),
+            predictive: keys.predictive.unwrap_or(4),
+            repetitions: keys.repetitions.unwrap_or(100),
+        };
+        if !POINTS.contains(&design.points) {
+            let accepted = format!("must be from {} to {}", POINTS.start, POINTS.end - 1);
+            return Err(self.error(span, "design.points", &accepted));
+        }
+        if design.waves == 0 || design.repetitions == 0 {
+            return Err(self.error(span, "design", "waves and repetitions must be at least 1"));
+        }
+        Ok(design)
+    }
+}

@@ -1,0 +1,121 @@
+//! Recovery of known truths: whether intervals hold what they should, tested on measurements whose truth is known.
+
+use super::emulator::Prediction;
+use super::likelihood::{Measured, RULED_OUT, implausibility, log_likelihood};
+use super::posterior::Posterior;
+use super::region::Region;
+use statrs::distribution::Uniform;
+use statrs::stats_tests::NaNPolicy;
+use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
+
+/// Points of the posterior of each repetition, and their seed.
+const POINTS: u32 = 1 << 14;
+const SEED: u32 = 3;
+/// With fewer effective points, the posterior of a repetition is refined.
+const FEWEST: f64 = 200.0;
+/// Coverage of 90 % intervals that is accepted.
+pub const ACCEPTED: [f64; 2] = [0.82, 0.97];
+/// From so many repetitions on, ranks must be uniform, at this level.
+const MANY: usize = 500;
+const LEVEL: f64 = 0.01;
+
+/// A measurement whose truth is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repetition {
+    /// The parameters, in the unit cube.
+    pub truth: Vec<f64>,
+    /// What was measured.
+    pub measured: Vec<Measured>,
+}
+
+/// How a parameter was recovered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recovered {
+    /// Rank of each truth: the part of the posterior below it. Uniform in [0, 1] if the posterior is right (Cook,
+    /// Gelman and Rubin, J. Comput. Graph. Stat. 15, 675, 2006).
+    pub ranks: Vec<f64>,
+    /// Mean standard deviation of the posterior in units of that of the range.
+    pub contraction: f64,
+}
+
+/// How all parameters were recovered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recovery {
+    /// Each parameter.
+    pub parameters: Vec<Recovered>,
+    /// The smallest effective number of points of any posterior.
+    pub effective_number: f64,
+    /// Share of the repetitions that would be refuted although the truth is in the ranges.
+    pub refuted: f64,
+}
+
+impl Recovered {
+    /// Share of the central intervals of a probability that hold the truth.
+    pub fn coverage(&self, probability: f64) -> f64 {
+        let holds = |rank: &&f64| (*rank - 0.5).abs() <= 0.5 * probability;
+        self.ranks.iter().filter(holds).count() as f64 / self.ranks.len() as f64
+    }
+
+    /// Probability of ranks at least as uneven as these if they are uniform (Kolmogorov and Smirnov).
+    pub fn evenness(&self) -> f64 {
+        let method = KSOneSampleAlternativeMethod::TwoSidedAsymptotic;
+        let test = Uniform::new(0.0, 1.0).ok().and_then(|uniform| {
+            ks_onesample(self.ranks.clone(), &uniform, method, NaNPolicy::Error).ok()
+        });
+        test.map_or(0.0, |(_, probability)| probability)
+    }
+
+    /// Whether the 90 % intervals cover what they should and, for many repetitions, the ranks are uniform.
+    pub fn passes(&self) -> bool {
+        let coverage = self.coverage(0.9);
+        let is_even = self.ranks.len() < MANY || self.evenness() >= LEVEL;
+        (ACCEPTED[0]..=ACCEPTED[1]).contains(&coverage) && is_even
+    }
+}
+
+impl Recovery {
+    /// Find the posterior of each repetition, with the same emulators for all.
+    pub fn of(predict: &dyn Fn(&[f64]) -> Vec<Prediction>, repetitions: &[Repetition]) -> Self {
+        let dimensions = repetitions.first().map_or(0, |one| one.truth.len());
+        let points = Region::cube(dimensions).points(POINTS, SEED);
+        let predictions: Vec<Vec<Prediction>> = points.iter().map(|point| predict(point)).collect();
+        let mut recovery = Self {
+            parameters: vec![
+                Recovered {
+                    ranks: Vec::new(),
+                    contraction: 0.0,
+                };
+                dimensions
+            ],
+            effective_number: f64::INFINITY,
+            refuted: 0.0,
+        };
+        let number = repetitions.len() as f64;
+        for Repetition { truth, measured } in repetitions {
+            let heights = predictions.iter().map(|one| log_likelihood(measured, one));
+            let mut posterior = Posterior::weighted(points.clone(), heights.collect());
+            if posterior.effective_number() < FEWEST {
+                let height = |point: &[f64]| log_likelihood(measured, &predict(point));
+                posterior = Posterior::of(dimensions, &height);
+            }
+            for (k, parameter) in recovery.parameters.iter_mut().enumerate() {
+                let is_below = |point: &[f64]| f64::from(u8::from(point[k] < truth[k]));
+                parameter.ranks.push(posterior.mean(&is_below));
+                let deviation = posterior.deviation(&|point| point[k]);
+                parameter.contraction += deviation * 12.0_f64.sqrt() / number;
+            }
+            let effective = posterior.effective_number();
+            recovery.effective_number = recovery.effective_number.min(effective);
+            let badness = |one: &Vec<Prediction>| implausibility(measured, one);
+            if predictions.iter().all(|one| badness(one) > RULED_OUT) {
+                recovery.refuted += 1.0 / number;
+            }
+        }
+        recovery
+    }
+
+    /// Whether all parameters pass.
+    pub fn passes(&self) -> bool {
+        self.parameters.iter().all(Recovered::passes)
+    }
+}

@@ -1,0 +1,326 @@
+//! The command `gouge calibrate`.
+
+use crate::program::{gouge, run, stderr, stdout};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Two grains that collide, with few points.
+const STUDY: &str = r#"
+[[parameter]]
+key = "contact.normal.damping"
+range = [0.05, 20.0]
+
+[[test]]
+name = "rebound"
+scene = "head-on"
+set = { "time.step" = 1e-8, "time.end" = 12e-6 }
+[[test.observe]]
+quantity = "restitution"
+
+[[target]]
+quantity = "restitution"
+value = 0.83
+sd = 0.06
+source = "Durda et al. 2011"
+verified = true
+
+[design]
+points = 8
+waves = 2
+predictive = 2
+"#;
+
+/// A folder with a calibration.
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new(text: &str) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("study.toml"), text).expect("a file");
+        Self(folder)
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn arguments(&self, out: &str, options: &[&str]) -> Vec<String> {
+        let text = |path: PathBuf| path.to_str().expect("UTF-8").to_owned();
+        let places = ["calibrate".to_owned(), text(self.path("study.toml"))];
+        let out = [
+            "--quiet".to_owned(),
+            "--out".to_owned(),
+            text(self.path(out)),
+        ];
+        let options = options.iter().map(|&option| option.to_owned());
+        places.into_iter().chain(out).chain(options).collect()
+    }
+
+    /// Status, standard output and standard error.
+    fn calibrate(&self, out: &str, options: &[&str]) -> (Option<i32>, String, String) {
+        let arguments = self.arguments(out, options);
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let output = run(&arguments);
+        (output.status.code(), stdout(&output), stderr(&output))
+    }
+}
+
+/// The tables of a calibration, without what clocks measured.
+fn tables(out: &Path) -> Option<[String; 3]> {
+    let read = |name: &str| fs::read_to_string(out.join(name)).ok();
+    let runs = read("runs.csv")?;
+    let untimed = runs
+        .lines()
+        .map(|line| line.rsplit_once(',').expect("a row").0);
+    let untimed: Vec<&str> = untimed.collect();
+    Some([
+        read("posterior.csv")?,
+        read("material.toml")?,
+        untimed.join("\n"),
+    ])
+}
+
+#[test]
+fn the_damping_of_granite_is_that_of_its_restitution() {
+    let folder = Folder::new("");
+    let out = folder.path("out");
+    let out = out.to_str().expect("UTF-8");
+    let output = run(&["calibrate", "rebound", "--quiet", "--out", out]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let said = stdout(&output);
+    assert!(said.contains("answer          determined"), "{said}");
+    let numbers = |start: &str| -> Vec<f64> {
+        let line = said
+            .lines()
+            .find(|line| line.contains(start))
+            .expect("a line");
+        line.split_whitespace()
+            .filter_map(|word| word.parse().ok())
+            .collect()
+    };
+    // The damping ratios of restitutions of .83, .89 and .77, solved with mpmath from
+    // e = exp(-2 z arccos(z) / sqrt(1 - z^2)), times 2 sqrt(k m).
+    assert!(
+        (numbers("damping  ")[0] / 0.9267 - 1.0).abs() < 2e-3,
+        "{said}"
+    );
+    let profile = numbers("by the profile");
+    for (found, expected) in profile.iter().zip(PROFILE) {
+        assert!((found / expected - 1.0).abs() < 5e-3, "{said}");
+    }
+}
+
+/// Dampings at restitutions one standard deviation above and below the measured one, in kg/s.
+const PROFILE: [f64; 2] = [0.571_30, 1.320_28];
+
+#[test]
+fn bits_depend_neither_on_jobs_nor_on_kills() {
+    let folder = Folder::new(STUDY);
+    assert_eq!(folder.calibrate("one", &["--jobs", "1"]).0, Some(0));
+    assert_eq!(folder.calibrate("two", &["--jobs", "2"]).0, Some(0));
+    for patience in [10, 40, 80] {
+        let arguments = folder.arguments("killed", &[]);
+        let mut child = gouge().args(arguments).spawn().expect("starts");
+        std::thread::sleep(Duration::from_millis(patience));
+        child.kill().expect("ours");
+        child.wait().expect("ours");
+    }
+    let expected = tables(&folder.path("one")).expect("done");
+    assert!(tables(&folder.path("two")) == Some(expected.clone()));
+    let began = Instant::now();
+    // A run of a killed calibration may still be going on.
+    while folder.calibrate("killed", &[]).0 != Some(0) {
+        assert!(began.elapsed() < Duration::from_secs(60));
+    }
+    assert!(tables(&folder.path("killed")) == Some(expected));
+}
+
+#[test]
+fn the_material_pastes_into_a_scene_and_its_command_runs() {
+    let folder = Folder::new(STUDY);
+    assert_eq!(folder.calibrate("out", &[]).0, Some(0));
+    let material = fs::read_to_string(folder.path("out/material.toml")).expect("a material");
+    let table: toml::Table = material.parse().expect("TOML");
+    let damping = table["contact"]["normal"]["damping"]
+        .as_float()
+        .expect("a number");
+    assert!((damping / 0.927 - 1.0).abs() < 0.05, "{material}");
+    let line = material
+        .lines()
+        .find(|line| line.starts_with("# gouge run"));
+    let line = line.expect("a command").trim_start_matches("# gouge ");
+    let arguments: Vec<String> = line
+        .split(' ')
+        .map(|word| match word {
+            "DIR" => folder.path("run").to_str().expect("UTF-8").to_owned(),
+            word => word.trim_matches('\'').to_owned(),
+        })
+        .collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    assert_eq!(run(&arguments).status.code(), Some(0), "{line}");
+    let energies = fs::read_to_string(folder.path("run/series.csv")).expect("a series");
+    let kinetic: Vec<f64> = energies
+        .lines()
+        .skip(1)
+        .map(|row| {
+            row.split(',')
+                .nth(1)
+                .and_then(|cell| cell.parse().ok())
+                .expect("a number")
+        })
+        .collect();
+    let restitution = (kinetic[kinetic.len() - 1] / kinetic[0]).sqrt();
+    assert!((restitution - 0.83).abs() < 0.005, "{restitution}");
+}
+
+#[test]
+fn a_combination_is_told_where_only_it_is_determined() {
+    let second = "[[parameter]]\nkey = \"contact.normal.stiffness\"\nrange = [3e6, 3e7]\n";
+    let text = second.to_owned() + &STUDY.replace("points = 8", "points = 16");
+    let folder = Folder::new(&text.replace("12e-6", "30e-6"));
+    let (status, said, errors) = folder.calibrate("out", &[]);
+    assert_eq!(status, Some(0), "{errors}");
+    // Restitution depends on damping / (2 sqrt(stiffness mass)) alone.
+    let answer = said
+        .lines()
+        .find(|line| line.starts_with("answer"))
+        .expect("an answer");
+    assert!(
+        answer.contains("only this is determined: stiffness^-0."),
+        "{answer}"
+    );
+    let exponent = answer
+        .split("^-")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next());
+    let exponent: f64 = exponent
+        .and_then(|word| word.parse().ok())
+        .expect("a number");
+    assert!(
+        (exponent - 0.5).abs() < 0.03 && answer.ends_with(" damping"),
+        "{answer}"
+    );
+    assert!(said.contains("not bounded in its range"), "{said}");
+}
+
+#[test]
+fn a_target_out_of_reach_refutes_the_model() {
+    let folder = Folder::new(STUDY);
+    assert_eq!(folder.calibrate("out", &[]).0, Some(0));
+    let text = STUDY.replace("value = 0.83\nsd = 0.06", "value = 0.05\nsd = 0.005");
+    fs::write(folder.path("study.toml"), text).expect("a file");
+    let (status, said, errors) = folder.calibrate("out", &[]);
+    assert_eq!(status, Some(1), "{errors}");
+    assert!(
+        said.contains("refuted: restitution = 0.05: the model attains"),
+        "{said}"
+    );
+    // No parameters, not even those of an earlier answer.
+    assert!(
+        !said.contains("best  ") || !said.contains("90 %  "),
+        "{said}"
+    );
+    assert!(!folder.path("out/material.toml").exists());
+}
+
+#[test]
+fn failed_runs_are_counted_and_name_their_causes() {
+    // Too short for the strongest dampings: there the grains still touch.
+    let folder = Folder::new(&STUDY.replace("12e-6", "4e-6"));
+    let (status, said, errors) = folder.calibrate("out", &[]);
+    assert_eq!(status, Some(0), "{errors}");
+    let rows = csv::Reader::from_path(folder.path("out/runs.csv")).expect("a table");
+    let rows: Vec<BTreeMap<String, String>> = rows
+        .into_deserialize()
+        .map(|row| row.expect("a row"))
+        .collect();
+    let number = |row: &BTreeMap<String, String>| row["damping"].parse::<f64>().expect("a number");
+    let (failed, fine): (Vec<_>, Vec<_>) = rows.iter().partition(|row| !row["cause"].is_empty());
+    assert!(!failed.is_empty() && !fine.is_empty());
+    assert!(
+        failed
+            .iter()
+            .all(|row| row["cause"].contains("still touch") && number(row) > 5.0)
+    );
+    assert!(said.contains(&format!("{} failed", failed.len())), "{said}");
+}
+
+#[test]
+fn mistakes_in_a_calibration_are_named() {
+    let cases = [
+        (
+            STUDY.replace("[0.05, 20.0]", "[20.0, 0.05]"),
+            "study.toml:2: parameter.range",
+        ),
+        (
+            STUDY.replace("[0.05, 20.0]", "[-1, 20.0]\nscale = \"log\""),
+            "positive range",
+        ),
+        (
+            STUDY.replace("sd = 0.06", "sd = 0.0"),
+            "study.toml:13: target.sd",
+        ),
+        (
+            STUDY.replace("source = \"Durda et al. 2011\"", "source = \" \""),
+            "target.source",
+        ),
+        (
+            STUDY.replace("source = \"Durda et al. 2011\"", ""),
+            "source",
+        ),
+        (
+            STUDY.replace(
+                "quantity = \"restitution\"\nvalue",
+                "quantity = \"angle\"\nvalue",
+            ),
+            "must be one of restitution",
+        ),
+        (
+            STUDY.replace("points = 8", "points = 2"),
+            "must be from 4 to 4096",
+        ),
+        (STUDY.replace("points = 8", "point = 8"), "unknown field"),
+        (STUDY.replace("head-on", "no-such-scene"), "no-such-scene"),
+        (
+            STUDY.replace("contact.normal.damping", "contact.normal.dampings"),
+            "dampings",
+        ),
+        (
+            STUDY.replace("value = 0.83", ""),
+            "nobody measured restitution",
+        ),
+        (STUDY.to_owned() + "[budget]\nruns = 10\n", "budget.runs"),
+        (
+            STUDY.to_owned() + "[budget]\ncore_hours = 1e-12\n",
+            "budget.core_hours",
+        ),
+        (
+            STUDY.replace(
+                "quantity = \"restitution\"\n\n",
+                "quantity = \"restitution\"\nclosed_form = \"hexagonal-modulus\"\n\n",
+            ),
+            "closed form",
+        ),
+    ];
+    for (text, words) in cases {
+        let folder = Folder::new(&text);
+        let (status, _, said) = folder.calibrate("out", &[]);
+        assert_eq!(status, Some(2), "{words}: {said}");
+        assert!(said.contains(words), "{words}: {said}");
+    }
+}
+
+#[test]
+fn built_in_calibrations_are_listed_and_recover_known_truths() {
+    let output = run(&["calibrate", "--list"]);
+    assert!(stdout(&output).contains("rebound  "), "{}", stdout(&output));
+    let folder = Folder::new(&STUDY.replace("predictive = 2", "repetitions = 60"));
+    let (status, said, errors) = folder.calibrate("out", &["--recover"]);
+    assert_eq!(status, Some(0), "{errors}");
+    assert!(
+        said.contains("pass") && said.contains("60 repetitions (0 more failed)"),
+        "{said}"
+    );
+}
