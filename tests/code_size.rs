@@ -13,7 +13,7 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 /// Folders with source files.
-const FOLDERS: [&str; 8] = [
+const FOLDERS: [&str; 9] = [
     "benches",
     "cli",
     "kernel",

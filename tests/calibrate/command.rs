@@ -247,9 +247,9 @@ fn failed_runs_are_counted_and_name_their_causes() {
     assert!(said.contains(&format!("{} failed", failed.len())), "{said}");
 }
 
-#[test]
-fn mistakes_in_a_calibration_are_named() {
-    let cases = [
+/// Damaged calibrations, and what their errors say.
+fn damaged() -> Vec<(String, &'static str)> {
+    vec![
         (
             STUDY.replace("[0.05, 20.0]", "[20.0, 0.05]"),
             "study.toml:2: parameter.range",
@@ -303,8 +303,12 @@ fn mistakes_in_a_calibration_are_named() {
             ),
             "closed form",
         ),
-    ];
-    for (text, words) in cases {
+    ]
+}
+
+#[test]
+fn mistakes_in_a_calibration_are_named() {
+    for (text, words) in damaged() {
         let folder = Folder::new(&text);
         let (status, _, said) = folder.calibrate("out", &[]);
         assert_eq!(status, Some(2), "{words}: {said}");

@@ -56,25 +56,23 @@ pub fn execute(
         (false, Ok(mut waiting)) => waiting.pop(),
         _ => None,
     };
-    std::thread::scope(|scope| {
-        for _ in 0..execution.jobs {
-            scope.spawn(|| {
-                while let Some(run) = next() {
-                    match execute_one(run, execution) {
-                        Ok(state) => report(Progress {
-                            name: run.name.clone(),
-                            state,
-                        }),
-                        Err(error) => {
-                            execution.stop.store(true, Ordering::Relaxed);
-                            if let Ok(mut failure) = failure.lock() {
-                                failure.get_or_insert(error);
-                            }
-                        }
-                    }
-                }
-            });
+    let fail = |error| {
+        execution.stop.store(true, Ordering::Relaxed);
+        if let Ok(mut failure) = failure.lock() {
+            failure.get_or_insert(error);
         }
+    };
+    let work = || {
+        while let Some(run) = next() {
+            let name = run.name.clone();
+            match execute_one(run, execution) {
+                Ok(state) => report(Progress { name, state }),
+                Err(error) => fail(error),
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        (0..execution.jobs).for_each(|_| drop(scope.spawn(&work)));
     });
     let failure = failure.into_inner().unwrap_or_default();
     match (failure, execution.stop.load(Ordering::Relaxed)) {
