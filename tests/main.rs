@@ -16,6 +16,7 @@ mod equations;
 mod errata;
 mod estimators;
 mod events;
+mod final_state;
 mod friction;
 mod geometry;
 mod guard;

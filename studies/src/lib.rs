@@ -4,6 +4,7 @@ mod columns;
 mod text;
 
 pub mod decay;
+pub mod final_state;
 pub mod statistics;
 pub mod sweep;
 

@@ -36,6 +36,8 @@ pub struct Study {
     rules: fn() -> Vec<&'static Rule>,
     /// Its figures.
     figures: fn(&Results, &Curves) -> Vec<Figure>,
+    /// Its tables.
+    tables: fn(&Results) -> Vec<Markup>,
 }
 
 /// All studies.

@@ -20,6 +20,7 @@ pub fn page(study: &Study, results: &Results, claims: &[Claim], figures: &[Figur
             h2 { "Runs" }
             (runs(study, results))
             (lost(results))
+            @for table in (study.tables)(results) { (table) }
             h2 { "Figures" }
             @for figure in figures { (figure.html()) }
             h2 { "Data" }

@@ -9,6 +9,7 @@ mod export;
 mod file;
 mod observe;
 mod plan;
+mod quantity;
 mod state;
 mod table;
 
@@ -16,7 +17,8 @@ pub use cost::{Cost, estimate};
 pub use execute::{Execution, Progress, execute, retry};
 pub use export::{Chunks, Script};
 pub use file::Sweep;
-pub use observe::{Finished, Observation, Quantity, Statistic};
+pub use observe::{Observation, Statistic};
 pub use plan::{Planned, plan};
+pub use quantity::{Finished, Quantity};
 pub use state::{State, Status, status};
 pub use table::collect;

@@ -1,10 +1,7 @@
 //! What is observed in a run.
 
+use super::quantity::{Finished, Quantity};
 use crate::columns::Columns;
-use crate::decay::Decay;
-use gouge_dem::laws::characteristic_length;
-use gouge_runner::run::Summary;
-use gouge_runner::scene::Scene;
 use serde::Deserialize;
 use std::path::Path;
 
@@ -29,104 +26,6 @@ pub struct Observation {
     pub after: f64,
     /// Factor of the value.
     pub times: Option<f64>,
-}
-
-/// A finished run.
-pub struct Finished<'a> {
-    /// Its folder.
-    pub folder: &'a Path,
-    /// Its summary.
-    pub summary: &'a Summary,
-    /// Reads its scene.
-    pub scene: &'a dyn Fn() -> Option<Scene>,
-}
-
-/// Quantities of a run.
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Quantity {
-    /// Coefficient of friction of the driven block.
-    Friction,
-    /// Half the width of its confidence interval.
-    FrictionMargin,
-    /// Slip in m over which that coefficient is averaged.
-    Slip,
-    /// Mean load over the second half of the run, in units of the pressure times the area.
-    LoadHeld,
-    /// Number of broken bonds.
-    BondsBroken,
-    /// Limit of friction in the fit of thesis (100).
-    DecayLimit,
-    /// Half the width of its confidence interval.
-    DecayLimitMargin,
-    /// Rate of the decay in 1/s.
-    DecayRate,
-    /// Largest friction.
-    DecayPeak,
-    /// Its time in s.
-    DecayPeakTime,
-    /// Standard deviation of the residuals.
-    DecayDeviation,
-    /// Correlation of neighbouring residuals.
-    DecayCorrelation,
-    /// Coefficient of restitution of two grains that meet head on in the frame of their centre of mass: the root of
-    /// the ratio of the last to the first kinetic energy.
-    Restitution,
-    /// Angle of repose in rad of the free grains, see `repose_angle`.
-    ReposeAngle,
-}
-
-impl Quantity {
-    /// Its name in files and tables.
-    fn name(self) -> &'static str {
-        match self {
-            Self::Friction => "friction",
-            Self::FrictionMargin => "friction-margin",
-            Self::Slip => "slip",
-            Self::LoadHeld => "load-held",
-            Self::BondsBroken => "bonds-broken",
-            Self::DecayLimit => "decay-limit",
-            Self::DecayLimitMargin => "decay-limit-margin",
-            Self::DecayRate => "decay-rate",
-            Self::DecayPeak => "decay-peak",
-            Self::DecayPeakTime => "decay-peak-time",
-            Self::DecayDeviation => "decay-deviation",
-            Self::DecayCorrelation => "decay-correlation",
-            Self::Restitution => "restitution",
-            Self::ReposeAngle => "repose-angle",
-        }
-    }
-
-    /// Its value in a finished run.
-    fn value(self, run: &Finished) -> Option<f64> {
-        let Finished {
-            folder, summary, ..
-        } = run;
-        let friction = summary.friction.as_ref();
-        match self {
-            Self::Slip => friction.map(|one| one.slip),
-            Self::LoadHeld => load_held(run),
-            Self::Friction => friction.map(|one| one.coefficient),
-            Self::FrictionMargin => friction.map(|one| 0.5 * (one.interval[1] - one.interval[0])),
-            Self::BondsBroken => Some(summary.bonds_broken as f64),
-            Self::Restitution => restitution(folder),
-            Self::ReposeAngle => repose_angle(folder),
-            _ => {
-                let series = Columns::of_series(folder)?;
-                let mu = series.get("friction_load")?;
-                let decay = Decay::fit(series.get("time")?, mu)?;
-                Some(match self {
-                    Self::DecayLimitMargin => decay.limit_margin(),
-                    Self::DecayLimit => decay.limit,
-                    Self::DecayRate => decay.rate,
-                    Self::DecayPeak => decay.peak,
-                    Self::DecayPeakTime => decay.peak_time,
-                    Self::DecayDeviation => decay.deviation(),
-                    _ => decay.correlation(),
-                })
-            }
-        }
-    }
 }
 
 /// What is taken of a column.
@@ -236,55 +135,4 @@ impl Observation {
             Statistic::AtPeak => pairs.iter().max_by(|a, b| a[0].total_cmp(&b[0]))?[1],
         })
     }
-}
-
-fn load_held(run: &Finished) -> Option<f64> {
-    let scene = (run.scene)()?;
-    let particles = Columns::read(&run.folder.join("particles.csv"))?;
-    let driving = scene.driving?;
-    let law = driving.law(
-        scene.domain.width?,
-        characteristic_length(particles.get("radius")?),
-    );
-    let series = Columns::of_series(run.folder)?;
-    let force = series.after("drive_force_y", 0.5 * run.summary.time)?;
-    let load = -force.iter().sum::<f64>() / force.len() as f64;
-    Some(load / (law.pressure * law.area))
-}
-
-/// Root of the ratio of the last to the first kinetic energy; none if the grains still touch.
-fn restitution(folder: &Path) -> Option<f64> {
-    let series = Columns::of_series(folder)?;
-    let kinetic = series.get("kinetic")?;
-    let is_over = *series.get("contact")?.last()? == 0.0;
-    is_over.then_some((kinetic.last()? / kinetic.first()?).sqrt())
-}
-
-/// Angle in rad of the triangle whose centre of mass is as high above the highest fixed grain, and whose horizontal
-/// variance is as large, as those of the free grains: a triangle of height H and base 2 B has its centre of mass at
-/// H / 3, and its variance is B^2 / 6.
-fn repose_angle(folder: &Path) -> Option<f64> {
-    let mut reader = csv::Reader::from_path(folder.join("particles.csv")).ok()?;
-    let (mut floor, mut free) = (f64::NEG_INFINITY, Vec::new());
-    for grain in reader.deserialize::<Grain>() {
-        let grain = grain.ok()?;
-        match grain.role.as_str() {
-            "fixed" => floor = floor.max(grain.y),
-            _ => free.push([grain.x, grain.y]),
-        }
-    }
-    let number = free.len() as f64;
-    let mean = |k: usize| free.iter().map(|place| place[k]).sum::<f64>() / number;
-    let (middle, height) = (mean(0), mean(1) - floor);
-    let squares = free.iter().map(|place| (place[0] - middle).powi(2));
-    let variance = squares.sum::<f64>() / number;
-    Some((3.0 * height / (6.0 * variance).sqrt()).atan())
-}
-
-/// A row of the final particles.
-#[derive(Deserialize)]
-struct Grain {
-    x: f64,
-    y: f64,
-    role: String,
 }

@@ -1,8 +1,9 @@
 //! The results of a sweep as a table in long form.
 
 use super::file::{Axis, Sweep};
-use super::observe::{Finished, Observation};
+use super::observe::Observation;
 use super::plan::Planned;
+use super::quantity::Finished;
 use super::state::{State, Status};
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;

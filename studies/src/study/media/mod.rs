@@ -18,6 +18,7 @@ pub static STUDY: Study = Study {
     order: &[PART],
     rules: || RULES.iter().collect(),
     figures,
+    tables: |_| Vec::new(),
 };
 
 const PART: &str = "media";

@@ -3,7 +3,10 @@
 mod claims;
 mod figures;
 mod printed;
+mod table;
 
+use super::results::Results;
+use super::sample::Sample;
 use super::{Part, Scale, Study};
 use maud::{Markup, html};
 
@@ -20,8 +23,9 @@ pub static STUDY: Study = Study {
         "thesis-small",
         "variants-small",
     ],
-    rules: || claims::rules().collect(),
+    rules: || claims::rules().chain(&table::RULES).collect(),
     figures: figures::all,
+    tables,
 };
 
 /// The sweep files.
@@ -37,13 +41,23 @@ const SWEEPS: [(&str, &str); 5] = [
 ];
 
 fn parts(scale: Scale) -> Vec<Part> {
-    let seeds = |name: &str| match scale == Scale::Full && name.ends_with("-small") {
-        true => "0..32",
-        false => "0..4",
+    let seeds = |name: &str| match (scale, name) {
+        // The 75 runs of the thesis, once.
+        (_, "thesis-full") => "0..1",
+        (Scale::Full, small) if small.ends_with("-small") => "0..32",
+        _ => "0..4",
     };
     let is_run = |name: &str| scale == Scale::Full || name.ends_with("-small");
     let all = SWEEPS.into_iter().filter(|(name, _)| is_run(name));
     all.map(|(name, text)| Part::new(name, text, seeds(name)))
+        .collect()
+}
+
+/// Table 1 for the parts of full size.
+fn tables(results: &Results) -> Vec<Markup> {
+    let parts = ["corrected-full", "thesis-full"].into_iter();
+    parts
+        .filter_map(|part| table::table(Sample { results, part }))
         .collect()
 }
 
