@@ -8,7 +8,7 @@ use gouge_studies::sweep::plan;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, SQRT_2, TAU};
 use std::path::Path;
 
 /// A normal number, by Box and Muller.
@@ -211,4 +211,26 @@ fn claims_are_judged_by_what_the_runs_show() {
     let found = verdicts(folder.path(), |law, p, seed| 30.0 * noise(law, p, seed));
     assert_eq!(found["Internal friction raises"], "undecided");
     assert_eq!(found["The coefficient of frict"], "undecided");
+}
+
+#[test]
+fn the_distributions_of_the_strength_study_have_one_mean() {
+    // The mean is 280 MPa pi E[s^2] E[min(r_i, r_j)^2], by sampling.
+    let mut random = Pcg64::seed_from_u64(11);
+    let radii = [2.0 / (1.0 + SQRT_2), 4.0 / (2.0 + SQRT_2)];
+    let number = 400_000;
+    let mut strength = || {
+        let mut radius = || 1e-3 * random.random_range(radii[0]..radii[1]);
+        let least: f64 = f64::min(radius(), radius());
+        let factor: f64 = random.random_range(0.9..1.1);
+        280e6 * PI * (factor * least).powi(2)
+    };
+    let mean = (0..number).map(|_| strength()).sum::<f64>() / f64::from(number);
+    // One standard error is 0.03 %.
+    assert_relative_eq!(mean, 790.3, max_relative = 1.5e-3);
+    for (shape, scale) in [(5.0, 860.7), (2.0, 891.8)] {
+        let weibull = statrs::distribution::Weibull::new(shape, scale).expect("a distribution");
+        let mean = statrs::statistics::Distribution::mean(&weibull).expect("a mean");
+        assert_relative_eq!(mean, 790.3, max_relative = 1e-4);
+    }
 }

@@ -4,6 +4,7 @@ mod claim;
 mod curves;
 mod media;
 mod page;
+mod pictures;
 mod results;
 mod sample;
 mod strength;
@@ -16,6 +17,7 @@ use gouge_page::Figure;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use maud::Markup;
+use pictures::Shown;
 use results::Results;
 use std::collections::HashSet;
 use std::path::Path;
@@ -38,6 +40,8 @@ pub struct Study {
     figures: fn(&Results, &Curves) -> Vec<Figure>,
     /// Its tables.
     tables: fn(&Results) -> Vec<Markup>,
+    /// Final states that it shows.
+    pictures: &'static [Shown],
 }
 
 /// All studies.
@@ -105,7 +109,7 @@ impl Study {
     /// Join the tables of all parts into `runs.csv` and `curves.csv`, test every claim, and write `claims.csv` and
     /// `study.html`.
     ///
-    /// `earlier` are folders with `runs.csv` and `curves.csv` of earlier studies, whose results count, too.
+    /// `earlier` are folders with `runs.csv`, `curves.csv` and pictures of earlier studies, whose results count, too.
     ///
     /// # Errors
     /// Failures of the file system.
@@ -134,7 +138,8 @@ impl Study {
             .collect();
         claim::write(&claims, &out.join("claims.csv"))?;
         let figures = (self.figures)(&results, &curves);
-        let page = page::page(self, &results, &claims, &figures);
+        let pictures = pictures::keep(self, &results, earlier, out)?;
+        let page = page::page(self, &results, &claims, &figures, &pictures);
         write_whole(&out.join("study.html"), page.into_string().as_bytes())
     }
 }

@@ -4,11 +4,17 @@ use super::Study;
 use super::claim::Claim;
 use super::results::{Results, Run};
 use gouge_page::{Figure, table};
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 use std::collections::BTreeMap;
 
 /// The page: verdicts first, then what was run, then figures.
-pub fn page(study: &Study, results: &Results, claims: &[Claim], figures: &[Figure]) -> Markup {
+pub fn page(
+    study: &Study,
+    results: &Results,
+    claims: &[Claim],
+    figures: &[Figure],
+    pictures: &[(String, String)],
+) -> Markup {
     gouge_page::page(
         study.title,
         html! {
@@ -23,6 +29,9 @@ pub fn page(study: &Study, results: &Results, claims: &[Claim], figures: &[Figur
             @for table in (study.tables)(results) { (table) }
             h2 { "Figures" }
             @for figure in figures { (figure.html()) }
+            @for (caption, picture) in pictures {
+                figure { (PreEscaped(picture)) figcaption { (caption) } }
+            }
             h2 { "Data" }
             p {
                 "One row a run: " a href="runs.csv" { "runs.csv" }

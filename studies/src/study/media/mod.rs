@@ -19,6 +19,7 @@ pub static STUDY: Study = Study {
     rules: || RULES.iter().collect(),
     figures,
     tables: |_| Vec::new(),
+    pictures: &[],
 };
 
 const PART: &str = "media";

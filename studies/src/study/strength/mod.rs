@@ -1,5 +1,7 @@
 //! An open question of the thesis: which strength factors give a wanted distribution of strengths, and does it matter?
 
+pub mod densities;
+
 use super::claim::{Finding, Rule, Verdict};
 use super::curves::Curves;
 use super::results::{Results, Run};
@@ -19,6 +21,7 @@ pub static STUDY: Study = Study {
     rules: || RULES.iter().collect(),
     figures,
     tables: |_| Vec::new(),
+    pictures: &[],
 };
 
 const PART: &str = "strength";
@@ -117,5 +120,6 @@ fn figures(results: &Results, _: &Curves) -> Vec<Figure> {
         Axis::linear("coefficient of friction", ""),
         curves,
     );
-    if is_empty { Vec::new() } else { vec![figure] }
+    let densities = [densities::figure()].into_iter();
+    densities.chain((!is_empty).then_some(figure)).collect()
 }

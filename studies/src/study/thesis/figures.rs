@@ -1,10 +1,11 @@
-//! Figures 12, 13 and 14 of the thesis, from many seeds.
+//! Figures 8, 12, 13 and 14 of the thesis, from many seeds.
 
 use super::printed::LAWS;
 use crate::statistics::Mean;
 use crate::study::curves::{Curves, PRESSURES, Point};
 use crate::study::results::{Results, Run};
 use crate::study::sample::Sample;
+use crate::study::strength::densities;
 use gouge_page::{Axis, Curve, Figure};
 
 /// Parts of the study that have figures, with words for their titles.
@@ -19,7 +20,7 @@ const HEATED: [f64; 4] = [0.075, 0.15, 0.3, 0.6];
 
 /// All figures for which there are runs.
 pub fn all(results: &Results, curves: &Curves) -> Vec<Figure> {
-    let mut figures = Vec::new();
+    let mut figures = vec![densities::figure()];
     for (part, arm) in ARMS {
         let sample = Sample { results, part };
         if sample.runs().next().is_none() {

@@ -5,6 +5,7 @@ mod figures;
 mod printed;
 mod table;
 
+use super::pictures::Shown;
 use super::results::Results;
 use super::sample::Sample;
 use super::{Part, Scale, Study};
@@ -26,7 +27,26 @@ pub static STUDY: Study = Study {
     rules: || claims::rules().chain(&table::RULES).collect(),
     figures: figures::all,
     tables,
+    pictures: &[
+        shown("thesis-full", 0.0125),
+        shown("thesis-full", 0.15),
+        shown("thesis-full", 0.5),
+        shown("thesis-full", 0.7),
+        shown("corrected-full", 0.0125),
+        shown("corrected-full", 0.15),
+        shown("corrected-full", 0.4),
+        shown("corrected-full", 0.8),
+    ],
 };
+
+/// A picture as in thesis figure 11.
+const fn shown(part: &'static str, pressure: f64) -> Shown {
+    Shown {
+        part,
+        law: "HW",
+        pressure,
+    }
+}
 
 /// The sweep files.
 const SWEEPS: [(&str, &str); 5] = [

@@ -1,0 +1,77 @@
+//! Pictures of final states, kept beside the tables of a study.
+
+use super::Study;
+use super::results::{Results, Run};
+use gouge_runner::error::Error;
+use gouge_runner::run::write_whole;
+use std::path::{Path, PathBuf};
+
+/// Folder of the pictures in that of a study.
+const FOLDER: &str = "pictures";
+/// Seed of the runs that are shown.
+const SEED: &str = "0";
+
+/// A run whose final state is shown: part of the study, law and pressure in units of the normal strength.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    /// Part of the study.
+    pub part: &'static str,
+    /// Law of friction.
+    pub law: &'static str,
+    /// Pressure.
+    pub pressure: f64,
+}
+
+impl Shown {
+    fn path(&self, folder: &Path) -> PathBuf {
+        let name = format!("{}-{}-{}.svg", self.part, self.law, self.pressure);
+        folder.join(FOLDER).join(name)
+    }
+
+    fn is_of(&self, run: &Run) -> bool {
+        run.part == self.part
+            && run.law() == self.law
+            && run.pressure() == self.pressure
+            && run.seed() == SEED
+    }
+
+    /// The picture: that of a run below `out`, or the one that an earlier study kept.
+    fn find(&self, results: &Results, earlier: &[&Path], out: &Path) -> Option<Vec<u8>> {
+        let run = results.runs().iter().find(|run| self.is_of(run))?;
+        let own = out.join(&run.part).join("runs").join(&run.name);
+        let kept = earlier.iter().map(|folder| self.path(folder));
+        let mut places = [own.join("picture.svg")].into_iter().chain(kept);
+        places.find_map(|path| std::fs::read(path).ok())
+    }
+}
+
+/// Copy the pictures of a study that exist; their captions and texts.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn keep(
+    study: &Study,
+    results: &Results,
+    earlier: &[&Path],
+    out: &Path,
+) -> Result<Vec<(String, String)>, Error> {
+    let mut pictures = Vec::new();
+    for shown in study.pictures {
+        let Some(bytes) = shown.find(results, earlier, out) else {
+            continue;
+        };
+        let path = shown.path(out);
+        let folder = path.parent().unwrap_or(out);
+        std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
+        write_whole(&path, &bytes)?;
+        let Shown {
+            part,
+            law,
+            pressure,
+        } = shown;
+        let caption =
+            format!("Final state, law {law}, {pressure} of the strength, seed {SEED} ({part}).");
+        pictures.push((caption, String::from_utf8_lossy(&bytes).into_owned()));
+    }
+    Ok(pictures)
+}
