@@ -20,6 +20,7 @@ pub fn page(
         html! {
             h1 { (study.title) }
             ((study.introduction)())
+            (summary(claims))
             h2 { "Claims and verdicts" }
             p { "Each claim has a rule that was fixed before the runs. Parts of the study stand in brackets." }
             (verdicts(claims))
@@ -39,6 +40,23 @@ pub fn page(
                 ". Friction and heat over time: " a href="curves.csv" { "curves.csv" } "."
             }
         },
+    )
+}
+
+/// Each claim with its verdict in the most telling part of the study that has one.
+fn summary(claims: &[Claim]) -> Markup {
+    let row = |claim: &Claim| {
+        let first = claim.findings.first();
+        let verdict = first.map_or("not run", |(_, finding)| finding.verdict.name());
+        let part = first.map_or("", |(part, _)| part);
+        [claim.statement, verdict, part].map(str::to_owned).into()
+    };
+    let rows: Vec<Vec<String>> = claims.iter().map(row).collect();
+    let columns = ["claim", "verdict", "part"].map(str::to_owned);
+    table(
+        "Verdicts, by the most telling part of the study",
+        &columns,
+        &rows,
     )
 }
 
@@ -67,7 +85,8 @@ fn runs(study: &Study, results: &Results) -> Markup {
         let states: Vec<String> = states
             .map(|(name, number)| format!("{number} {name}"))
             .collect();
-        let seconds: f64 = all().filter_map(|run| run.number("wall_seconds")).sum();
+        let seconds = all().filter_map(|run| run.number("wall_seconds"));
+        let seconds = seconds.fold(0.0, |sum, one| sum + one);
         let cells = [
             (*part).to_owned(),
             all().count().to_string(),

@@ -13,8 +13,8 @@ const LOAD: f64 = 0.01;
 
 pub(super) static RULES: [Rule; 2] = [
     Rule {
-        statement: "Each run lasts 50.000 ms +- 0.001 ms and reaches a strain of 1.00 +- 0.01.",
-        rule: "Every run of full size; the strain of its second half is 0.500 +- 0.005.",
+        statement: "Each run lasts 50.000 ms ± 0.001 ms and reaches a strain of 1.00 ± 0.01.",
+        rule: "Every run of full size; the strain of its second half is 0.500 ± 0.005.",
         test: strain,
     },
     Rule {

@@ -51,6 +51,6 @@ fn immaterial(sample: &Sample) -> Option<Finding> {
             mean.mean
         ));
     }
-    let said = format!("{} (90 %).", said.join("; "));
-    (!said.is_empty()).then(|| Finding::new(Verdict::of(is_met, is_opposed), said))
+    let numbers = format!("{} (90 %).", said.join("; "));
+    (!said.is_empty()).then(|| Finding::new(Verdict::of(is_met, is_opposed), numbers))
 }
