@@ -40,6 +40,7 @@ mod rolling;
 mod search;
 mod sources;
 mod start;
+mod stories;
 mod strength;
 mod studies;
 mod sweep;
