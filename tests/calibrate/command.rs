@@ -15,7 +15,7 @@ range = [0.05, 20.0]
 [[test]]
 name = "rebound"
 scene = "head-on"
-set = { "time.step" = 1e-8, "time.end" = 12e-6 }
+set = ["time.step=1e-8", "time.end=12e-6"]
 [[test.observe]]
 quantity = "restitution"
 

@@ -5,16 +5,21 @@ use gouge_runner::error::{Error, SceneError};
 use std::path::Path;
 
 /// Name and text of every built-in calibration.
-const CALIBRATIONS: [(&str, &str); 3] = [
+const CALIBRATIONS: [(&str, &str); 5] = [
     ("rebound", include_str!("../calibrations/rebound.toml")),
     (
         "rebound-stiffness",
         include_str!("../calibrations/rebound-stiffness.toml"),
     ),
     (
+        "rebound-duration",
+        include_str!("../calibrations/rebound-duration.toml"),
+    ),
+    (
         "rebound-ice",
         include_str!("../calibrations/rebound-ice.toml"),
     ),
+    ("repose", include_str!("../calibrations/repose.toml")),
 ];
 
 /// Names of all built-in calibrations.

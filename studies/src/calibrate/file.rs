@@ -5,7 +5,7 @@ use super::closed_form::ClosedForm;
 use super::emulator::Form;
 use super::parameter::{Keys, Parameter, Scale};
 use crate::sweep::{Observation, Quantity, Statistic};
-use crate::text::{Place, inline, read_text, scene_beside};
+use crate::text::{Place, read_text, scene_beside};
 use gouge_runner::error::{Error, SceneError};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -71,7 +71,7 @@ struct TestKeys {
     name: String,
     scene: String,
     #[serde(default)]
-    set: BTreeMap<String, Value>,
+    set: Vec<String>,
     seeds: Option<Spanned<Value>>,
     #[serde(default)]
     observe: Vec<Spanned<ObserveKeys>>,
@@ -105,7 +105,7 @@ struct TargetKeys {
     sd: f64,
     #[serde(default = "one")]
     specimens: u32,
-    source: String,
+    source: Option<String>,
     #[serde(default)]
     verified: bool,
 }
@@ -260,13 +260,10 @@ impl Place<'_> {
             let accepted = "needs at least one [[test.observe]]";
             return Err(self.error(spanned.span(), "test.observe", accepted));
         }
-        let set = keys.set.iter();
         Ok(Test {
             name: keys.name.clone(),
             scene: scene_beside(Path::new(self.file), &keys.scene),
-            set: set
-                .map(|(key, value)| format!("{key}={}", inline(value)))
-                .collect(),
+            set: keys.set.clone(),
             seeds: match seeds {
                 Some(seeds) => self.seeds("test.seeds", seeds)?,
                 None => Vec::new(),
@@ -325,7 +322,8 @@ impl Place<'_> {
         if keys.specimens == 0 {
             return refusal("specimens", "must be at least 1");
         }
-        if keys.source.trim().is_empty() {
+        let source = keys.source.as_deref().unwrap_or_default().trim();
+        if keys.value.is_some() && source.is_empty() {
             return refusal("source", "must name who measured the value");
         }
         Ok(Target {
@@ -334,7 +332,7 @@ impl Place<'_> {
             value: keys.value,
             deviation: keys.sd,
             specimens: f64::from(keys.specimens),
-            source: keys.source.clone(),
+            source: source.to_owned(),
             is_verified: keys.verified,
         })
     }

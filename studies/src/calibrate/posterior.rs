@@ -50,27 +50,17 @@ impl Posterior {
     }
 
     /// Points that fill a region evenly, weighted by their likelihoods.
-    pub fn weighted(points: Vec<Vec<f64>>, log_likelihood: Vec<f64>) -> Self {
-        let top = log_likelihood
-            .iter()
-            .copied()
-            .fold(f64::NEG_INFINITY, f64::max);
-        let weights: Vec<f64> = log_likelihood.iter().map(|one| (one - top).exp()).collect();
-        let sum: f64 = weights.iter().sum();
+    fn weighted(points: Vec<Vec<f64>>, log_likelihood: Vec<f64>) -> Self {
         Self {
             points,
+            weights: weights(&log_likelihood),
             log_likelihood,
-            weights: weights.iter().map(|weight| weight / sum).collect(),
         }
     }
 
     /// Number of independent points of equal weight that would tell as much (Kish).
     pub fn effective_number(&self) -> f64 {
-        1.0 / self
-            .weights
-            .iter()
-            .map(|weight| weight * weight)
-            .sum::<f64>()
+        effective_number(&self.weights)
     }
 
     /// The most likely of the points.
@@ -130,4 +120,21 @@ impl Posterior {
         }
         chosen
     }
+}
+
+/// Likelihoods, scaled so that their sum is 1.
+pub fn weights(log_likelihood: &[f64]) -> Vec<f64> {
+    let top = log_likelihood
+        .iter()
+        .copied()
+        .fold(f64::NEG_INFINITY, f64::max);
+    let mut weights: Vec<f64> = log_likelihood.iter().map(|one| (one - top).exp()).collect();
+    let sum: f64 = weights.iter().sum();
+    weights.iter_mut().for_each(|weight| *weight /= sum);
+    weights
+}
+
+/// Number of independent points of equal weight that would tell as much as these weights.
+pub fn effective_number(weights: &[f64]) -> f64 {
+    1.0 / weights.iter().map(|weight| weight * weight).sum::<f64>()
 }

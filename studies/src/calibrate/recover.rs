@@ -2,17 +2,17 @@
 
 use super::emulator::Prediction;
 use super::likelihood::{Measured, RULED_OUT, implausibility, log_likelihood};
-use super::posterior::Posterior;
+use super::posterior::{Posterior, effective_number, weights};
 use super::region::Region;
 use statrs::distribution::Uniform;
 use statrs::stats_tests::NaNPolicy;
 use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
 
 /// Points of the posterior of each repetition, and their seed.
-const POINTS: u32 = 1 << 14;
+const POINTS: u32 = 1 << 13;
 const SEED: u32 = 3;
 /// With fewer effective points, the posterior of a repetition is refined.
-const FEWEST: f64 = 200.0;
+const FEWEST: f64 = 100.0;
 /// Coverage of 90 % intervals that is accepted.
 pub const ACCEPTED: [f64; 2] = [0.82, 0.97];
 /// From so many repetitions on, ranks must be uniform, at this level.
@@ -79,39 +79,54 @@ impl Recovery {
         let dimensions = repetitions.first().map_or(0, |one| one.truth.len());
         let points = Region::cube(dimensions).points(POINTS, SEED);
         let predictions: Vec<Vec<Prediction>> = points.iter().map(|point| predict(point)).collect();
+        let none = Recovered {
+            ranks: Vec::new(),
+            contraction: 0.0,
+        };
         let mut recovery = Self {
-            parameters: vec![
-                Recovered {
-                    ranks: Vec::new(),
-                    contraction: 0.0,
-                };
-                dimensions
-            ],
+            parameters: vec![none; dimensions],
             effective_number: f64::INFINITY,
             refuted: 0.0,
         };
-        let number = repetitions.len() as f64;
-        for Repetition { truth, measured } in repetitions {
-            let heights = predictions.iter().map(|one| log_likelihood(measured, one));
-            let mut posterior = Posterior::weighted(points.clone(), heights.collect());
-            if posterior.effective_number() < FEWEST {
-                let height = |point: &[f64]| log_likelihood(measured, &predict(point));
-                posterior = Posterior::of(dimensions, &height);
+        let share = 1.0 / repetitions.len() as f64;
+        for one in repetitions {
+            let heights = predictions
+                .iter()
+                .map(|prediction| log_likelihood(&one.measured, prediction));
+            let weights = weights(&heights.collect::<Vec<_>>());
+            if effective_number(&weights) >= FEWEST {
+                recovery.add(&one.truth, &points, &weights, share);
+            } else {
+                let height = |point: &[f64]| log_likelihood(&one.measured, &predict(point));
+                let posterior = Posterior::of(dimensions, &height);
+                recovery.add(&one.truth, &posterior.points, &posterior.weights, share);
             }
-            for (k, parameter) in recovery.parameters.iter_mut().enumerate() {
-                let is_below = |point: &[f64]| f64::from(u8::from(point[k] < truth[k]));
-                parameter.ranks.push(posterior.mean(&is_below));
-                let deviation = posterior.deviation(&|point| point[k]);
-                parameter.contraction += deviation * 12.0_f64.sqrt() / number;
-            }
-            let effective = posterior.effective_number();
-            recovery.effective_number = recovery.effective_number.min(effective);
-            let badness = |one: &Vec<Prediction>| implausibility(measured, one);
-            if predictions.iter().all(|one| badness(one) > RULED_OUT) {
-                recovery.refuted += 1.0 / number;
+            let is_ruled_out = |prediction: &Vec<Prediction>| {
+                implausibility(&one.measured, prediction) > RULED_OUT
+            };
+            if predictions.iter().all(is_ruled_out) {
+                recovery.refuted += share;
             }
         }
         recovery
+    }
+
+    /// Count the posterior of a truth, a share of all.
+    fn add(&mut self, truth: &[f64], points: &[Vec<f64>], weights: &[f64], share: f64) {
+        for (k, parameter) in self.parameters.iter_mut().enumerate() {
+            let (mut rank, mut mean, mut square) = (0.0, 0.0, 0.0);
+            for (point, weight) in points.iter().zip(weights) {
+                if point[k] < truth[k] {
+                    rank += weight;
+                }
+                mean += weight * point[k];
+                square += weight * point[k] * point[k];
+            }
+            parameter.ranks.push(rank);
+            let variance = (square - mean * mean).max(0.0);
+            parameter.contraction += share * (12.0 * variance).sqrt();
+        }
+        self.effective_number = self.effective_number.min(effective_number(weights));
     }
 
     /// Whether all parameters pass.

@@ -99,7 +99,9 @@ impl Observation {
         let value = value.map(|value| self.times.unwrap_or(1.0) * value);
         let value = value.filter(|value| value.is_finite());
         value.ok_or_else(|| match self.quantity {
-            Some(Quantity::Restitution) => "the grains still touch at the end".to_owned(),
+            Some(Quantity::Restitution | Quantity::ContactDuration) => {
+                "the grains still touch at the end".to_owned()
+            }
             _ => format!("the run has no {}", self.name()),
         })
     }

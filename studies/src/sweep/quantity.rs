@@ -60,6 +60,8 @@ pub enum Quantity {
     /// Coefficient of restitution of two grains that meet head on in the frame of their centre of mass: the root of
     /// the ratio of the last to the first kinetic energy.
     Restitution,
+    /// Time in s during which the energy of contacts is positive, in whole intervals between samples.
+    ContactDuration,
     /// Angle of repose in rad of the free grains, see `repose_angle`.
     ReposeAngle,
 }
@@ -86,6 +88,7 @@ impl Quantity {
             Self::CrackGap => "crack-gap",
             Self::EdgeDebris => "edge-debris",
             Self::Restitution => "restitution",
+            Self::ContactDuration => "contact-duration",
             Self::ReposeAngle => "repose-angle",
         }
     }
@@ -100,6 +103,7 @@ impl Quantity {
             Self::FrictionMargin => friction.map(|one| 0.5 * (one.interval[1] - one.interval[0])),
             Self::BondsBroken => Some(run.summary.bonds_broken as f64),
             Self::Restitution => restitution(run.folder),
+            Self::ContactDuration => contact_duration(run.folder),
             Self::ReposeAngle => repose_angle(run.folder),
             Self::DebrisFragments
             | Self::DebrisDepth
@@ -158,6 +162,17 @@ fn restitution(folder: &Path) -> Option<f64> {
     let kinetic = series.get("kinetic")?;
     let is_over = *series.get("contact")?.last()? == 0.0;
     is_over.then_some((kinetic.last()? / kinetic.first()?).sqrt())
+}
+
+/// Time between the samples before and after the contact; none if the grains never touch or still do.
+fn contact_duration(folder: &Path) -> Option<f64> {
+    let series = Columns::of_series(folder)?;
+    let (time, contact) = (series.get("time")?, series.get("contact")?);
+    let first = contact.iter().position(|&energy| energy > 0.0)?;
+    let last = contact.iter().rposition(|&energy| energy > 0.0)?;
+    let after = time.get(last + 1)?;
+    // The contact began and ended half an interval from these samples, on average.
+    Some(0.5 * (after + time[last]) - 0.5 * (time[first] + time[first.checked_sub(1)?]))
 }
 
 /// Angle in rad of the triangle whose centre of mass is as high above the highest fixed grain, and whose horizontal
