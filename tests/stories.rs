@@ -1,4 +1,4 @@
-//! The user stories of the documentation, followed to the letter.
+//! The user stories about sweeps in the documentation, followed to the letter.
 
 use crate::program::gouge;
 use std::fs;
@@ -89,12 +89,4 @@ fn the_stories_about_sweeps_can_be_followed() {
         .position(|name| name == "status")
         .expect("a status");
     assert!(rows.iter().all(|row| &row[status] == "done"), "{rows:?}");
-}
-
-#[test]
-fn the_stories_about_calibrations_can_be_followed() {
-    let (folder, printed) = follow("calibration.md");
-    assert!(printed.contains("answer          determined"), "{printed}");
-    assert!(printed.contains("only this is determined"), "{printed}");
-    assert!(folder.path().join("out/rebound/material.toml").is_file());
 }

@@ -1,4 +1,5 @@
-//! Calibration: the numerics on models with known answers, and the command.
+//! Calibration: the numerics on models with known answers, the command, and its page of documentation.
 
 mod command;
+mod documentation;
 mod numerics;

@@ -5,7 +5,7 @@ use gouge_runner::error::{Error, SceneError};
 use std::path::Path;
 
 /// Name and text of every built-in calibration.
-const CALIBRATIONS: [(&str, &str); 5] = [
+const CALIBRATIONS: [(&str, &str); 6] = [
     ("rebound", include_str!("../calibrations/rebound.toml")),
     (
         "rebound-stiffness",
@@ -19,6 +19,7 @@ const CALIBRATIONS: [(&str, &str); 5] = [
         "rebound-ice",
         include_str!("../calibrations/rebound-ice.toml"),
     ),
+    ("elastic", include_str!("../calibrations/elastic.toml")),
     ("repose", include_str!("../calibrations/repose.toml")),
 ];
 

@@ -10,6 +10,7 @@ mod file;
 mod observe;
 mod plan;
 mod quantity;
+mod specimen;
 mod state;
 mod table;
 

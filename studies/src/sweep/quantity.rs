@@ -1,5 +1,6 @@
 //! Quantities of finished runs.
 
+use super::specimen::{contact_duration, isotropic, repose_angle, restitution};
 use crate::columns::Columns;
 use crate::decay::Decay;
 use crate::final_state::FinalState;
@@ -60,8 +61,12 @@ pub enum Quantity {
     /// Coefficient of restitution of two grains that meet head on in the frame of their centre of mass: the root of
     /// the ratio of the last to the first kinetic energy.
     Restitution,
-    /// Time in s during which the energy of contacts is positive, in whole intervals between samples.
+    /// Time in s during which the energy of contacts is positive, see `contact_duration`.
     ContactDuration,
+    /// Young's modulus in Pa, see `isotropic`.
+    YoungsModulus,
+    /// Poisson's ratio, see `isotropic`.
+    PoissonsRatio,
     /// Angle of repose in rad of the free grains, see `repose_angle`.
     ReposeAngle,
 }
@@ -89,6 +94,8 @@ impl Quantity {
             Self::EdgeDebris => "edge-debris",
             Self::Restitution => "restitution",
             Self::ContactDuration => "contact-duration",
+            Self::YoungsModulus => "youngs-modulus",
+            Self::PoissonsRatio => "poissons-ratio",
             Self::ReposeAngle => "repose-angle",
         }
     }
@@ -104,6 +111,8 @@ impl Quantity {
             Self::BondsBroken => Some(run.summary.bonds_broken as f64),
             Self::Restitution => restitution(run.folder),
             Self::ContactDuration => contact_duration(run.folder),
+            Self::YoungsModulus => Some(isotropic(run.folder)?[0]),
+            Self::PoissonsRatio => Some(isotropic(run.folder)?[1]),
             Self::ReposeAngle => repose_angle(run.folder),
             Self::DebrisFragments
             | Self::DebrisDepth
@@ -154,52 +163,4 @@ fn load_held(run: &Finished) -> Option<f64> {
     let force = series.after("drive_force_y", 0.5 * run.summary.time)?;
     let load = -force.iter().sum::<f64>() / force.len() as f64;
     Some(load / (law.pressure * law.area))
-}
-
-/// Root of the ratio of the last to the first kinetic energy; none if the grains still touch.
-fn restitution(folder: &Path) -> Option<f64> {
-    let series = Columns::of_series(folder)?;
-    let kinetic = series.get("kinetic")?;
-    let is_over = *series.get("contact")?.last()? == 0.0;
-    is_over.then_some((kinetic.last()? / kinetic.first()?).sqrt())
-}
-
-/// Time between the samples before and after the contact; none if the grains never touch or still do.
-fn contact_duration(folder: &Path) -> Option<f64> {
-    let series = Columns::of_series(folder)?;
-    let (time, contact) = (series.get("time")?, series.get("contact")?);
-    let first = contact.iter().position(|&energy| energy > 0.0)?;
-    let last = contact.iter().rposition(|&energy| energy > 0.0)?;
-    let after = time.get(last + 1)?;
-    // The contact began and ended half an interval from these samples, on average.
-    Some(0.5 * (after + time[last]) - 0.5 * (time[first] + time[first.checked_sub(1)?]))
-}
-
-/// Angle in rad of the triangle whose centre of mass is as high above the highest fixed grain, and whose horizontal
-/// variance is as large, as those of the free grains: a triangle of height H and base 2 B has its centre of mass at
-/// H / 3, and its variance is B^2 / 6.
-fn repose_angle(folder: &Path) -> Option<f64> {
-    let mut reader = csv::Reader::from_path(folder.join("particles.csv")).ok()?;
-    let (mut floor, mut free) = (f64::NEG_INFINITY, Vec::new());
-    for grain in reader.deserialize::<Grain>() {
-        let grain = grain.ok()?;
-        match grain.role.as_str() {
-            "fixed" => floor = floor.max(grain.y),
-            _ => free.push([grain.x, grain.y]),
-        }
-    }
-    let number = free.len() as f64;
-    let mean = |k: usize| free.iter().map(|place| place[k]).sum::<f64>() / number;
-    let (middle, height) = (mean(0), mean(1) - floor);
-    let squares = free.iter().map(|place| (place[0] - middle).powi(2));
-    let variance = squares.sum::<f64>() / number;
-    Some((3.0 * height / (6.0 * variance).sqrt()).atan())
-}
-
-/// A row of the final particles.
-#[derive(Deserialize)]
-struct Grain {
-    x: f64,
-    y: f64,
-    role: String,
 }
