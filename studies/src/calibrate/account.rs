@@ -1,8 +1,9 @@
 //! What a calibration found, as lines for the terminal.
 
 use super::calibration::Calibration;
-use super::identify::{DROPS, profile_interval};
+use super::identify::{DROPS, Marginal, profile_interval};
 use super::outcome::{Answer, Outcome};
+use super::parameter::Parameter;
 use super::truths::Trial;
 use std::fmt::Write;
 
@@ -57,7 +58,7 @@ fn parameters(calibration: &Calibration, outcome: &Outcome) -> String {
             range(low, high),
             range(lowest, highest),
             one.contraction,
-            bounds(one.is_bounded)
+            bounds(parameter, one)
         );
         if let [Some(low), Some(high)] = profile_interval(&one.profile, DROPS[0]) {
             let range = range(value(low), value(high));
@@ -89,13 +90,15 @@ pub fn range(low: f64, high: f64) -> String {
     format!("{} - {}", shown(low), shown(high))
 }
 
-/// What the profile says about the ends of the range.
-pub fn bounds(is_bounded: [bool; 2]) -> &'static str {
-    match is_bounded {
-        [true, true] => "",
-        [true, false] => "  bounded only from below",
-        [false, true] => "  bounded only from above",
-        [false, false] => "  not bounded in its range",
+/// What the profile says about the ends of the range, where it does not bound the parameter on both sides: the one-sided
+/// interval of the posterior that holds 95 % of it.
+pub fn bounds(parameter: &Parameter, one: &Marginal) -> String {
+    let [.., lowest, highest] = one.quantiles.map(|place| shown(parameter.value(place)));
+    match one.is_bounded {
+        [true, true] => String::new(),
+        [true, false] => format!("  bounded only from below: above {lowest} with 95 %"),
+        [false, true] => format!("  bounded only from above: below {highest} with 95 %"),
+        [false, false] => "  not bounded in its range".to_owned(),
     }
 }
 

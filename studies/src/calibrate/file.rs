@@ -1,136 +1,17 @@
-//! Calibration files.
+//! Calibration files, read and checked.
 
 use super::calibration::{Calibration, Design, Observed, Target, Test};
-use super::closed_form::ClosedForm;
-use super::emulator::Form;
+use super::file_keys::{
+    DesignKeys, FileKeys, KeysValue, ObserveKeys, OneOrMore, ParameterKeys, ScaleName, TargetKeys,
+    TestKeys,
+};
 use super::parameter::{Keys, Parameter, Scale};
-use crate::sweep::{Observation, Quantity, Statistic};
+use crate::sweep::Observation;
 use crate::text::{Place, read_text, scene_beside};
 use gouge_runner::error::{Error, SceneError};
-use serde::Deserialize;
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
-use toml::{Spanned, Value};
-
-/// The keys of a calibration file.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FileKeys {
-    title: Option<String>,
-    #[serde(default)]
-    notes: Vec<String>,
-    #[serde(default)]
-    parameter: Vec<Spanned<ParameterKeys>>,
-    #[serde(default)]
-    test: Vec<Spanned<TestKeys>>,
-    #[serde(default)]
-    target: Vec<Spanned<TargetKeys>>,
-    design: Option<Spanned<DesignKeys>>,
-    #[serde(default)]
-    budget: Budget,
-}
-
-/// `[[parameter]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ParameterKeys {
-    name: Option<String>,
-    key: KeysValue,
-    range: [f64; 2],
-    scale: Option<ScaleName>,
-}
-
-/// A key, a list of keys, or a table from tests to either.
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum KeysValue {
-    One(String),
-    List(Vec<String>),
-    Tests(BTreeMap<String, OneOrMore>),
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum OneOrMore {
-    One(String),
-    List(Vec<String>),
-}
-
-#[derive(Clone, Copy, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "lowercase")]
-enum ScaleName {
-    Log,
-    Linear,
-}
-
-/// `[[test]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TestKeys {
-    name: String,
-    scene: String,
-    #[serde(default)]
-    set: Vec<String>,
-    seeds: Option<Spanned<Value>>,
-    #[serde(default)]
-    observe: Vec<Spanned<ObserveKeys>>,
-}
-
-/// `[[test.observe]]`: the keys of an observation of a sweep, and how it is emulated.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ObserveKeys {
-    name: Option<String>,
-    quantity: Option<Quantity>,
-    column: Option<String>,
-    statistic: Option<Statistic>,
-    against: Option<String>,
-    range: Option<[f64; 2]>,
-    #[serde(default)]
-    after: f64,
-    times: Option<f64>,
-    #[serde(default)]
-    form: Form,
-    closed_form: Option<ClosedForm>,
-}
-
-/// `[[target]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TargetKeys {
-    test: Option<String>,
-    quantity: String,
-    value: Option<f64>,
-    sd: f64,
-    #[serde(default = "one")]
-    specimens: u32,
-    source: Option<String>,
-    #[serde(default)]
-    verified: bool,
-}
-
-fn one() -> u32 {
-    1
-}
-
-/// `[design]`.
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct DesignKeys {
-    points: Option<u32>,
-    waves: Option<usize>,
-    predictive: Option<usize>,
-    repetitions: Option<u32>,
-}
-
-/// `[budget]`.
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Budget {
-    core_hours: Option<f64>,
-    runs: Option<usize>,
-}
+use toml::Spanned;
 
 /// Accepted numbers of points.
 const POINTS: Range<u32> = 4..4097;

@@ -12,6 +12,8 @@ pub const DETERMINED: f64 = 0.5;
 pub const DROPS: [f64; 2] = [0.5, 1.92];
 /// Probabilities of the quantiles that are reported: the median and the ends of the 68 % and 90 % intervals.
 pub const PARTS: [f64; 5] = [0.5, 0.16, 0.84, 0.05, 0.95];
+/// Components of a direction below this part of the largest one are not named: they carry 2 % of its variance.
+const NEGLIGIBLE: f64 = 0.15;
 /// Places of a profile inside the region that remains.
 const PLACES: u32 = 40;
 /// Points of the posterior over which the Fisher matrix is averaged.
@@ -192,7 +194,7 @@ impl Combination {
     /// The combination as text, such as `damping stiffness^-0.50`; parameters that hardly enter are left out.
     pub fn text(&self, parameters: &[Parameter]) -> String {
         let largest = self.direction.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        let enters = |k: &usize| self.direction[*k].abs() > 0.05 * largest;
+        let enters = |k: &usize| self.direction[*k].abs() > NEGLIGIBLE * largest;
         let entering: Vec<usize> = (0..parameters.len()).filter(enters).collect();
         let exponents = self.exponents(parameters);
         let is_product = entering.iter().all(|&k| parameters[k].scale == Scale::Log);

@@ -9,6 +9,7 @@ mod climb;
 mod closed_form;
 mod emulator;
 mod file;
+mod file_keys;
 mod gaussian_process;
 mod identify;
 mod likelihood;

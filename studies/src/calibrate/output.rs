@@ -162,7 +162,7 @@ fn line(parameter: &Parameter, one: &Marginal) -> String {
         parameter.written(one.best),
         range(low, high),
         range(lowest, highest),
-        bounds(one.is_bounded)
+        bounds(parameter, one)
     )
 }
 

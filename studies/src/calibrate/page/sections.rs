@@ -131,7 +131,7 @@ pub fn parameters(calibration: &Calibration, outcome: &Outcome) -> Markup {
                 range(low, high),
                 range(lowest, highest),
                 profile,
-                format!("{:.2}{}", one.contraction, bounds(one.is_bounded)),
+                format!("{:.2}{}", one.contraction, bounds(parameter, one)),
             ]
         })
         .collect();
