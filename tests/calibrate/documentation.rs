@@ -60,4 +60,27 @@ fn its_commands_print_what_it_shows() {
             other => panic!("a block of {other}"),
         }
     }
+    lattice_theory_gives_the_targets(&folder.path().join("out/elastic/material.toml"));
+}
+
+/// The most likely stiffnesses give the measured constants by the theory of the lattice as a spring network: along one of
+/// its directions C11 = sqrt(3) / 4 (3 k_n + k_s), C12 = sqrt(3) / 4 (k_n - k_s), with the shear stiffness k_s = k_t / 2
+/// of a beam between touching grains.
+fn lattice_theory_gives_the_targets(material: &std::path::Path) {
+    let material: toml::Table = read(material).parse().expect("TOML");
+    let stiffness = |name: &str| {
+        material["bond"][name]["stiffness"]
+            .as_float()
+            .expect("a number")
+    };
+    let (normal, shear) = (stiffness("normal"), 0.5 * stiffness("tangential"));
+    let factor = 3.0_f64.sqrt() / 4.0;
+    let (along, across) = (factor * (3.0 * normal + shear), factor * (normal - shear));
+    let ratio = across / along;
+    let modulus = (along - ratio * across) / 2e-3;
+    assert!((ratio - 0.26).abs() < 1e-3, "{ratio}");
+    // Forces enter the twenty free rows halfway to the next ones, but the area of the specimen ends at their discs.
+    let row = 0.75_f64.sqrt();
+    let area = (19.0 * row + 1.0) / (20.0 * row);
+    assert!((modulus / (69e9 * area) - 1.0).abs() < 1e-3, "{modulus}");
 }

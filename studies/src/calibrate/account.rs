@@ -85,6 +85,14 @@ pub fn shown(number: f64) -> String {
     }
 }
 
+/// A number with as many digits as it has.
+pub fn exact(number: f64) -> String {
+    match number.abs() {
+        0.0 | 1e-3..1e5 => format!("{number}"),
+        _ => format!("{number:e}"),
+    }
+}
+
 /// A range of values.
 pub fn range(low: f64, high: f64) -> String {
     format!("{} - {}", shown(low), shown(high))
@@ -124,7 +132,7 @@ fn targets(calibration: &Calibration, outcome: &Outcome) -> String {
             text,
             "{:24}{:>24}{:>12}{:>14.2}{:>16}",
             calibration.target_name(target),
-            format!("{} +- {}", one.value, one.deviation),
+            format!("{} +- {}", exact(one.value), exact(one.deviation)),
             shown(prediction.mean),
             one.residual(prediction),
             format!("{covered} of {}", left_out.len()),

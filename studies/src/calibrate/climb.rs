@@ -1,7 +1,7 @@
 //! Search for a maximum in the unit cube.
 
 /// First and smallest step.
-const STEPS: [f64; 2] = [0.125, 1e-3];
+const STEPS: [f64; 2] = [0.125, 1e-4];
 
 /// Climb from a place to a maximum, along one coordinate at a time, with steps that are halved where none helps; the
 /// height that is reached and its place.

@@ -1,6 +1,6 @@
 //! A whole calibration: waves of runs, the posterior, and what it determines.
 
-use super::account::range;
+use super::account::{exact, range};
 use super::calibration::Calibration;
 use super::identify::{Combination, Marginal, Model, combinations, marginals};
 use super::likelihood::{Measured, RULED_OUT};
@@ -174,7 +174,7 @@ fn refutation(
             format!(
                 "{} = {}: the model attains {} in the ranges, {least:.1} standard deviations away",
                 calibration.target_name(target),
-                one.value,
+                exact(one.value),
                 range(*low, *high)
             )
         })

@@ -1,6 +1,6 @@
 //! Files that a calibration leaves.
 
-use super::account::{answer, bounds, range};
+use super::account::{answer, bounds, exact, range};
 use super::calibration::{Calibration, Test};
 use super::identify::Marginal;
 use super::outcome::{Answer, Outcome};
@@ -47,7 +47,9 @@ impl Outcome {
             let _ = writeln!(
                 text,
                 "# {name} = {} +- {}: {}",
-                one.value, one.deviation, target.source
+                exact(one.value),
+                exact(one.deviation),
+                target.source
             );
         }
         for test in &calibration.tests {

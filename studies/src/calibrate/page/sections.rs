@@ -1,6 +1,6 @@
 //! Tables of the page and what they mean.
 
-use crate::calibrate::account::{NINETY, bounds, range, shown};
+use crate::calibrate::account::{NINETY, bounds, exact, range, shown};
 use crate::calibrate::calibration::Calibration;
 use crate::calibrate::identify::{DROPS, profile_interval};
 use crate::calibrate::likelihood::RULED_OUT;
@@ -27,7 +27,7 @@ pub fn targets(calibration: &Calibration, outcome: &Outcome) -> Markup {
         vec![
             format!("{}", place + 1),
             calibration.target_name(target),
-            format!("{} ± {}", one.value, one.deviation),
+            format!("{} ± {}", exact(one.value), exact(one.deviation)),
             shown(prediction.mean),
             format!("{:.2}", one.residual(prediction)),
             range(low, high),
