@@ -60,12 +60,14 @@ fn watch(scene: &Scene, folder: &Path, options: RunOptions) -> (Vec<Seen>, Resul
 const RARELY: RunOptions = RunOptions {
     resume: false,
     overwrite: false,
+    data_only: false,
     checkpoint_interval: f64::INFINITY,
 };
 /// Checkpoints as often as possible.
 const OFTEN: RunOptions = RunOptions {
     resume: false,
     overwrite: false,
+    data_only: false,
     checkpoint_interval: 0.0,
 };
 

@@ -35,6 +35,7 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
+mod restart;
 mod restitution;
 mod rolling;
 mod search;

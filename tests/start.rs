@@ -8,7 +8,7 @@ use gouge_validation::scenes::{Draft, Grain};
 use std::path::{Path, PathBuf};
 
 /// Three grains without damping, so that forces do not depend on velocities: two bonded across the seam of a periodic box, the third rubbing along them.
-fn grains(step: f64) -> Draft {
+pub fn grains(step: f64) -> Draft {
     let at = |x: f64, y: f64| Grain::at([x, y], 1e-3);
     Draft::open_box(Integrator::VelocityVerlet, step)
         .with("box.width", 10e-3)
@@ -32,19 +32,20 @@ fn grains(step: f64) -> Draft {
         .bonded(0, 1)
 }
 
-struct Folder(tempfile::TempDir);
+/// A folder for runs.
+pub struct Folder(tempfile::TempDir);
 
 impl Folder {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self(tempfile::tempdir().expect("a folder"))
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
     /// Run a draft; its status and what it said.
-    fn run(&self, draft: &Draft, out: &str) -> (Option<i32>, String) {
+    pub fn run(&self, draft: &Draft, out: &str) -> (Option<i32>, String) {
         let scene = write_draft(self.0.path(), draft);
         let out = self.path(out);
         let [scene, out] = [&scene, &out].map(|path: &PathBuf| path.to_str().expect("UTF-8"));
@@ -52,7 +53,7 @@ impl Folder {
         (output.status.code(), stderr(&output))
     }
 
-    fn read(&self, name: &str) -> String {
+    pub fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.path(name)).expect(name)
     }
 }

@@ -87,6 +87,7 @@ fn outcome(draft: &Draft) -> (Option<[f64; 4]>, bool) {
     let options = RunOptions {
         resume: false,
         overwrite: false,
+        data_only: false,
         checkpoint_interval: f64::INFINITY,
     };
     let mut warnings = 0;

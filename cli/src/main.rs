@@ -68,6 +68,9 @@ enum Command {
         /// Show no progress and no account at the end; warnings are still shown
         #[arg(long, short)]
         quiet: bool,
+        /// Write data only: neither run.html nor restart.toml
+        #[arg(long)]
+        data_only: bool,
         /// Wall time between checkpoints, in seconds
         #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds)]
         checkpoint_interval: f64,
@@ -173,11 +176,13 @@ fn execute(command: Command) -> Result<(), Error> {
             overwrite,
             accept_untrusted,
             quiet,
+            data_only,
             checkpoint_interval,
         } => {
             let options = run::RunOptions {
                 resume,
                 overwrite,
+                data_only,
                 checkpoint_interval,
             };
             let scene = scene.load()?;

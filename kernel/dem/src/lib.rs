@@ -26,6 +26,6 @@ pub mod calibration;
 
 pub use error::{ModelError, StepError};
 pub use world::{
-    Continuation, Drive, Number, Start, State, World, is_surely_stable, network_step,
+    Break, Continuation, Drive, Number, Start, State, World, is_surely_stable, network_step,
     stable_step_estimate,
 };

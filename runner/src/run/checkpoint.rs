@@ -23,7 +23,7 @@ use std::path::Path;
 /// First bytes of every checkpoint.
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
 /// Version of the format.
-const VERSION: u64 = 7;
+const VERSION: u64 = 8;
 /// Bytes of a checksum or fingerprint.
 const DIGEST: usize = 32;
 /// Bytes before the version.
@@ -42,6 +42,8 @@ pub struct Checkpoint {
     pub samples: u64,
     /// Bytes of the series written.
     pub series_bytes: u64,
+    /// Bytes of the file of broken bonds written.
+    pub breaks_bytes: u64,
     /// Bonds at the beginning of the scene proper.
     pub bonds_initial: u64,
     /// Wall time so far in s, of the whole run and of the scene proper.
@@ -83,7 +85,7 @@ impl Checkpoint {
             self.link_steps.to_bits(),
         ];
         put_words(&mut bytes, &head);
-        put_words(&mut bytes, &[self.rebuilds]);
+        put_words(&mut bytes, &[self.rebuilds, self.breaks_bytes]);
         self.balance.put(&mut bytes);
         put_words(&mut bytes, &[self.drive_samples.len() as u64]);
         for sample in &self.drive_samples {
@@ -148,6 +150,7 @@ impl Checkpoint {
             seconds: [whole, main].map(f64::from_bits),
             link_steps: f64::from_bits(link_steps),
             rebuilds: rest.rebuilds,
+            breaks_bytes: rest.breaks_bytes,
             balance: rest.balance,
             drive_samples: rest.drive_samples,
             displacements: rest.displacements,
@@ -187,6 +190,7 @@ impl Checkpoint {
 /// What follows the head.
 struct Rest {
     rebuilds: u64,
+    breaks_bytes: u64,
     balance: Balance,
     drive_samples: Vec<DriveSample>,
     displacements: Option<Displacements>,
@@ -199,6 +203,7 @@ impl Rest {
     fn read(mut rest: Reader) -> Option<Self> {
         Some(Self {
             rebuilds: rest.word()?,
+            breaks_bytes: rest.word()?,
             balance: Balance::read(&mut rest)?,
             drive_samples: drive_samples(&mut rest)?,
             displacements: Displacements::read(&mut rest)?,

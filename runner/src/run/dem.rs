@@ -131,14 +131,15 @@ pub fn particles(scene: &Scene, particles: &Particles) -> Table {
 }
 
 /// Density that gives the mass of a sphere: exactly, if there is such a number, and otherwise up to rounding.
-fn density(mass: f64, radius: f64) -> f64 {
+pub fn density(mass: f64, radius: f64) -> f64 {
     let near = mass / sphere_mass(1.0, radius);
     let candidates = [near, near.next_up(), near.next_down()];
     let is_exact = |density: &f64| sphere_mass(*density, radius) == mass;
     candidates.into_iter().find(is_exact).unwrap_or(near)
 }
 
-fn roles(roles: &[Role]) -> Kinds {
+/// Roles as categories.
+pub fn roles(roles: &[Role]) -> Kinds {
     let names = [Role::Free, Role::Driven, Role::Fixed].map(role_name);
     let code = |role: &Role| match role {
         Role::Free => 0,

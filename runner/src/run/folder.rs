@@ -16,10 +16,31 @@ pub const SERIES: &str = "series.csv";
 pub const PARTICLES: &str = "particles.csv";
 /// The picture of the final state.
 pub const PICTURE: &str = "picture.svg";
+/// The final bonds.
+pub const BONDS: &str = "bonds.csv";
+/// The bonds that broke.
+pub const BREAKS: &str = "breaks.csv";
+/// The scene that continues from the final state.
+pub const RESTART: &str = "restart.toml";
+/// The particles of that scene.
+pub const RESTART_PARTICLES: &str = "restart-particles.csv";
+/// The contacts of that scene.
+pub const RESTART_CONTACTS: &str = "restart-contacts.csv";
 
 /// The files of a run outside the trajectory, in the order in which a new run removes them. If the removal is
 /// interrupted, what remains looks like results without a checkpoint, which nothing replaces unasked.
-const FILES: [&str; 5] = [CHECKPOINT, SUMMARY, SERIES, PARTICLES, PICTURE];
+const FILES: [&str; 10] = [
+    CHECKPOINT,
+    SUMMARY,
+    SERIES,
+    PARTICLES,
+    PICTURE,
+    BONDS,
+    BREAKS,
+    RESTART,
+    RESTART_PARTICLES,
+    RESTART_CONTACTS,
+];
 
 /// All files in a folder that have the name of an output.
 ///

@@ -1,6 +1,7 @@
 //! Running a scene: phases, samples, checkpoints, outputs.
 
 mod balance;
+mod breaks;
 mod bytes;
 mod checkpoint;
 mod dem;
@@ -17,6 +18,7 @@ mod observer;
 mod outcome;
 mod phases;
 mod picture;
+mod restart;
 mod sampling;
 mod scale_bar;
 mod scene_run;
@@ -57,6 +59,8 @@ pub struct RunOptions {
     pub resume: bool,
     /// Whether to replace the outputs of another run.
     pub overwrite: bool,
+    /// Whether to write the data only: neither the page nor the scene that continues from the final state.
+    pub data_only: bool,
     /// Wall time between checkpoints in s. A checkpoint is also written at the beginning of each phase.
     pub checkpoint_interval: f64,
 }

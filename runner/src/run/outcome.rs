@@ -3,7 +3,7 @@
 use super::folder::{PARTICLES, SUMMARY, write_whole};
 use super::friction::Friction;
 use super::scene_run::SceneRun;
-use super::{Event, dem, picture};
+use super::{Event, dem, picture, restart};
 use crate::error::Error;
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -176,6 +176,12 @@ impl SceneRun<'_> {
         let particles = dem::particles(scene, world.particles());
         write_whole(&folder.join(PARTICLES), particles.to_csv().as_bytes())?;
         picture::write(folder, scene, world, self.balance.is_off)?;
+        if self.is_main() {
+            restart::write_bonds(folder, world)?;
+            if !self.options.data_only {
+                restart::write_restart(folder, scene, world)?;
+            }
+        }
         summary.write(folder)
     }
 

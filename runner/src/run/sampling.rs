@@ -54,6 +54,7 @@ impl SceneRun<'_> {
         if let Some(series) = &mut self.series {
             series.write(&sample)?;
         }
+        self.write_breaks()?;
         if let Some(frames) = &mut self.frames {
             frames.write(self.scene, self.samples, &self.world)?;
         }

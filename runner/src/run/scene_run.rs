@@ -1,12 +1,13 @@
 //! Runs a scene through its phases, with samples and checkpoints.
 
 use super::balance::Balance;
+use super::breaks;
 use super::checkpoint::Checkpoint;
 use super::dem;
 use super::displacements::Displacements;
 use super::doubts;
 use super::fingerprint::Fingerprint;
-use super::folder::{CHECKPOINT, SUMMARY, outputs, remove_outputs};
+use super::folder::{BREAKS, CHECKPOINT, SERIES, SUMMARY, outputs, remove_outputs};
 use super::friction::DriveSample;
 use super::lock::Lock;
 use super::outcome::Summary;
@@ -42,10 +43,12 @@ pub struct SceneRun<'a> {
     /// Position of the current phase.
     pub(super) phase: usize,
     pub(super) series: Option<Series>,
+    /// The bonds that broke, if any can.
+    pub(super) breaks: Option<Series>,
     pub(super) frames: Option<Frames>,
     /// Number of samples written.
     pub(super) samples: u64,
-    options: RunOptions,
+    pub(super) options: RunOptions,
     fingerprint: Fingerprint,
     clock: Clock,
     pub(super) balance: Balance,
@@ -156,6 +159,7 @@ impl<'a> SceneRun<'a> {
         if run.is_main() {
             let bytes = run.without_early_sample(saved.series_bytes)?;
             run.series = Some(run.open_series(Some(bytes))?);
+            run.breaks = run.open_breaks(Some(saved.breaks_bytes))?;
             run.frames = Frames::open(scene, folder, run.samples)?;
         }
         let _ = std::fs::remove_file(folder.join(SUMMARY));
@@ -199,6 +203,7 @@ impl<'a> SceneRun<'a> {
             last_good: world.state().clone(),
             world,
             series: None,
+            breaks: None,
             frames: None,
             samples: 0,
             bonds_initial: 0,
@@ -282,6 +287,7 @@ impl<'a> SceneRun<'a> {
         self.write_checkpoint()?;
         if self.is_main() {
             self.series = Some(self.open_series(None)?);
+            self.breaks = self.open_breaks(None)?;
             self.frames = Frames::open(self.scene, &self.folder, 0)?;
         }
         Ok(())
@@ -289,7 +295,12 @@ impl<'a> SceneRun<'a> {
 
     fn open_series(&self, bytes: Option<u64>) -> Result<Series, Error> {
         let columns = dem::series_columns(self.scene, &self.world, self.displacements.as_ref());
-        Series::open(&self.folder, &columns, bytes)
+        Series::open(self.folder.join(SERIES), &columns, bytes)
+    }
+
+    fn open_breaks(&self, bytes: Option<u64>) -> Result<Option<Series>, Error> {
+        let open = || Series::open(self.folder.join(BREAKS), &breaks::COLUMNS, bytes);
+        self.can_break().then(open).transpose()
     }
 
     fn report_phase(&mut self) {
@@ -398,9 +409,10 @@ impl<'a> SceneRun<'a> {
     /// Write the current state as a checkpoint.
     pub(super) fn write_checkpoint(&mut self) -> Result<(), Error> {
         self.lock.check()?;
-        // The series goes to the disk first: a checkpoint must not count samples that a power failure may lose.
-        if let Some(series) = &self.series {
-            series.sync()?;
+        self.write_breaks()?;
+        // Rows go to the disk first: a checkpoint must not count what a power failure may lose.
+        for file in [&self.series, &self.breaks].into_iter().flatten() {
+            file.sync()?;
         }
         if let Some(frames) = &mut self.frames {
             frames.sync()?;
@@ -411,6 +423,7 @@ impl<'a> SceneRun<'a> {
             phase: self.phase as u64,
             samples: self.samples,
             series_bytes: self.series.as_ref().map_or(0, Series::bytes),
+            breaks_bytes: self.breaks.as_ref().map_or(0, Series::bytes),
             bonds_initial: self.bonds_initial as u64,
             seconds: self.seconds(),
             link_steps: progress.link_steps,

@@ -1,4 +1,4 @@
-//! Writes the file `series.csv`.
+//! Writes the file `series.csv`, and others that grow by rows.
 
 use super::folder::SERIES;
 use crate::error::Error;
@@ -38,7 +38,7 @@ impl fmt::Display for Value {
 /// A sample: values by name, with the same names in every sample of a series.
 pub type Sample = Vec<(&'static str, Value)>;
 
-/// The file `series.csv`, open for appending.
+/// A CSV file, open for appending.
 pub struct Series {
     path: PathBuf,
     file: File,
@@ -46,12 +46,11 @@ pub struct Series {
 }
 
 impl Series {
-    /// Begin a series with the given columns, or continue an existing one after its first `bytes` bytes, if any.
+    /// Begin a file with the given columns, or continue an existing one after its first `bytes` bytes, if any.
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn open(folder: &Path, columns: &[&str], bytes: Option<u64>) -> Result<Self, Error> {
-        let path = folder.join(SERIES);
+    pub fn open(path: PathBuf, columns: &[&str], bytes: Option<u64>) -> Result<Self, Error> {
         let open = || -> std::io::Result<(File, u64)> {
             let bytes = bytes.unwrap_or(0);
             if bytes == 0 {
@@ -103,6 +102,14 @@ impl Series {
     /// Failures of the file system; the rows written before are kept.
     pub fn write(&mut self, sample: &Sample) -> Result<(), Error> {
         let cells: Vec<String> = sample.iter().map(|(_, value)| value.to_string()).collect();
+        self.append_row(&cells)
+    }
+
+    /// Append a row.
+    ///
+    /// # Errors
+    /// As for [`Series::write`].
+    pub fn append_row(&mut self, cells: &[String]) -> Result<(), Error> {
         self.append(&(cells.join(",") + "\n"))
     }
 

@@ -34,7 +34,8 @@ impl Scene {
             ));
         }
         let yields = self.bond.is_some_and(|bond| bond.yielding.is_some());
-        if yields && self.bonds.is_empty() && !bonds_made {
+        let listed = !self.bonds.is_empty() || root.has("bonds_file");
+        if yields && !listed && !bonds_made {
             let accepted = "yielding needs bonds: [[bonds]], bonds_file or [setup.bonding]";
             return Err(root.table("bond")?.error("yielding", accepted));
         }
@@ -45,9 +46,15 @@ impl Scene {
             ));
         }
         let sums = |contact: ContactLaws| matches!(contact.distance, ContactDistance::Mixed(_));
-        if self.contact.is_some_and(sums) && !self.contacts.is_empty() {
+        let begin_by_angles = self.history.memories.is_none() && !self.contacts.is_empty();
+        if self.contact.is_some_and(sums) && begin_by_angles {
             let accepted = "a table cannot be combined with [[contacts]]: it makes tangential displacements begin at zero";
             return Err(root.table("contact")?.error("distance", accepted));
+        }
+        if self.setup.is_some() && !self.history.inertia.is_empty() {
+            let accepted =
+                "cannot have the columns mass and moment_of_inertia in a scene with [setup]";
+            return Err(root.error("particles_file", accepted));
         }
         self.check_pairs()?;
         self.check_driving(root)?;

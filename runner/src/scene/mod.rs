@@ -2,6 +2,7 @@
 
 pub mod builtin;
 mod check;
+mod history;
 mod keys;
 mod laws;
 mod output;
@@ -13,6 +14,7 @@ mod strength;
 mod table;
 mod text;
 
+pub use history::{History, initial_angles};
 pub use keys::Keys;
 pub use laws::DrivingTable;
 pub use output::{Measure, Output, Trajectory};
@@ -33,6 +35,7 @@ use gouge_dem::laws::characteristic_length;
 use gouge_dem::model::{Ambient, BondLaws, ContactLaws, External, Model, Reading};
 use gouge_dem::particles::{Particle, Particles};
 use gouge_dem::{ModelError, Number, Start, World};
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use table::{Range, Source, Table};
 use text::{syntax_error, text_of};
@@ -73,6 +76,8 @@ pub struct Scene {
     pub bonds: Placed<BondStart>,
     /// Contacts that began before t = 0.
     pub contacts: Placed<ContactStart>,
+    /// What files tell of the past of particles, bonds and contacts besides.
+    pub history: History,
     /// Protocol that generates more particles.
     pub setup: Option<Setup>,
     /// Another run whose final state replaces particles, bonds, contacts and set-up.
@@ -89,6 +94,8 @@ pub struct Scene {
     pub sha256: String,
     /// All keys with their values, to tell how scenes differ.
     pub keys: Keys,
+    /// The keys with their overrides, without those that make particles, bonds and contacts.
+    pub laws: toml::Table,
 }
 
 /// The checkpoint of another run, from whose final state a run begins.
@@ -217,6 +224,7 @@ impl Scene {
         let mut scene = Self::from_table(&root, folder)?;
         scene.sha256 = hex(&overrides.sha256(bytes));
         scene.keys = keys(&root, &table, folder, &scene)?;
+        scene.laws = laws_of(&table);
         scene.check(&root)?;
         Ok(scene)
     }
@@ -237,6 +245,7 @@ impl Scene {
         time.allow(&["step", "end", "integrator"])?;
         let (end, step) = time.duration_and_step("end")?;
         let material = particles::material(root, reading)?;
+        let mut history = History::default();
         let mut scene = Self {
             title: root.optional_text("title")?.unwrap_or_default().to_owned(),
             reading,
@@ -248,9 +257,10 @@ impl Scene {
             ambient: laws::ambient(root, reading)?,
             external: laws::external(root, &domain)?,
             driving: laws::driving(root)?,
-            particles: particles::particles(root, folder, material)?,
-            bonds: particles::bonds(root, folder)?,
-            contacts: particles::contacts(root, folder)?,
+            particles: particles::particles(root, folder, material, &mut history)?,
+            bonds: particles::bonds(root, folder, &mut history)?,
+            contacts: particles::contacts(root, folder, &mut history)?,
+            history,
             setup: setup::setup(root, &domain, reading, material, folder)?,
             start: particles::start(root, folder)?,
             output: output::output(root, end)?,
@@ -263,11 +273,13 @@ impl Scene {
             files: files(root, folder)?,
             sha256: String::new(),
             keys: Keys::default(),
+            laws: toml::Table::new(),
         };
         if let Some(start) = &scene.start {
             scene.files.push(start.path.clone());
             (scene.particles, scene.setup) = (Vec::new(), None);
             (scene.bonds, scene.contacts) = (Vec::new(), Vec::new());
+            scene.history = History::default();
         }
         Ok(scene)
     }
@@ -297,21 +309,36 @@ impl Scene {
     /// # Errors
     /// A state that the kernel rejects.
     pub fn initial_world(&self) -> std::result::Result<World, ModelError> {
-        self.initial_world_in()
+        let world = self.initial_world_in()?;
+        let History {
+            rests, memories, ..
+        } = &self.history;
+        match rests.is_empty() && memories.is_none() {
+            true => Ok(world),
+            false => Ok(world.with_history(rests, memories.clone())),
+        }
     }
 
-    /// Like [`Scene::initial_world`], in another number type.
+    /// Like [`Scene::initial_world`], in another number type, and with bonds and contacts as the usual columns of their
+    /// files describe them.
     ///
     /// # Errors
     /// A state that the kernel rejects.
     pub fn initial_world_in<S: Number>(&self) -> std::result::Result<World<S>, ModelError> {
         let mut particles: Particles<S> = self.particles.iter().copied().collect();
+        for (i, inertia) in self.history.inertia.iter().enumerate() {
+            let [mass, moment] = inertia.map(S::from_f64);
+            (particles.mass[i], particles.moment_of_inertia[i]) = (mass, moment);
+        }
         wrap(&self.domain, &mut particles);
         let radii: Vec<f64> = self.particles.iter().map(|one| one.radius).collect();
         let model = self.model(&radii);
         let start = Start {
             bonds: self.bonds.iter().map(|(bond, _)| *bond).collect(),
-            contacts: self.contacts.iter().map(|(contact, _)| *contact).collect(),
+            contacts: match &self.history.memories {
+                None => self.contacts.iter().map(|(contact, _)| *contact).collect(),
+                Some(_) => Vec::new(),
+            },
             drive_force: self.initial_force(),
         };
         World::new(model, particles, &start)
@@ -423,6 +450,29 @@ fn keys(root: &Table, table: &DeTable, folder: &Path, scene: &Scene) -> Result<K
         }
     }
     Ok(keys)
+}
+
+/// Keys that make particles, bonds and contacts.
+const STATE: [&str; 8] = [
+    "start",
+    "setup",
+    "particles",
+    "particles_file",
+    "bonds",
+    "bonds_file",
+    "contacts",
+    "contacts_file",
+];
+
+/// The keys that do not make particles, bonds and contacts.
+fn laws_of(table: &DeTable) -> toml::Table {
+    let is_law = |key: &str| !STATE.contains(&key);
+    let kept = table.iter().filter(|(key, _)| is_law(key.get_ref()));
+    let kept: DeTable = kept
+        .map(|(key, value)| (key.clone(), value.clone()))
+        .collect();
+    let reader = toml::Deserializer::from(toml::Spanned::new(0..0, kept));
+    toml::Table::deserialize(reader).unwrap_or_default()
 }
 
 fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {

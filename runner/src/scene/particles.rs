@@ -1,7 +1,10 @@
 //! Particles, bonds and contacts of a scene, from the scene file or from CSV files.
 
 use super::StartFile;
-use super::rows::{Row, read_regular, side_file};
+use super::history::{
+    FORCES, History, INERTIA, INITIAL_ANGLES, MEMORY, REST, inertia, is_exact, memory, rest,
+};
+use super::rows::{Row, Rows, read_regular, side_file};
 use super::table::{Range, Table};
 use super::text::hex;
 use crate::error::SceneError;
@@ -123,26 +126,37 @@ pub fn start(root: &Table, folder: &Path) -> Result<Option<StartFile>> {
 }
 
 /// `[[particles]]` or `particles_file`.
-pub fn particles(root: &Table, folder: &Path, material: Material) -> Result<Vec<Particle>> {
-    if let Some(rows) = side_file(root, "particles", folder)? {
-        return rows.read(
-            &["x", "y", "radius"],
-            &[
-                "vx",
-                "vy",
-                "angle",
-                "angular_velocity",
-                "density",
-                "role",
-                "id",
-            ],
-            |row| particle_row(row, material),
-        );
+pub fn particles(
+    root: &Table,
+    folder: &Path,
+    material: Material,
+    history: &mut History,
+) -> Result<Vec<Particle>> {
+    const REQUIRED: [&str; 3] = ["x", "y", "radius"];
+    const MOTION: [&str; 6] = ["vx", "vy", "angle", "angular_velocity", "role", "id"];
+    let Some(rows) = side_file(root, "particles", folder)? else {
+        let tables = root.tables("particles")?;
+        let particles = tables.iter().map(|table| particle(table, material));
+        return particles.collect();
+    };
+    let optional = [&MOTION[..4], &["density"], &MOTION[4..]].concat();
+    if !is_exact(&rows)? {
+        return rows.read(&REQUIRED, &optional, |row| particle_row(row, material));
     }
-    root.tables("particles")?
-        .iter()
-        .map(|table| particle(table, material))
-        .collect()
+    let required = [&REQUIRED[..], &INERTIA].concat();
+    let read = rows.read(&required, &MOTION, |row| {
+        let inertia = inertia(row)?;
+        let radius = row.number("radius", Range::Positive)?;
+        let density = inertia[0] / sphere_mass(1.0, radius);
+        let own = Material {
+            density,
+            ..material
+        };
+        Ok((particle_row(row, own)?, inertia))
+    })?;
+    let (particles, inertia) = read.into_iter().unzip();
+    history.inertia = inertia;
+    Ok(particles)
 }
 
 fn particle(table: &Table, material: Material) -> Result<Particle> {
@@ -237,8 +251,11 @@ fn particle_row(row: &Row, material: Material) -> Result<Particle> {
 }
 
 /// `[[bonds]]` or `bonds_file`.
-pub fn bonds(root: &Table, folder: &Path) -> Result<Placed<BondStart>> {
+pub fn bonds(root: &Table, folder: &Path, history: &mut History) -> Result<Placed<BondStart>> {
     if let Some(rows) = side_file(root, "bonds", folder)? {
+        if is_exact(&rows)? {
+            return exact_bonds(&rows, history);
+        }
         let optional = [
             "strength_factor",
             "initial_distance",
@@ -269,6 +286,30 @@ pub fn bonds(root: &Table, folder: &Path) -> Result<Placed<BondStart>> {
     root.tables("bonds")?.iter().map(read).collect()
 }
 
+/// Bonds whose unstrained states are known to the bit.
+fn exact_bonds(rows: &Rows, history: &mut History) -> Result<Placed<BondStart>> {
+    let required = [&["i", "j", "initial_distance"][..], &REST].concat();
+    let optional = [&["strength_factor"][..], &INITIAL_ANGLES, &FORCES].concat();
+    let read = rows.read(&required, &optional, |row| {
+        let start = BondStart {
+            initial_angles: None,
+            ..bond_row(row)?
+        };
+        Ok(((start, row.place()), rest(row)?))
+    })?;
+    let (bonds, rests) = read.into_iter().unzip();
+    history.rests = rests;
+    Ok(bonds)
+}
+
+/// A strength factor; infinite for a bond that never breaks.
+fn strength_factor(row: &Row) -> Result<f64> {
+    match row.cell("strength_factor") {
+        Some("inf") => Ok(f64::INFINITY),
+        _ => row.optional_number("strength_factor", Range::Positive, 1.0),
+    }
+}
+
 fn bond_row(row: &Row) -> Result<BondStart> {
     let angles = [row.cell("initial_angle_i"), row.cell("initial_angle_j")];
     let initial_angles = match angles {
@@ -284,15 +325,22 @@ fn bond_row(row: &Row) -> Result<BondStart> {
     };
     Ok(BondStart {
         between: row.pair()?,
-        strength_factor: row.optional_number("strength_factor", Range::Positive, 1.0)?,
+        strength_factor: strength_factor(row)?,
         initial_distance,
         initial_angles,
     })
 }
 
 /// `[[contacts]]` or `contacts_file`.
-pub fn contacts(root: &Table, folder: &Path) -> Result<Placed<ContactStart>> {
+pub fn contacts(
+    root: &Table,
+    folder: &Path,
+    history: &mut History,
+) -> Result<Placed<ContactStart>> {
     if let Some(rows) = side_file(root, "contacts", folder)? {
+        if is_exact(&rows)? {
+            return exact_contacts(&rows, history);
+        }
         return rows.read(
             &["i", "j", "initial_angle_i", "initial_angle_j"],
             &[],
@@ -320,6 +368,21 @@ pub fn contacts(root: &Table, folder: &Path) -> Result<Placed<ContactStart>> {
         Ok((start, place(table)))
     };
     root.tables("contacts")?.iter().map(read).collect()
+}
+
+/// Contacts whose memories are known to the bit.
+fn exact_contacts(rows: &Rows, history: &mut History) -> Result<Placed<ContactStart>> {
+    let required = [&["i", "j"][..], &MEMORY].concat();
+    let read = rows.read(&required, &INITIAL_ANGLES, |row| {
+        let start = ContactStart {
+            between: row.pair()?,
+            initial_angles: [0.0; 2],
+        };
+        Ok(((start, row.place()), memory(row)?))
+    })?;
+    let (contacts, memories) = read.into_iter().unzip();
+    history.memories = Some(memories);
+    Ok(contacts)
 }
 
 fn place(table: &Table) -> Place {

@@ -61,6 +61,19 @@ pub struct Row<'a> {
 }
 
 impl Rows {
+    /// Names of the columns.
+    pub fn header(&self) -> Result<Vec<String>> {
+        let mut reader = self.reader();
+        let header = reader.headers().map_err(|error| self.broken(&error))?;
+        Ok(header.iter().map(str::to_owned).collect())
+    }
+
+    fn reader(&self) -> csv::Reader<&[u8]> {
+        csv::ReaderBuilder::new()
+            .trim(csv::Trim::All)
+            .from_reader(&self.bytes[..])
+    }
+
     /// Read all rows.
     pub fn read<T>(
         &self,
@@ -68,9 +81,7 @@ impl Rows {
         optional: &[&str],
         read: impl Fn(&Row) -> Result<T>,
     ) -> Result<Vec<T>> {
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .from_reader(&self.bytes[..]);
+        let mut reader = self.reader();
         let header = reader
             .headers()
             .map_err(|error| self.broken(&error))?

@@ -86,7 +86,7 @@ fn execute_one(run: &Planned, execution: Execution) -> Result<State, Error> {
     let folder = run.folder(execution.out);
     let mut command = Command::new(execution.program);
     command.arg("run").arg(&run.scene).arg("--out").arg(&folder);
-    command.args(["--resume", "--quiet", "--accept-untrusted"]);
+    command.args(["--resume", "--quiet", "--accept-untrusted", "--data-only"]);
     for one in &run.overrides {
         command.arg("--set").arg(one);
     }

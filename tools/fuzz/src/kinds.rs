@@ -111,6 +111,7 @@ impl Files {
             let options = RunOptions {
                 resume: false,
                 overwrite: false,
+                data_only: false,
                 checkpoint_interval: f64::INFINITY,
             };
             run(&scene, &out, options, &mut |_: Event<'_>| {})?;

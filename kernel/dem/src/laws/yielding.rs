@@ -6,8 +6,14 @@ use gouge_equations::rendered;
 
 /// Yield criterion of a bond.
 pub trait YieldLaw: Copy + Send + Sync {
+    /// The normal and the tangential term that the criterion adds, in m^4, of forces in N.
+    fn terms<S: Real>(self, normal_force: S, tangential_force: S) -> [S; 2];
     /// Whether a bond breaks under the given forces in N; `section` is its [`weakest_section`] in m^2.
-    fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool;
+    #[inline(always)]
+    fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool {
+        let [normal, tangential] = self.terms(normal_force, tangential_force);
+        normal + tangential >= section * section
+    }
 }
 
 /// No yielding: the bond never breaks.
@@ -18,6 +24,9 @@ impl YieldLaw for Unbreakable {
     #[inline(always)]
     fn is_exceeded<S: Real>(self, _: S, _: S, _: S) -> bool {
         false
+    }
+    fn terms<S: Real>(self, _: S, _: S) -> [S; 2] {
+        [S::zero(); 2]
     }
 }
 
@@ -97,10 +106,10 @@ impl ZhangEckert {
 
 impl YieldLaw for ZhangEckert {
     #[inline(always)]
-    fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool {
+    fn terms<S: Real>(self, normal_force: S, tangential_force: S) -> [S; 2] {
         let normal = normal_force * (1.0 / self.normal_strength);
         let tangential = tangential_force * (1.0 / self.tangential_strength);
-        normal * normal + tangential * tangential >= section * section
+        [normal * normal, tangential * tangential]
     }
 }
 
@@ -130,11 +139,10 @@ pub struct ZhangEckertTensile {
 
 impl YieldLaw for ZhangEckertTensile {
     #[inline(always)]
-    fn is_exceeded<S: Real>(self, normal_force: S, tangential_force: S, section: S) -> bool {
+    fn terms<S: Real>(self, normal_force: S, tangential_force: S) -> [S; 2] {
         let ratio = self.otherwise.normal_strength / self.tensile_strength;
         // Selected, so that loops over bonds are vectorised.
         let pull = if normal_force > S::zero() { ratio } else { 1.0 };
-        self.otherwise
-            .is_exceeded(normal_force * pull, tangential_force, section)
+        self.otherwise.terms(normal_force * pull, tangential_force)
     }
 }

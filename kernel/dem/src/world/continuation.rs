@@ -4,8 +4,8 @@ use super::begin::Start;
 use super::simulation::World;
 use super::state::State;
 use super::workspace::Workspace;
-use crate::bonds::Bond;
-use crate::contacts::ContactMemory;
+use crate::bonds::{Bond, Bonds, Rest};
+use crate::contacts::{ContactMemory, Contacts};
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::particles::{Particles, Role};
@@ -78,6 +78,34 @@ impl World {
         Ok(world
             .with_instructions(self.execution.instructions)
             .with_parts(self.execution.parts))
+    }
+
+    /// The same initial state, with all that is known of bonds and contacts that began earlier: the unstrained states of
+    /// some bonds and, if given, the memories of all contacts. The ledger starts again.
+    pub fn with_history(
+        mut self,
+        rests: &[(Pair, Rest<f64>)],
+        memories: Option<Vec<(Pair, ContactMemory<f64>)>>,
+    ) -> Self {
+        let state = &self.state;
+        let mut bonds: Vec<Bond<f64>> = state.bonds.iter().flat_map(Bonds::iter).collect();
+        for (pair, rest) in rests {
+            if let Ok(at) = bonds.binary_search_by_key(pair, |bond| bond.pair) {
+                bonds[at].rest = *rest;
+            }
+        }
+        let present = || {
+            state
+                .contacts
+                .iter()
+                .flat_map(Contacts::remembered)
+                .collect()
+        };
+        let mut contacts = memories.unwrap_or_else(present);
+        contacts.sort_by_key(|(pair, _)| *pair);
+        self.adopt(bonds, contacts);
+        self.begin_ledger();
+        self
     }
 
     /// The same world in an earlier state. Buffers and the neighbour list are rebuilt; no later bit depends on them.

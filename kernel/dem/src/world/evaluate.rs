@@ -5,6 +5,7 @@ use super::dispatch::{
     with_bond_pass, with_contact_pass, with_external_law,
 };
 use super::simulation::{Number, World};
+use crate::bonds::Bonds;
 use crate::error::StepError;
 use crate::forces::{
     self, Bodies, BondForces, BondPass, Bookings, ContactForces, ContactPass, PairLoop,
@@ -56,17 +57,27 @@ impl<S: Number> World<S> {
         self.state.bookings = Bookings::default();
         self.add_bonds();
         self.add_contacts(advances);
-        if let Some(bonds) = &mut self.state.bonds
-            && !bonds.broken.is_empty()
-        {
-            bonds.remove_broken();
-        }
+        self.remove_broken(advances);
         self.add_fields();
         self.add_driving(advances);
         if let Some(ledger) = &mut self.state.ledger {
             ledger.book(&self.state.bookings);
         }
         Ok(())
+    }
+
+    /// Remove the bonds that broke in this evaluation, after what they carried was kept.
+    fn remove_broken(&mut self, advances: bool) {
+        let breaks = |bonds: &Bonds<S>| !bonds.broken.is_empty();
+        if !self.state.bonds.as_ref().is_some_and(breaks) {
+            return;
+        }
+        // Methods that move particles first count the step after the evaluation.
+        let is_ahead = advances && !self.model.integrator.evaluates_first();
+        self.keep_breaks(self.state.steps + u64::from(is_ahead));
+        if let Some(bonds) = &mut self.state.bonds {
+            bonds.remove_broken();
+        }
     }
 
     /// Rebuild the neighbour list if it is stale. No result depends on when it is rebuilt.

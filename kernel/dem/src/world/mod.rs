@@ -2,6 +2,7 @@
 
 mod advance;
 mod begin;
+mod breaks;
 mod continuation;
 mod dispatch;
 mod energies;
@@ -16,6 +17,7 @@ mod state;
 mod workspace;
 
 pub use begin::Start;
+pub use breaks::Break;
 pub use continuation::Continuation;
 pub use guard::{is_surely_stable, stable_step_estimate};
 pub use network::network_step;

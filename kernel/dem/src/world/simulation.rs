@@ -52,7 +52,9 @@ impl<S: Number> World<S> {
 
     /// Reserve memory for broken bonds.
     pub(super) fn reserve(&mut self) {
-        let bonds = self.state.bonds.as_ref().map_or(0, Bonds::len);
+        let breakable = self.model.bond.filter(|laws| laws.yielding.is_some());
+        let bonds = breakable.and(self.state.bonds.as_ref());
+        let bonds = bonds.map_or(0, Bonds::len);
         let particles = self.state.particles.len();
         let sizes = self.execution.parts.sizes();
         self.workspace.reserve(bonds, particles, sizes);

@@ -1,5 +1,6 @@
 //! Buffers and constants of a world that follow from its model and state.
 
+use super::breaks::Break;
 use crate::forces::PartWorkspace;
 use crate::model::Model;
 use crate::particles::{Particles, Role};
@@ -26,6 +27,8 @@ pub(super) struct Workspace<S: Lanes> {
     pub parts: Vec<PartWorkspace<S>>,
     /// Whether the neighbour list is stale, according to the particles of each part.
     pub stale_parts: Vec<bool>,
+    /// The bonds that broke since they were last asked for.
+    pub breaks: Vec<Break>,
 }
 
 impl<S: Lanes> Workspace<S> {
@@ -42,12 +45,14 @@ impl<S: Lanes> Workspace<S> {
             is_stale: None,
             parts: vec![PartWorkspace::default()],
             stale_parts: vec![false],
+            breaks: Vec::new(),
         }
     }
 
-    /// Reserve memory for the indices of broken bonds, so that a step allocates nothing. `sizes` are the numbers
-    /// of particles of the parts.
+    /// Reserve memory for bonds that may break, so that a step allocates nothing. `sizes` are the numbers of particles of
+    /// the parts.
     pub fn reserve(&mut self, bonds: usize, particles: usize, sizes: impl Iterator<Item = usize>) {
+        self.breaks.reserve(bonds);
         for (part, size) in self.parts.iter_mut().zip(sizes) {
             part.broken.reserve(bonds * size / particles.max(1));
         }
