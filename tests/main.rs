@@ -30,6 +30,7 @@ mod measures;
 mod nothing_lost;
 mod original_program;
 mod overrides;
+mod page;
 mod pay_for_use;
 mod program;
 mod readings;

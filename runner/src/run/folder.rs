@@ -16,6 +16,8 @@ pub const SERIES: &str = "series.csv";
 pub const PARTICLES: &str = "particles.csv";
 /// The picture of the final state.
 pub const PICTURE: &str = "picture.svg";
+/// The page.
+pub const PAGE: &str = "run.html";
 /// The final bonds.
 pub const BONDS: &str = "bonds.csv";
 /// The bonds that broke.
@@ -29,12 +31,13 @@ pub const RESTART_CONTACTS: &str = "restart-contacts.csv";
 
 /// The files of a run outside the trajectory, in the order in which a new run removes them. If the removal is
 /// interrupted, what remains looks like results without a checkpoint, which nothing replaces unasked.
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     CHECKPOINT,
     SUMMARY,
     SERIES,
     PARTICLES,
     PICTURE,
+    PAGE,
     BONDS,
     BREAKS,
     RESTART,

@@ -16,6 +16,7 @@ mod lock;
 mod measures;
 mod observer;
 mod outcome;
+mod page;
 mod phases;
 mod picture;
 mod restart;

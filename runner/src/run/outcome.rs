@@ -3,7 +3,7 @@
 use super::folder::{PARTICLES, SUMMARY, write_whole};
 use super::friction::Friction;
 use super::scene_run::SceneRun;
-use super::{Event, dem, picture, restart};
+use super::{Event, dem, page, picture, restart};
 use crate::error::Error;
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -181,6 +181,9 @@ impl SceneRun<'_> {
             if !self.options.data_only {
                 restart::write_restart(folder, scene, world)?;
             }
+        }
+        if !self.options.data_only {
+            page::write(folder, scene, world, summary)?;
         }
         summary.write(folder)
     }

@@ -51,13 +51,7 @@ impl SceneRun<'_> {
         }
         self.last_good.clone_from(self.world.state());
         self.lock.check()?;
-        if let Some(series) = &mut self.series {
-            series.write(&sample)?;
-        }
-        self.write_breaks()?;
-        if let Some(frames) = &mut self.frames {
-            frames.write(self.scene, self.samples, &self.world)?;
-        }
+        self.append(&sample)?;
         self.observer.event(Event::SampleWritten {
             sample: self.samples,
             time: self.world.time(),
@@ -67,6 +61,21 @@ impl SceneRun<'_> {
         let links = dem::number_of_bonds(&self.world) + self.world.number_of_contacts();
         self.link_steps += links as f64 * (self.world.steps() - since) as f64;
         self.samples += 1;
+        Ok(())
+    }
+
+    /// Append a sample of the current state to all outputs that grow.
+    fn append(&mut self, sample: &Sample) -> Result<(), Error> {
+        if let Some(series) = &mut self.series {
+            series.write(sample)?;
+        }
+        self.write_breaks()?;
+        if let Some(frames) = &mut self.frames {
+            frames.write(self.scene, self.samples, &self.world)?;
+        }
+        if let Some(animation) = &mut self.animation {
+            animation.write(&self.world)?;
+        }
         Ok(())
     }
 

@@ -11,6 +11,7 @@ use super::folder::{BREAKS, CHECKPOINT, SERIES, SUMMARY, outputs, remove_outputs
 use super::friction::DriveSample;
 use super::lock::Lock;
 use super::outcome::Summary;
+use super::page::Animation;
 use super::phases::{Phase, phases};
 use super::series::Series;
 use super::trajectory::Frames;
@@ -46,6 +47,8 @@ pub struct SceneRun<'a> {
     /// The bonds that broke, if any can.
     pub(super) breaks: Option<Series>,
     pub(super) frames: Option<Frames>,
+    /// What the page shows of the trajectory.
+    pub(super) animation: Option<Animation>,
     /// Number of samples written.
     pub(super) samples: u64,
     pub(super) options: RunOptions,
@@ -161,6 +164,7 @@ impl<'a> SceneRun<'a> {
             run.series = Some(run.open_series(Some(bytes))?);
             run.breaks = run.open_breaks(Some(saved.breaks_bytes))?;
             run.frames = Frames::open(scene, folder, run.samples)?;
+            run.animation = run.open_animation()?;
         }
         let _ = std::fs::remove_file(folder.join(SUMMARY));
         run.report_phase();
@@ -205,6 +209,7 @@ impl<'a> SceneRun<'a> {
             series: None,
             breaks: None,
             frames: None,
+            animation: None,
             samples: 0,
             bonds_initial: 0,
             link_steps: 0.0,
@@ -289,6 +294,7 @@ impl<'a> SceneRun<'a> {
             self.series = Some(self.open_series(None)?);
             self.breaks = self.open_breaks(None)?;
             self.frames = Frames::open(self.scene, &self.folder, 0)?;
+            self.animation = self.open_animation()?;
         }
         Ok(())
     }
@@ -296,6 +302,16 @@ impl<'a> SceneRun<'a> {
     fn open_series(&self, bytes: Option<u64>) -> Result<Series, Error> {
         let columns = dem::series_columns(self.scene, &self.world, self.displacements.as_ref());
         Series::open(self.folder.join(SERIES), &columns, bytes)
+    }
+
+    fn open_animation(&self) -> Result<Option<Animation>, Error> {
+        match &self.frames {
+            Some(_) if !self.options.data_only => {
+                let particles = self.world.particles().len();
+                Animation::open(&self.folder, self.samples, particles)
+            }
+            _ => Ok(None),
+        }
     }
 
     fn open_breaks(&self, bytes: Option<u64>) -> Result<Option<Series>, Error> {

@@ -5,12 +5,14 @@
 
 mod friction;
 mod fragments;
+mod pressure;
 mod rolling;
 mod specimen;
 
 pub use crate::balance::Energy;
 pub use fragments::{debris, fragments};
 pub use friction::{friction_feedback, friction_load};
+pub use pressure::particle_pressures;
 pub use rolling::rolling_and_slip;
 pub use specimen::{
     largest_overlap, specimen_packing, specimen_size, specimen_stress, unbalanced_force,

@@ -7,6 +7,7 @@ mod vtk;
 
 use super::dem;
 use super::folder::write_soon;
+use super::page::ANIMATION;
 use super::table::Table;
 use crate::error::Error;
 use crate::scene::{Scene, Trajectory};
@@ -174,5 +175,5 @@ pub fn is_frame(name: &OsStr) -> bool {
             |text: &str| text.len() >= 6 && text.bytes().all(|byte| byte.is_ascii_digit());
         number.is_some_and(is_number) && KINDS.contains(&(kind, ending))
     });
-    is_numbered || [list::GRAINS.0, list::LINKS.0].contains(&name)
+    is_numbered || [list::GRAINS.0, list::LINKS.0, ANIMATION].contains(&name)
 }

@@ -1,0 +1,142 @@
+//! What the page shows of every sample: a file that grows with the trajectory.
+
+use crate::error::Error;
+use crate::run::trajectory::FOLDER;
+use gouge_dem::World;
+use gouge_dem::estimators::{fragments, particle_pressures};
+use gouge_dem::laws::characteristic_length;
+use gouge_dem::particles::Role;
+use std::fs::File;
+use std::io::{Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// The file, in the folder of the trajectory.
+pub const NAME: &str = "animation.bin";
+/// Bytes per grain and sample: position, angle, speed and pressure as single-precision numbers, and a colour.
+const WIDTH: usize = 21;
+
+/// Colour of a single free grain; smaller numbers are those of fragments.
+pub const SINGLE: u8 = 250;
+/// Colour of a driven grain.
+pub const DRIVEN: u8 = 251;
+/// Colour of a fixed grain.
+pub const FIXED: u8 = 252;
+
+/// The file of a run in progress.
+#[derive(Debug)]
+pub struct Animation {
+    path: PathBuf,
+    file: File,
+}
+
+/// A grain at the time of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grain {
+    /// Position in m, angle in rad, speed in m/s, pressure in Pa.
+    pub numbers: [f32; 5],
+    /// Number of its fragment, or one of the other colours.
+    pub colour: u8,
+}
+
+impl Animation {
+    /// Begin the file, or continue it after a number of samples; none if it lacks some of them.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn open(folder: &Path, samples: u64, particles: usize) -> Result<Option<Self>, Error> {
+        let path = folder.join(FOLDER).join(NAME);
+        let bytes = samples * (WIDTH * particles) as u64;
+        let open = || -> std::io::Result<Option<File>> {
+            let mut file = File::options()
+                .create(true)
+                .truncate(false)
+                .write(true)
+                .open(&path)?;
+            let is_whole = file.metadata()?.len() >= bytes;
+            file.set_len(if is_whole { bytes } else { 0 })?;
+            file.seek(SeekFrom::End(0))?;
+            Ok(is_whole.then_some(file))
+        };
+        let file = open().map_err(|error| Error::file("open", &path, error))?;
+        Ok(file.map(|file| Self { path, file }))
+    }
+
+    /// Append a sample.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn write(&mut self, world: &World) -> Result<(), Error> {
+        let mut bytes = Vec::with_capacity(WIDTH * world.particles().len());
+        for grain in grains(world) {
+            grain
+                .numbers
+                .iter()
+                .for_each(|number| bytes.extend(number.to_le_bytes()));
+            bytes.push(grain.colour);
+        }
+        let written = self.file.write_all(&bytes);
+        written.map_err(|error| Error::file("write", &self.path, error))
+    }
+}
+
+fn grains(world: &World) -> Vec<Grain> {
+    let p = world.particles();
+    let fragments = fragments(world.state());
+    let mut sizes = vec![0_usize; fragments.number];
+    fragments.label.iter().for_each(|&label| sizes[label] += 1);
+    let thickness = characteristic_length(&p.radius);
+    let pressures = particle_pressures(p, &world.interactions(), thickness);
+    let grain = |i: usize| Grain {
+        numbers: [
+            p.position[i].x as f32,
+            p.position[i].y as f32,
+            p.angle[i] as f32,
+            p.velocity[i].norm() as f32,
+            pressures[i] as f32,
+        ],
+        colour: match (p.role[i], sizes[fragments.label[i]]) {
+            (Role::Fixed, _) => FIXED,
+            (Role::Driven, _) => DRIVEN,
+            (Role::Free, 1) => SINGLE,
+            (Role::Free, _) => (fragments.label[i] % usize::from(SINGLE)) as u8,
+        },
+    };
+    (0..p.len()).map(grain).collect()
+}
+
+/// The samples of a run that ended.
+pub struct Recording {
+    bytes: Vec<u8>,
+    particles: usize,
+}
+
+impl Recording {
+    /// The samples in the folder of a run; a file that cannot be read has none.
+    pub fn read(folder: &Path, world: &World) -> Self {
+        let bytes = std::fs::read(folder.join(FOLDER).join(NAME));
+        Self {
+            bytes: bytes.unwrap_or_default(),
+            particles: world.particles().len(),
+        }
+    }
+
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.bytes.len() / (WIDTH * self.particles.max(1))
+    }
+
+    /// All grains of a sample.
+    pub fn sample(&self, sample: usize) -> impl Iterator<Item = Grain> + '_ {
+        let size = WIDTH * self.particles;
+        let rows = self.bytes[sample * size..(sample + 1) * size]
+            .as_chunks::<WIDTH>()
+            .0;
+        rows.iter().map(|row| {
+            let (words, _) = row.as_chunks::<4>();
+            Grain {
+                numbers: [0, 1, 2, 3, 4].map(|place| f32::from_le_bytes(words[place])),
+                colour: row[WIDTH - 1],
+            }
+        })
+    }
+}

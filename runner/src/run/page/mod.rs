@@ -1,0 +1,161 @@
+//! The page of a run: `run.html`, which needs no other file.
+
+mod animation;
+mod embedded;
+mod figures;
+mod player;
+
+pub use animation::{Animation, NAME as ANIMATION};
+
+use super::folder::{PAGE, SERIES, write_soon};
+use super::outcome::Summary;
+use super::picture::draw_picture;
+use crate::error::Error;
+use crate::scene::{Scene, Trajectory, integrator_name};
+use animation::Recording;
+use gouge_dem::World;
+use gouge_page::styled_page;
+use maud::{Markup, PreEscaped, html};
+use std::path::Path;
+
+const STYLE: &str = include_str!("page.css");
+
+/// Write the page of a run that ended.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> Result<(), Error> {
+    let title = match scene.title.as_str() {
+        "" => &scene.file,
+        title => title,
+    };
+    let series = figures::read(&folder.join(SERIES));
+    let body = html! {
+        h1 { (title) }
+        (verdict(summary))
+        (facts(scene, summary))
+        (figures::chapter(scene, summary, &series))
+        h2 { "Final state" }
+        (picture(scene, world))
+        (animation(folder, scene, world))
+        h2 { "Files" }
+        (files(scene, world))
+    };
+    write_soon(
+        &folder.join(PAGE),
+        styled_page(title, STYLE, body).into_string().as_bytes(),
+    )
+}
+
+/// How the run ended, and whether its results can be trusted.
+fn verdict(summary: &Summary) -> Markup {
+    let balance = match summary.balance_error {
+        Some(error) => format!("The energy balance closes to {error:.1e} of the energy exchanged."),
+        None => "The energy balance was not watched, because output.energy is false.".to_owned(),
+    };
+    let (class, words) = match summary.status.as_str() {
+        "done" => ("good", "Done."),
+        "untrusted" => (
+            "bad",
+            "Untrusted: the energy balance is off, so the results cannot be trusted. Try a smaller time step.",
+        ),
+        "interrupted" => ("bad", "Interrupted: continue it with --resume."),
+        other => ("bad", other),
+    };
+    html! {
+        p.verdict.(class) { b { (words) } " " (balance) }
+        @if !summary.warnings.is_empty() {
+            ul.warnings { @for warning in &summary.warnings { li { (warning) } } }
+        }
+    }
+}
+
+fn facts(scene: &Scene, summary: &Summary) -> Markup {
+    let bonds = (summary.bonds_initial > 0).then(|| {
+        let (broken, initial) = (summary.bonds_broken, summary.bonds_initial);
+        format!("{broken} of {initial} broken")
+    });
+    let friction = summary.friction.as_ref().map(|friction| {
+        let [low, high] = friction.interval;
+        let slip = friction.slip;
+        format!(
+            "{:.3}, 95 % confidence interval {low:.3} to {high:.3}, from the work of the drive over a slip of {slip:.3e} m",
+            friction.coefficient
+        )
+    });
+    let rows = [
+        (
+            "time",
+            Some(format!(
+                "{:.6e} s in {} steps of {:e} s",
+                summary.time, summary.steps, scene.step
+            )),
+        ),
+        ("particles", Some(summary.particles.to_string())),
+        ("bonds", bonds),
+        ("friction", friction),
+        (
+            "integrator",
+            Some(integrator_name(scene.integrator).to_owned()),
+        ),
+        ("scene", Some(scene.file.clone())),
+        ("hash", Some(summary.scene_sha256.clone())),
+        ("version", Some(summary.version.clone())),
+    ];
+    html! {
+        dl {
+            @for (name, value) in rows {
+                @if let Some(value) = value { dt { (name) } dd { (value) } }
+            }
+        }
+    }
+}
+
+fn picture(scene: &Scene, world: &World) -> Markup {
+    html! {
+        figure.picture {
+            (PreEscaped(draw_picture(scene, world).to_string()))
+            figcaption { "Fragments are coloured; single grains are white, driven and fixed grains grey." }
+        }
+    }
+}
+
+fn animation(folder: &Path, scene: &Scene, world: &World) -> Markup {
+    if scene.output.trajectory == Trajectory::None {
+        return html! {
+            p.about { "With " code { "output.trajectory" } " the page shows the motion, too." }
+        };
+    }
+    player::show(&Recording::read(folder, world), scene, world)
+}
+
+fn files(scene: &Scene, world: &World) -> Markup {
+    let all = [
+        ("series.csv", "the samples shown above", true),
+        ("particles.csv", "the final particles", true),
+        ("bonds.csv", "the final bonds", world.bonds().is_some()),
+        (
+            "breaks.csv",
+            "the bonds that broke",
+            scene.bond.is_some_and(|laws| laws.yielding.is_some()),
+        ),
+        (
+            "trajectory",
+            "frames for ParaView or OVITO",
+            scene.output.trajectory != Trajectory::None,
+        ),
+        (
+            "restart.toml",
+            "a scene that continues from the final state",
+            true,
+        ),
+        ("summary.json", "status, warnings, energies, speed", true),
+    ];
+    html! {
+        ul.files {
+            @for (name, about, exists) in all {
+                @if exists { li { a href=(name) { (name) } ": " (about) } }
+            }
+        }
+    }
+}

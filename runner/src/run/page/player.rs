@@ -1,0 +1,61 @@
+//! The animation of a page: a canvas with a slider.
+
+use super::animation::Recording;
+use super::embedded::{Motion, chosen};
+use crate::scene::Scene;
+use gouge_dem::World;
+use maud::{Markup, PreEscaped, html};
+
+const SCRIPT: &str = include_str!("player.js");
+
+/// The motion of all grains, or why it is not shown.
+pub fn show(recording: &Recording, scene: &Scene, world: &World) -> Markup {
+    let radii = &world.particles().radius;
+    let (number, samples) = (recording.len(), chosen(recording, radii.len()));
+    if samples.is_empty() {
+        let reason = match number {
+            0 => "no samples were kept for it, because the run began with --data-only",
+            _ => "too many grains for a page",
+        };
+        return html! { p.about { "The motion is not shown: " (reason) "." } };
+    }
+    let times = samples
+        .iter()
+        .map(|&sample| scene.sample_step(sample as u64) as f64 * scene.step);
+    let motion = Motion::new(recording, &samples, times.collect(), radii);
+    let Ok(data) = serde_json::to_string(&motion) else {
+        return html! { p.about { "The motion cannot be shown." } };
+    };
+    html! {
+        figure #motion {
+            canvas aria-label="The grains at the chosen time" {}
+            div.controls {
+                button type="button" { "Play" }
+                input type="range" min="0" max=(samples.len() - 1) value="0" step="1" aria-label="Sample";
+                output {}
+                label { "Colour "
+                    select {
+                        option value="fragment" { "fragment" }
+                        option value="speed" { "speed" }
+                        option value="pressure" { "pressure" }
+                    }
+                }
+            }
+            div.scale hidden { span {} i {} span {} }
+            figcaption { (caption(&motion, samples.len(), number)) }
+        }
+        noscript { p.about { "The motion needs JavaScript." } }
+        script #motion-data type="application/json" { (PreEscaped(data)) }
+        script { (PreEscaped(SCRIPT)) }
+    }
+}
+
+fn caption(motion: &Motion, shown: usize, number: usize) -> Markup {
+    html! {
+        "A line in each grain shows how it turns. Pressure is that of contacts and bonds in a grain, positive in compression; the colours cover 99.5 % of all values. "
+        @if shown < number {
+            (shown) " of " (number) " samples are shown, so that the page stays small; " code { "trajectory/" } " has all. "
+        }
+        @if motion.loses_grains { "Grains that fly far away are not shown." }
+    }
+}
