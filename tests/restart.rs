@@ -155,6 +155,7 @@ fn pair(integrator: &str, second: Grain) -> Draft {
                 normal_strength: NORMAL_STRENGTH,
                 tangential_strength: TANGENTIAL_STRENGTH,
             },
+            tensile_strength: None,
             unbreakable_edges: false,
         })
         .grain(Grain::at([0.0; 2], RADIUS).fixed())
