@@ -59,7 +59,7 @@ pub fn damping_ratio_for(restitution: f64) -> f64 {
 /// It is integrated by the classical Runge-Kutta method; the relative error is below 1e-11.
 #[rendered]
 pub fn viscoelastic_restitution(dissipation: f64) -> f64 {
-    const STEP: f64 = 1e-3;
+    const STEP: f64 = 4e-3;
     // With strong damping the motion takes place within b^(-1/3).
     let step = STEP / (1.0 + libm::cbrt(dissipation));
     let mut state = [0.0, 1.0];
@@ -118,10 +118,15 @@ fn argument_for(value: f64, falling: impl Fn(f64) -> f64) -> f64 {
     }
     let (mut low, mut high) = (0.0, 1.0);
     while falling(high) > value {
-        (low, high) = (high, 2.0 * high);
+        (low, high) = (high, 1e3 * high);
     }
     loop {
-        let middle = 0.5 * (low + high);
+        let is_far = low > 0.0 && high > 2.0 * low;
+        let middle = if is_far {
+            low.sqrt() * high.sqrt()
+        } else {
+            0.5 * (low + high)
+        };
         if middle <= low || middle >= high {
             return middle;
         }
@@ -133,9 +138,12 @@ fn argument_for(value: f64, falling: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-/// Whether the force of viscoelastic spheres in the state (y, w) has vanished.
+/// Whether the force of viscoelastic spheres in the state (y, w) has vanished, or nearly so: overdamped spheres approach
+/// the state in which elastic and viscous force cancel so closely that rounding hides the rest.
 fn has_ended(dissipation: f64, [y, w]: [f64; 2]) -> bool {
-    w < 0.0 && (y <= 0.0 || y * y + dissipation * w <= 0.0)
+    const REST: f64 = 1e-12;
+    let elastic = y * y;
+    w < 0.0 && (y <= 0.0 || elastic + dissipation * w <= REST * elastic)
 }
 
 /// One step of the classical Runge-Kutta method.
