@@ -38,6 +38,7 @@ mod recorded;
 mod register;
 mod restart;
 mod restitution;
+mod rock;
 mod rolling;
 mod search;
 mod sources;

@@ -3,7 +3,6 @@
 use gouge_dem::integrators::{Oscillator, crack_bound, critical_step, wave_bound};
 use gouge_dem::material::Elastic;
 use gouge_dem::model::{Ambient, BondLaws, ContactLaws, ContactNormal, External};
-use gouge_dem::particles::{Particles, Role};
 use gouge_dem::{World, is_surely_stable, network_step};
 use std::f64::consts::PI;
 
@@ -52,7 +51,7 @@ pub fn exceeded(world: &World, pairs: Option<Bound>) -> Option<Bound> {
 /// touching, of which settling grains have many.
 pub fn pair_bounds(world: &World, density: f64) -> Vec<Bound> {
     let mut bounds = Vec::new();
-    let pair = Lightest::of(world.particles());
+    let pair = Lightest::of(world);
     if let Some(laws) = world.model().contact {
         bounds.extend(contact_bounds(world, laws, &pair));
         bounds.extend(wave_bounds(laws, density, pair.radius));
@@ -78,7 +77,7 @@ fn field_bound(world: &World, pair: &Lightest) -> Option<Bound> {
     };
     // Stokes drag, of the particle on which it acts most per mass.
     let rate = |i: usize| 6.0 * PI * viscosity * p.radius[i] / p.mass[i];
-    let mobile = (0..p.len()).filter(|&i| p.role[i] != Role::Fixed);
+    let mobile = (0..p.len()).filter(|&i| world.inverse_mass(i) > 0.0);
     let damping = mobile.map(rate).fold(0.0, f64::max);
     (stiffness > 0.0 || damping > 0.0).then(|| {
         let constants = [stiffness / pair.mass, damping];
@@ -118,8 +117,9 @@ impl Lightest {
         }
     }
 
-    fn of(p: &Particles) -> Self {
-        let mobile = || (0..p.len()).filter(|&i| p.role[i] != Role::Fixed);
+    fn of(world: &World) -> Self {
+        let p = world.particles();
+        let mobile = || (0..p.len()).filter(|&i| world.inverse_mass(i) > 0.0);
         let by_mass = |i: &usize, j: &usize| p.mass[*i].total_cmp(&p.mass[*j]);
         let first = mobile().min_by(by_mass);
         let second = mobile().filter(|&i| Some(i) != first).min_by(by_mass);

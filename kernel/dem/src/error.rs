@@ -76,7 +76,7 @@ pub enum ModelError {
         width: f64,
     },
     /// A set-up leaves no particle.
-    #[error("no particle is left: clipping removed all that the set-up generated")]
+    #[error("no particle is left: clipping or cutting removed all that the set-up generated")]
     NothingLeft,
     /// The model has a driving law, but no particle is driven.
     #[error("there is a driving law, but no driven particle")]

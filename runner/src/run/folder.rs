@@ -29,9 +29,12 @@ pub const RESTART_PARTICLES: &str = "restart-particles.csv";
 /// The contacts of that scene.
 pub const RESTART_CONTACTS: &str = "restart-contacts.csv";
 
+/// The picture of stresses over strains.
+pub const STRESS_STRAIN: &str = "stress-strain.svg";
+
 /// The files of a run outside the trajectory, in the order in which a new run removes them. If the removal is
 /// interrupted, what remains looks like results without a checkpoint, which nothing replaces unasked.
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     CHECKPOINT,
     SUMMARY,
     SERIES,
@@ -43,6 +46,7 @@ const FILES: [&str; 11] = [
     RESTART,
     RESTART_PARTICLES,
     RESTART_CONTACTS,
+    STRESS_STRAIN,
 ];
 
 /// All files in a folder that have the name of an output.

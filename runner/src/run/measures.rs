@@ -2,7 +2,7 @@
 
 use super::displacements::Displacements;
 use super::series::{Sample, Value};
-use crate::scene::{Measure, Scene};
+use crate::scene::{Measure, Rectangle, Scene};
 use gouge_common::estimators::{ContactNetwork, displacement_gradient};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
@@ -39,6 +39,7 @@ pub fn measured(
             false => Vec::new(),
         },
         displacements,
+        region: scene.output.strain_region,
     };
     let columns = measures.iter().flat_map(|&measure| state.columns(measure));
     let value = |(name, number)| (name, Value::Number(number));
@@ -51,6 +52,8 @@ struct Measured<'a> {
     resultant: &'a Forces<f64>,
     interactions: Vec<Interaction>,
     displacements: Option<&'a Displacements>,
+    /// Where the particles were whose strain is measured; everywhere if none.
+    region: Option<Rectangle>,
 }
 
 impl Measured<'_> {
@@ -101,12 +104,13 @@ impl Measured<'_> {
         };
         let p = self.world.particles();
         let moved = displacements.to(&p.position, self.world.model().domain.period());
-        let of_free = |all: &[Vec2]| -> Vec<Vec2> {
-            let free = p.with_role(Role::Free);
+        let origin = displacements.origin();
+        let counts = |i: &usize| self.region.is_none_or(|region| region.contains(origin[*i]));
+        let of_counted = |all: &[Vec2]| -> Vec<Vec2> {
+            let free = p.with_role(Role::Free).filter(counts);
             free.map(|i| all[i]).collect()
         };
-        let [[xx, xy], [yx, yy]] =
-            displacement_gradient(&of_free(displacements.origin()), &of_free(&moved));
+        let [[xx, xy], [yx, yy]] = displacement_gradient(&of_counted(origin), &of_counted(&moved));
         vec![
             ("strain_xx", xx),
             ("strain_yy", yy),

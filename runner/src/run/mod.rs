@@ -26,6 +26,7 @@ mod scene_run;
 mod series;
 mod setup_states;
 mod start;
+mod stress_strain;
 mod table;
 mod trajectory;
 mod transitions;

@@ -3,7 +3,7 @@
 use super::folder::{PARTICLES, SUMMARY, write_whole};
 use super::friction::Friction;
 use super::scene_run::SceneRun;
-use super::{Event, dem, page, picture, restart};
+use super::{Event, dem, page, picture, restart, stress_strain};
 use crate::error::Error;
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -183,6 +183,7 @@ impl SceneRun<'_> {
             }
         }
         if !self.options.data_only {
+            stress_strain::write(folder, scene)?;
             page::write(folder, scene, world, summary)?;
         }
         summary.write(folder)

@@ -89,7 +89,7 @@ fn centre(scene: &Scene, particles: &mut Particles) {
     particles.position.iter_mut().for_each(|x| x.y += shift);
 }
 
-/// Clip, bond, correct the density and cut: thesis sections 3.7.3-3.7.6.
+/// Clip, cut to shape, bond, correct the density and cut: thesis sections 3.7.3-3.7.6.
 ///
 /// # Errors
 /// A state that the kernel rejects.
@@ -108,8 +108,11 @@ pub fn bonded_block(
         scene.domain.height.unwrap_or(0.0),
     );
     let mut number = made;
-    if setup.clip {
-        let inside = |i: usize| i >= made || (0.0..height).contains(&all.position[i].y);
+    if setup.clip || setup.cut.is_some() {
+        let is_clipped = |x: Vec2| setup.clip && !(0.0..height).contains(&x.y);
+        let is_cut = |x: Vec2| setup.cut.is_some_and(|shape| !shape.contains(x));
+        let outside = |x: Vec2| is_clipped(x) || is_cut(x);
+        let inside = |i: usize| i >= made || !outside(all.position[i]);
         let kept: Vec<usize> = (0..all.len()).filter(|&i| inside(i)).collect();
         number = kept.iter().filter(|&&i| i < made).count();
         all = all.select(&kept);
@@ -125,7 +128,8 @@ pub fn bonded_block(
             .iter()
             .map(|r| core::f64::consts::PI * r * r)
             .sum();
-        all.scale_mass(number, width * height / covered);
+        let area = setup.cut.map_or(width * height, |shape| shape.area());
+        all.scale_mass(number, area / covered);
     }
     let start = Start {
         bonds,

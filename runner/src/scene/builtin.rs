@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 /// Name, purpose and text of every built-in scene.
-pub const SCENES: [(&str, &str, &str); 9] = [
+pub const SCENES: [(&str, &str, &str); 14] = [
     (
         "granite-fault",
         "two blocks of granite, 100 mm, sheared under pressure for 50 ms (thesis section 4.2)",
@@ -50,6 +50,31 @@ pub const SCENES: [(&str, &str, &str); 9] = [
         "packing",
         "grains settle in a harmonic well, as at the beginning of granite-fault",
         include_str!("../scenes/packing.toml"),
+    ),
+    (
+        "unconfined-compression",
+        "a bonded column is compressed until it breaks",
+        include_str!("../scenes/unconfined-compression.toml"),
+    ),
+    (
+        "direct-tension",
+        "a bonded column is pulled apart",
+        include_str!("../scenes/direct-tension.toml"),
+    ),
+    (
+        "brazilian-disc",
+        "a bonded disc is split between two platens",
+        include_str!("../scenes/brazilian-disc.toml"),
+    ),
+    (
+        "direct-shear",
+        "a bonded block is sheared under a constant load",
+        include_str!("../scenes/direct-shear.toml"),
+    ),
+    (
+        "hexagonal-lattice-tension",
+        "a lattice of equal grains is pulled apart; its elastic constants are known exactly",
+        include_str!("../scenes/hexagonal-lattice-tension.toml"),
     ),
 ];
 

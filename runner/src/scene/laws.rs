@@ -2,7 +2,7 @@
 
 use super::table::{Range, Table};
 use crate::error::SceneError;
-use gouge_common::geometry::Domain;
+use gouge_common::geometry::{Domain, Vec2};
 use gouge_dem::calibration::{rebounding_bshp, rebounding_kelvin_voigt};
 use gouge_dem::geometry::{ContactDistance, Lever, MixedArms, Translation};
 use gouge_dem::laws::{
@@ -289,23 +289,37 @@ pub fn external(parent: &Table, domain: &Domain) -> Result<Option<External>> {
     })))
 }
 
+#[derive(Clone, Copy)]
+enum Control {
+    RateLimited,
+    Exact,
+    Steady,
+}
+
 /// `[driving]`, with the initial force. The default area depends on the particles, so it is found later.
 pub fn driving(root: &Table) -> Result<Option<DrivingTable>> {
     let Some(table) = root.optional_table("driving")? else {
         return Ok(None);
     };
-    let is_limited = table.choice("controller", &[("rate-limited", true), ("exact", false)])?;
+    let controllers = [
+        ("rate-limited", Control::RateLimited),
+        ("exact", Control::Exact),
+        ("steady", Control::Steady),
+    ];
+    let control = table.choice("controller", &controllers)?;
+    if matches!(control, Control::Steady) {
+        return steady(&table).map(Some);
+    }
     let mut known = vec!["controller", "speed", "pressure", "area", "initial_force"];
-    if is_limited {
+    if matches!(control, Control::RateLimited) {
         known.push("force_rate");
     }
     table.allow(&known)?;
-    let controller = if is_limited {
-        Controller::RateLimited {
+    let controller = match control {
+        Control::RateLimited => Controller::RateLimited {
             force_rate: table.number("force_rate", Range::NonNegative)?,
-        }
-    } else {
-        Controller::Exact
+        },
+        Control::Exact | Control::Steady => Controller::Exact,
     };
     Ok(Some(DrivingTable {
         controller,
@@ -314,6 +328,21 @@ pub fn driving(root: &Table) -> Result<Option<DrivingTable>> {
         area: table.optional_number("area", Range::Positive)?,
         initial_force: table.optional_pair("initial_force")?.unwrap_or([0.0; 2]),
     }))
+}
+
+/// A prescribed velocity, which needs no target and no area.
+fn steady(table: &Table) -> Result<DrivingTable> {
+    table.allow(&["controller", "velocity"])?;
+    let [x, y] = table.pair("velocity")?;
+    Ok(DrivingTable {
+        controller: Controller::Steady {
+            velocity: Vec2::new(x, y),
+        },
+        speed: x,
+        pressure: 0.0,
+        area: Some(1.0),
+        initial_force: [0.0; 2],
+    })
 }
 
 /// The table `[driving]`.

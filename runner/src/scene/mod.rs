@@ -10,6 +10,7 @@ mod overrides;
 mod particles;
 mod rows;
 mod setup;
+mod shape;
 mod strength;
 mod table;
 mod text;
@@ -21,6 +22,7 @@ pub use output::{Measure, Output, Trajectory};
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
+pub use shape::{Rectangle, Shape};
 pub use strength::BondStrength;
 pub use text::hex;
 

@@ -1,6 +1,7 @@
 //! `[output]`: what a run writes and how often.
 
 use super::Result;
+use super::shape::{Rectangle, region};
 use super::table::{Range, Table};
 
 /// `[output]`.
@@ -16,6 +17,8 @@ pub struct Output {
     pub energy: bool,
     /// What else is measured at every sample, in the order of its columns.
     pub measure: Vec<Measure>,
+    /// The grains whose strain is measured are those whose centre was in here at t = 0; `None` for all free grains.
+    pub strain_region: Option<Rectangle>,
 }
 
 /// Format of the trajectory.
@@ -73,11 +76,19 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
         links: false,
         energy: true,
         measure: Vec::new(),
+        strain_region: None,
     };
     let Some(table) = root.optional_table("output")? else {
         return Ok(output);
     };
-    table.allow(&["interval", "trajectory", "links", "energy", "measure"])?;
+    table.allow(&[
+        "interval",
+        "trajectory",
+        "links",
+        "energy",
+        "measure",
+        "strain_region",
+    ])?;
     if let Some(interval) = table.optional_number("interval", Range::Positive)? {
         output.interval = interval;
     }
@@ -92,5 +103,10 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
     output.energy = table.optional_truth("energy")?.unwrap_or(true);
     output.measure = table.optional_choices("measure", &MEASURES)?;
     output.measure.sort_unstable();
+    output.strain_region = region(&table, "strain_region")?;
+    if output.strain_region.is_some() && !output.measure.contains(&Measure::Strain) {
+        let accepted = "needs output.measure with \"strain\"";
+        return Err(table.error("strain_region", accepted));
+    }
     Ok(output)
 }

@@ -2,10 +2,12 @@
 
 use super::laws;
 use super::particles::{Material, mass_problem};
+use super::shape::{Shape, cut};
 use super::strength::{BondStrength, bond_strength};
 use super::table::{Range, Table};
 use crate::error::SceneError;
 use gouge_common::geometry::{Domain, Vec2};
+use gouge_dem::laws::Controller;
 use gouge_dem::model::{Ambient, External, Reading};
 use gouge_dem::setup::{Arrangement, Lattice, REACH, SizeRange};
 
@@ -26,6 +28,8 @@ pub struct Setup {
     pub settle: Vec<PhaseTable>,
     /// Whether particles outside the box are removed after settling.
     pub clip: bool,
+    /// Shape outside of which particles are removed after that.
+    pub cut: Option<Shape>,
     /// Bonds between neighbours.
     pub bonding: Option<Bonding>,
     /// Whether masses are increased so that the packing as a whole has the density of the material.
@@ -124,12 +128,13 @@ pub struct Roles {
     pub driven_above: Option<f64>,
 }
 
-const KEYS: [&str; 11] = [
+const KEYS: [&str; 12] = [
     "seed",
     "sizes",
     "lattice",
     "settle",
     "clip",
+    "cut",
     "bonding",
     "correct_density",
     "fault",
@@ -174,6 +179,7 @@ pub fn setup(
         sizes,
         settle: phases("settle", false)?,
         clip,
+        cut: cut(&table)?,
         bonding: bonding(root, &table, folder)?,
         correct_density,
         fault: fault(&table, domain)?,
@@ -190,6 +196,12 @@ fn check_dependencies(root: &Table, setup: &Table) -> Result<()> {
     }
     if setup.has("press") && !root.has("driving") {
         return Err(setup.error("press", "needs [driving], whose pressure it builds up"));
+    }
+    let driving = laws::driving(root)?;
+    let is_steady = driving.is_some_and(|one| matches!(one.controller, Controller::Steady { .. }));
+    if setup.has("press") && is_steady {
+        let accepted = "cannot be combined with the controller steady, which has no pressure";
+        return Err(setup.error("press", accepted));
     }
     Ok(())
 }

@@ -198,12 +198,19 @@ impl Draft {
 
     /// A driving force on the driven grains.
     pub fn driving(self, driving: DrivingTable) -> Self {
+        if let Controller::Steady { velocity } = driving.controller {
+            return self
+                .with("driving.controller", "steady")
+                .with("driving.velocity", vec![velocity.x, velocity.y]);
+        }
         let draft = self
             .with("driving.speed", driving.speed)
             .with("driving.pressure", driving.pressure)
             .with("driving.initial_force", driving.initial_force.to_vec());
         let draft = match driving.controller {
-            Controller::Exact => draft.with("driving.controller", "exact"),
+            Controller::Exact | Controller::Steady { .. } => {
+                draft.with("driving.controller", "exact")
+            }
             Controller::RateLimited { force_rate } => draft
                 .with("driving.controller", "rate-limited")
                 .with("driving.force_rate", force_rate),

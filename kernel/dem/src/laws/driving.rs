@@ -19,6 +19,12 @@ pub enum Controller {
     /// particles zero, so that their mean velocity stays at the target. A deviation from the target velocity, initial
     /// or by rounding, is corrected within a few steps (E59 of `docs/thesis/errata.md`).
     Exact,
+    /// The driven particles move with a constant velocity and do not rotate, whatever acts on them. The force is what
+    /// that takes: minus the reaction.
+    Steady {
+        /// The velocity in m/s.
+        velocity: Vec2,
+    },
 }
 
 /// Target velocity and pressure of the driven particles.
@@ -39,9 +45,9 @@ pub enum Controller {
 pub struct Driving {
     /// How the force is determined.
     pub controller: Controller,
-    /// Target mean horizontal velocity in m/s.
+    /// Target mean horizontal velocity in m/s; not used if the velocity is prescribed.
     pub speed: f64,
-    /// Target vertical pressure in Pa, positive downwards.
+    /// Target vertical pressure in Pa, positive downwards; not used if the velocity is prescribed.
     pub pressure: f64,
     /// Area of the driven surface in m^2, eq. (24).
     pub area: f64,
@@ -67,6 +73,19 @@ pub struct Driven<S> {
 }
 
 impl Driving {
+    /// The velocity in m/s that the driven particles keep, if it is prescribed.
+    pub fn prescribed_velocity(&self) -> Option<Vec2> {
+        match self.controller {
+            Controller::Steady { velocity } => Some(velocity),
+            Controller::RateLimited { .. } | Controller::Exact => None,
+        }
+    }
+
+    /// Whether the force follows from the present state alone.
+    pub(crate) fn is_instantaneous(&self) -> bool {
+        !matches!(self.controller, Controller::RateLimited { .. })
+    }
+
     /// Total driving force in N for the next step; `force` is that of the present one, `step` the time step in s.
     #[inline]
     pub fn next_force<S: Real>(self, force: Vec2<S>, driven: &Driven<S>, step: f64) -> Vec2<S> {
@@ -89,6 +108,7 @@ impl Driving {
                     (target_acceleration - driven.acceleration_sum) / driven.inverse_mass_sum;
                 Vec2::new(share * driven.number, -load)
             }
+            Controller::Steady { .. } => -driven.reaction,
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::error::ModelError;
 use crate::forces::{Bookings, Forces};
 use crate::integrators::Previous;
 use crate::model::Model;
-use crate::particles::Particles;
+use crate::particles::{Particles, Role};
 use gouge_common::geometry::{Metric, Vec2, WithMetric};
 use gouge_common::scalar::Real;
 
@@ -35,6 +35,7 @@ impl<S: Number> World<S> {
     pub fn new(model: Model, particles: Particles<S>, start: &Start) -> Result<Self, ModelError> {
         check_width(&model, &particles)?;
         check_inertia(&particles)?;
+        let particles = with_prescribed_motion(&model, particles);
         let workspace = Workspace::new(&model, &particles);
         if model.driving.is_some() && workspace.driven.is_empty() {
             return Err(ModelError::NothingDriven);
@@ -60,6 +61,18 @@ impl<S: Number> World<S> {
             self.state.ledger = Some(Ledger::starting_from(&S::state_energy(self)));
         }
     }
+}
+
+/// The particles with the velocity of the driven ones, if the model prescribes it.
+fn with_prescribed_motion<S: Real>(model: &Model, mut particles: Particles<S>) -> Particles<S> {
+    if let Some(velocity) = model.driving.and_then(|law| law.prescribed_velocity()) {
+        let driven: Vec<usize> = particles.with_role(Role::Driven).collect();
+        for i in driven {
+            particles.velocity[i] = velocity.cast();
+            particles.angular_velocity[i] = S::zero();
+        }
+    }
+    particles
 }
 
 /// A state without contacts and bonds.

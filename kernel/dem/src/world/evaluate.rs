@@ -11,9 +11,7 @@ use crate::forces::{
     self, Bodies, BondForces, BondPass, Bookings, ContactForces, ContactPass, PairLoop,
 };
 use crate::geometry::Arm;
-use crate::laws::{
-    AmbientLaw, BeamLaw, Controller, Driven, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw,
-};
+use crate::laws::{AmbientLaw, BeamLaw, Driven, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::geometry::{Metric, WithMetric};
 
 impl<S: Number> World<S> {
@@ -145,14 +143,12 @@ impl<S: Number> World<S> {
         };
         state.drive.reaction = measured.reaction;
         let before = state.drive.force;
-        if advances || law.controller == Controller::Exact {
+        if advances || law.is_instantaneous() {
             state.drive.force = law.next_force(before, &measured, self.model.time_step);
         }
-        state.drive.applied = if integrator.evaluates_first() {
-            before
-        } else {
-            state.drive.force
-        };
+        // The force of a prescribed motion belongs to the state in which it was measured.
+        let lags = integrator.evaluates_first() && law.prescribed_velocity().is_none();
+        state.drive.applied = if lags { before } else { state.drive.force };
         let force = state.drive.force;
         let (particles, forces) = (&state.particles, &mut state.forces);
         if self.model.ledger {

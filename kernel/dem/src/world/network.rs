@@ -4,7 +4,6 @@ use super::guard::{PairConstants, bond_constants, contact_constants};
 use super::simulation::World;
 use crate::forces::{Interaction, InteractionKind, reduced_mass};
 use crate::integrators::{Oscillator, critical_step};
-use crate::particles::Particles;
 use gouge_common::geometry::Vec2;
 
 /// Most iterations; the largest eigenvalue then has an error of a few per cent at most.
@@ -87,7 +86,7 @@ fn largest_eigenvalue(world: &World, links: &[Link], which: usize) -> f64 {
         let next: Vec<Motion> = forces
             .iter()
             .enumerate()
-            .map(|(i, force)| accelerations(p, i, force))
+            .map(|(i, force)| accelerations(world, i, force))
             .collect();
         let norm = |all: &[Motion]| all.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
         let size = norm(&next);
@@ -108,17 +107,11 @@ fn largest_eigenvalue(world: &World, links: &[Link], which: usize) -> f64 {
     eigenvalue
 }
 
-/// The accelerations of a particle; those of a fixed one are zero.
-fn accelerations(p: &Particles, i: usize, force: &Motion) -> Motion {
-    if p.is_fixed(i) {
-        return [0.0; 3];
-    }
-    let inverse = 1.0 / p.mass[i];
-    [
-        force[0] * inverse,
-        force[1] * inverse,
-        force[2] * inverse * p.inverse_inertia_factor(i),
-    ]
+/// The accelerations of a particle; zero if forces cannot move it.
+fn accelerations(world: &World, i: usize, force: &Motion) -> Motion {
+    let inverse = world.inverse_mass(i);
+    let turning = inverse * world.particles().inverse_inertia_factor(i);
+    [force[0] * inverse, force[1] * inverse, force[2] * turning]
 }
 
 /// Forces, and torques over radii, that act against motions.

@@ -11,9 +11,9 @@ use gouge_common::scalar::Real;
 /// Buffers and constants that a step needs besides the state.
 #[derive(Clone, Debug)]
 pub(super) struct Workspace<S: Lanes> {
-    /// Inverse masses in 1/kg, zero for fixed particles.
+    /// Inverse masses in 1/kg, zero for particles that forces cannot move.
     pub inverse_mass: Vec<S>,
-    /// Inverse moments of inertia in 1/(kg m^2), zero for fixed particles.
+    /// Inverse moments of inertia in 1/(kg m^2), zero for these particles.
     pub inverse_inertia: Vec<S>,
     /// Indices of the driven particles.
     pub driven: Vec<u32>,
@@ -37,8 +37,8 @@ impl<S: Lanes> Workspace<S> {
         let neighbors = || Neighbors::new(particles.search_spheres(), &model.domain);
         let driven = particles.with_role(Role::Driven).map(|i| i as u32);
         Self {
-            inverse_mass: inverse(&particles.mass, particles),
-            inverse_inertia: inverse(&particles.moment_of_inertia, particles),
+            inverse_mass: inverse(&particles.mass, model, particles),
+            inverse_inertia: inverse(&particles.moment_of_inertia, model, particles),
             driven: model.driving.map_or_else(Vec::new, |_| driven.collect()),
             has_rotation: has_rotation(model, particles),
             neighbors: model.contact.map(|_| neighbors()),
@@ -59,11 +59,13 @@ impl<S: Lanes> Workspace<S> {
     }
 }
 
-/// Inverse masses or moments of inertia; zero for fixed particles.
-fn inverse<S: Real>(column: &[S], particles: &Particles<S>) -> Vec<S> {
-    let of = |(i, &x): (usize, &S)| match particles.is_fixed(i) {
-        true => S::zero(),
-        false => S::from_f64(1.0) / x,
+/// Inverse masses or moments of inertia; zero for particles that forces cannot move.
+fn inverse<S: Real>(column: &[S], model: &Model, particles: &Particles<S>) -> Vec<S> {
+    let prescribed = model.driving.and_then(|law| law.prescribed_velocity());
+    let of = |(i, &x): (usize, &S)| match particles.role[i] {
+        Role::Fixed => S::zero(),
+        Role::Driven if prescribed.is_some() => S::zero(),
+        Role::Free | Role::Driven => S::from_f64(1.0) / x,
     };
     column.iter().enumerate().map(of).collect()
 }
