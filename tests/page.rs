@@ -96,7 +96,7 @@ fn data_only_leaves_neither_page_nor_restart() {
 #[test]
 fn the_motion_on_the_page_is_that_of_the_grains() {
     let folder = tempfile::tempdir().expect("a folder");
-    // One grain passes a still one at 2 m/s and turns by a quarter.
+    // One grain passes a still one at 0.8 m/s and turns by a quarter.
     let (end, turn) = (5e-3, 0.25);
     let grains = draft(1e-5, end)
         .with("output.interval", 1e-3)
@@ -104,7 +104,7 @@ fn the_motion_on_the_page_is_that_of_the_grains() {
         .grain(Grain::at([0.0, 0.0], RADIUS))
         .grain(
             Grain::at([0.0, 5e-3], 2.0 * RADIUS)
-                .moving([2.0, 0.0])
+                .moving([0.8, 0.0])
                 .spinning(turn * 2.0 * PI / end),
         );
     let page = page(folder.path(), &grains, &[]).expect("a page");
@@ -130,7 +130,7 @@ fn the_motion_on_the_page_is_that_of_the_grains() {
             word(sample, 2) - word(sample, 0),
             word(sample, 6) - word(sample, 4),
         ];
-        let expected = [2.0 * 1e-3 * k as f64, 5e-3];
+        let expected = [0.8 * 1e-3 * k as f64, 5e-3];
         for (apart, expected) in apart.into_iter().zip(expected) {
             assert!(
                 (unit * apart - expected).abs() <= 1.5 * unit,
@@ -147,6 +147,19 @@ fn the_motion_on_the_page_is_that_of_the_grains() {
     }
     let radii = bytes("radii");
     assert_relative_eq!(unit * word(&radii, 2), 2.0 * RADIUS, max_relative = 1e-3);
+}
+
+#[test]
+fn a_grain_that_flies_away_does_not_shrink_the_others() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let grains = draft(1e-5, 1e-3)
+        .with("output.trajectory", "extxyz")
+        .grain(Grain::at([0.0, 0.0], RADIUS))
+        .grain(Grain::at([0.0, 5e-3], RADIUS).moving([1e4, 0.0]));
+    let page = page(folder.path(), &grains, &[]).expect("a page");
+    assert!(page.contains("Grains that fly far away are not shown."));
+    let data = between(&page, "\"extent\":", ",");
+    assert_relative_eq!(data.parse().unwrap_or(f64::NAN), 7e-3, max_relative = 1e-6);
 }
 
 #[test]

@@ -72,6 +72,7 @@ fn content(scene: &Scene) -> String {
         title: String::new(),
         sha256: String::new(),
         keys: Keys::default(),
+        laws: toml::Table::new(),
         has_default_interval: false,
         ..scene.clone()
     };
