@@ -1,5 +1,6 @@
 //! Prescribed motion, specimens cut to shape, and a lattice whose elastic constants are known.
 
+use crate::program::{run, stderr};
 use crate::worlds::{INTEGRATORS, advance, scene, world};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
@@ -247,4 +248,63 @@ fn a_hexagonal_lattice_has_the_constants_of_its_bonds_and_breaks_at_their_streng
     let found = world.time() * speed / height;
     // Geometric nonlinearity again, 2 times 0.42 %, and the steps between looks.
     assert!((found / critical - 1.0).abs() < 0.01, "{found} {critical}");
+}
+
+/// Grains that move with a velocity gradient, and one far from them that flies away.
+const FLYING: &str = r#"
+[time]
+step = 1e-6
+end = 1e-3
+integrator = "velocity-verlet"
+[material]
+density = 2700.0
+[output]
+measure = ["stress", "strain"]
+"#;
+
+fn flying(region: bool) -> Draft {
+    let places = [[0.0, 0.0], [10e-3, 0.0], [0.0, 20e-3], [15e-3, 25e-3]];
+    let draft = places
+        .into_iter()
+        .fold(Draft::parse(FLYING), |draft, [x, y]| {
+            draft.grain(Grain::at([x, y], RADIUS).moving([2.0 * x - 3.0 * y, 5.0 * x - 4.0 * y]))
+        });
+    let draft = draft.grain(Grain::at([50e-3, 50e-3], RADIUS).moving([9.0, 7.0]));
+    match region {
+        true => draft
+            .with("output.strain_region.lower_left", vec![-1e-3, -1e-3])
+            .with("output.strain_region.upper_right", vec![20e-3, 30e-3]),
+        false => draft,
+    }
+}
+
+#[test]
+fn the_strain_of_a_region_is_that_of_the_grains_that_began_in_it() {
+    for region in [true, false] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (file, out) = (folder.path().join("scene.toml"), folder.path().join("out"));
+        std::fs::write(&file, flying(region).text().expect("a scene")).expect("writable");
+        let [file, out] = [&file, &out].map(|path| path.display().to_string());
+        let output = run(&["run", &file, "--out", &out]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        let series = std::fs::read_to_string(format!("{out}/series.csv")).expect("a series");
+        let mut rows = series.lines().map(|row| row.split(',').collect::<Vec<_>>());
+        let header = rows.next().expect("a header");
+        let last = rows.last().expect("rows");
+        let strain = ["strain_xx", "strain_yy", "strain_xy"].map(|name| {
+            let place = header.iter().position(|column| *column == name);
+            last[place.expect("a column")]
+                .parse::<f64>()
+                .expect("a number")
+        });
+        // The gradient times 1 ms: 2, -4 and (5 - 3) / 2 per second.
+        let off = [2e-3, -4e-3, 1e-3]
+            .iter()
+            .zip(strain)
+            .map(|(a, b)| (a - b).abs());
+        let farthest = off.fold(0.0, f64::max);
+        assert!((farthest < 1e-12) == region, "{region} {strain:?}");
+        let picture = std::fs::read_to_string(format!("{out}/stress-strain.svg"));
+        assert!(picture.expect("a picture").contains("<svg"));
+    }
 }
