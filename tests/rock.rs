@@ -250,7 +250,7 @@ fn a_hexagonal_lattice_has_the_constants_of_its_bonds_and_breaks_at_their_streng
     assert!((found / critical - 1.0).abs() < 0.01, "{found} {critical}");
 }
 
-/// Grains that move with a velocity gradient, and one far from them that flies away.
+/// Grains that move with a velocity gradient; another one flies into their midst.
 const FLYING: &str = r#"
 [time]
 step = 1e-6
@@ -269,7 +269,7 @@ fn flying(region: bool) -> Draft {
         .fold(Draft::parse(FLYING), |draft, [x, y]| {
             draft.grain(Grain::at([x, y], RADIUS).moving([2.0 * x - 3.0 * y, 5.0 * x - 4.0 * y]))
         });
-    let draft = draft.grain(Grain::at([50e-3, 50e-3], RADIUS).moving([9.0, 7.0]));
+    let draft = draft.grain(Grain::at([30e-3, 10e-3], RADIUS).moving([-15.0, 1.0]));
     match region {
         true => draft
             .with("output.strain_region.lower_left", vec![-1e-3, -1e-3])
