@@ -72,7 +72,7 @@ pub fn execute(
         }
     };
     std::thread::scope(|scope| {
-        (0..execution.jobs).for_each(|_| drop(scope.spawn(&work)));
+        (0..execution.jobs).for_each(|_| drop(scope.spawn(work)));
     });
     let failure = failure.into_inner().unwrap_or_default();
     match (failure, execution.stop.load(Ordering::Relaxed)) {
