@@ -288,6 +288,15 @@ fn damaged() -> Vec<(String, &'static str)> {
             "dampings",
         ),
         (
+            STUDY.to_owned()
+                + "[[parameter]]\nkey = \"contact.normal.damping\"\nname = \"other\"\nrange = [1, 2]\n",
+            "parameter.key",
+        ),
+        (
+            STUDY.to_owned() + "[[parameter]]\nkey = \"material.damping\"\nrange = [1, 2]\n",
+            "parameter.name",
+        ),
+        (
             STUDY.replace("value = 0.83", ""),
             "nobody measured restitution",
         ),

@@ -43,6 +43,7 @@ impl Calibration {
             .iter()
             .map(|parameter| place.parameter(parameter, &names))
             .collect::<Result<Vec<_>, _>>()?;
+        place.refuse_repetitions(&keys, &names, &parameters)?;
         let targets = keys
             .target
             .iter()
@@ -73,6 +74,46 @@ impl Calibration {
 }
 
 impl Place<'_> {
+    /// Refuse tests and parameters of the same name, and a key that takes the values of two parameters.
+    fn refuse_repetitions(
+        &self,
+        keys: &FileKeys,
+        tests: &[&str],
+        parameters: &[Parameter],
+    ) -> Result<(), SceneError> {
+        let spans = keys.test.iter().map(Spanned::span);
+        self.refuse_twins("test.name", tests, spans)?;
+        let spans = || keys.parameter.iter().map(Spanned::span);
+        let names: Vec<&str> = parameters.iter().map(|one| one.name.as_str()).collect();
+        self.refuse_twins("parameter.name", &names, spans())?;
+        for test in tests {
+            let pairs = parameters.iter().zip(spans()).flat_map(|(one, span)| {
+                let keys = one.keys_in(test).iter();
+                keys.map(move |key| (key.as_str(), span.clone()))
+            });
+            let (keys, spans): (Vec<&str>, Vec<Range<usize>>) = pairs.unzip();
+            self.refuse_twins("parameter.key", &keys, spans.into_iter())?;
+        }
+        Ok(())
+    }
+
+    /// Refuse a text that occurs twice.
+    fn refuse_twins(
+        &self,
+        key: &str,
+        texts: &[&str],
+        spans: impl Iterator<Item = Range<usize>>,
+    ) -> Result<(), SceneError> {
+        let mut pairs = texts.iter().zip(spans).enumerate();
+        match pairs.find(|(place, (text, _))| texts[..*place].contains(text)) {
+            None => Ok(()),
+            Some((_, (text, span))) => {
+                let accepted = format!("must be given once, but {text} is there before");
+                Err(self.error(span, key, &accepted))
+            }
+        }
+    }
+
     fn parameter(
         &self,
         spanned: &Spanned<ParameterKeys>,
