@@ -316,6 +316,43 @@ fn damaged() -> Vec<(String, &'static str)> {
 }
 
 #[test]
+fn no_two_points_share_a_packing() {
+    let study = r#"
+[[parameter]]
+key = "contact.tangential.friction"
+range = [0.1, 1.0]
+[[test]]
+name = "pile"
+scene = "pile"
+seeds = "3..5"
+set = ["time.end=2e-5", "output={}"]
+[[test.observe]]
+quantity = "repose-angle"
+[[target]]
+quantity = "repose-angle"
+value = 1.0
+sd = 1.0
+source = "nobody: a test of seeds"
+[design]
+points = 4
+waves = 2
+predictive = 1
+"#;
+    let folder = Folder::new(study);
+    let (status, said, errors) = folder.calibrate("out", &[]);
+    assert_eq!(status, Some(0), "{errors}");
+    // Friction does not matter before the grains touch.
+    assert!(said.contains("determine nothing"), "{said}");
+    let rows = csv::Reader::from_path(folder.path("out/runs.csv")).expect("a table");
+    let rows = rows.into_deserialize::<BTreeMap<String, String>>();
+    let seeds: Vec<String> = rows
+        .map(|row| row.expect("a row")["seed"].clone())
+        .collect();
+    let distinct: std::collections::BTreeSet<&String> = seeds.iter().collect();
+    assert_eq!((seeds.len(), distinct.len()), (18, 18), "{seeds:?}");
+}
+
+#[test]
 fn mistakes_in_a_calibration_are_named() {
     for (text, words) in damaged() {
         let folder = Folder::new(&text);

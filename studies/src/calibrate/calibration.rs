@@ -195,11 +195,16 @@ impl Target {
 }
 
 impl Test {
-    /// The seeds of its runs.
-    pub fn seeds(&self) -> Vec<Option<u64>> {
-        match self.seeds.is_empty() {
-            true => vec![None],
-            false => self.seeds.iter().copied().map(Some).collect(),
+    /// The seeds of its runs at a point, given by its place among all points. No two points share a seed, so that what
+    /// their packings deviate by is independent.
+    pub fn seeds_at(&self, place: usize) -> Vec<Option<u64>> {
+        let ends = self.seeds.iter().min().zip(self.seeds.iter().max());
+        match ends {
+            None => vec![None],
+            Some((first, last)) => {
+                let shift = place as u64 * (last - first + 1);
+                self.seeds.iter().map(|seed| Some(seed + shift)).collect()
+            }
         }
     }
 }

@@ -85,7 +85,10 @@ pub fn calibrate(calibration: &Calibration, runner: Runner) -> Result<Outcome, E
         true if posterior.effective_number() < FEWEST => Answer::Unresolved,
         true => answer(&marginals, &combinations),
     };
-    let mut predictive = Results::default();
+    let mut predictive = Results {
+        earlier: results.points.len(),
+        ..Results::default()
+    };
     let points = posterior.resampled(calibration.design.predictive);
     let points: Vec<Vec<f64>> = points.into_iter().map(<[f64]>::to_vec).collect();
     predictive.add(calibration, runner, "predictive check", &points)?;

@@ -86,7 +86,7 @@ impl Outcome {
     /// The command that runs a test with the best values.
     fn command(&self, calibration: &Calibration, test: &Test) -> String {
         let best: Vec<f64> = self.marginals.iter().map(|one| one.best).collect();
-        let run = calibration.run(test, &best, test.seeds()[0]);
+        let run = calibration.run(test, &best, test.seeds_at(0)[0]);
         let set = run.overrides.iter().map(|one| format!(" --set '{one}'"));
         let set: String = set.collect();
         format!("gouge run {} --out DIR{set}", run.scene.display())

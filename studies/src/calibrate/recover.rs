@@ -16,7 +16,7 @@ const FEWEST: f64 = 100.0;
 /// Coverage of 90 % intervals that is accepted.
 pub const ACCEPTED: [f64; 2] = [0.82, 0.97];
 /// From so many repetitions on, ranks must be uniform, at this level.
-const MANY: usize = 500;
+const MANY: usize = 100;
 const LEVEL: f64 = 0.01;
 
 /// A measurement whose truth is known.

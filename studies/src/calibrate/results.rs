@@ -43,6 +43,8 @@ pub struct Results {
     pub points: Vec<Vec<f64>>,
     /// The runs at all points.
     pub runs: Vec<Finished>,
+    /// Number of points elsewhere, whose seeds are not used again.
+    pub earlier: usize,
 }
 
 impl Results {
@@ -63,7 +65,7 @@ impl Results {
         let mut planned = Vec::new();
         for (place, point) in self.points.iter().enumerate().skip(first) {
             for (number, test) in calibration.tests.iter().enumerate() {
-                for seed in test.seeds() {
+                for seed in test.seeds_at(self.earlier + place) {
                     planned.push((calibration.run(test, point, seed), number, place, seed));
                 }
             }

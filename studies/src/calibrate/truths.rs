@@ -45,7 +45,7 @@ pub fn recover(calibration: &Calibration, runner: Runner) -> Result<Trial, Error
     let truths: Vec<Vec<f64>> = (0..calibration.design.repetitions)
         .map(|_| truth())
         .collect();
-    let specimens = with_specimens(calibration);
+    let specimens = with_specimens(calibration, design.points.len());
     let mut runs = Results::default();
     runs.add(&specimens, runner, "truths", &truths)?;
     let failed = (0..truths.len()).filter(|&place| runs.has_failed_at(place));
@@ -59,20 +59,15 @@ pub fn recover(calibration: &Calibration, runner: Runner) -> Result<Trial, Error
     })
 }
 
-/// The calibration with as many seeds as specimens are measured, other ones than those of the emulators.
-fn with_specimens(calibration: &Calibration) -> Calibration {
+/// The calibration with as many seeds as specimens are measured, other ones than those of a number of points.
+fn with_specimens(calibration: &Calibration, points: usize) -> Calibration {
     let specimens = |place: usize| {
-        let targets = calibration
-            .targets
-            .iter()
-            .filter(|target| target.test == place);
-        targets
-            .map(|target| target.specimens as u64)
-            .max()
-            .unwrap_or(1)
+        let targets = calibration.targets.iter();
+        let own = targets.filter(|target| target.test == place);
+        own.map(|target| target.specimens as u64).max().unwrap_or(1)
     };
     let others = |(place, test): (usize, &Test)| {
-        let first = test.seeds.iter().max().map(|last| last + 1);
+        let first = test.seeds_at(points).into_iter().flatten().min();
         let seeds = first.map(|first| (first..first + specimens(place)).collect());
         Test {
             seeds: seeds.unwrap_or_default(),

@@ -153,7 +153,7 @@ fn within_budget(
     let per_point: usize = calibration
         .tests
         .iter()
-        .map(|test| test.seeds().len())
+        .map(|test| test.seeds_at(0).len())
         .sum();
     let number =
         per_point * (points.len() * calibration.design.waves + calibration.design.predictive);
@@ -166,15 +166,20 @@ fn within_budget(
     let Some(most) = calibration.core_hours else {
         return Ok(());
     };
+    let tests = |(place, point)| {
+        calibration
+            .tests
+            .iter()
+            .map(move |test| (place, point, test))
+    };
     let runs: Vec<Planned> = points
         .iter()
-        .flat_map(|point| calibration.tests.iter().map(move |test| (point, test)))
-        .flat_map(|(point, test)| {
-            test.seeds()
-                .into_iter()
-                .map(move |seed| (point, test, seed))
+        .enumerate()
+        .flat_map(tests)
+        .flat_map(|(place, point, test)| {
+            let seeds = test.seeds_at(place).into_iter();
+            seeds.map(move |seed| calibration.run(test, point, seed))
         })
-        .map(|(point, test, seed)| calibration.run(test, point, seed))
         .filter(|run| !run.state(runner.out).status.is_final())
         .collect();
     let open: Vec<&Planned> = runs.iter().collect();
