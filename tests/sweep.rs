@@ -126,6 +126,40 @@ fn every_combination_is_a_row_and_failed_runs_name_their_cause() {
 }
 
 #[test]
+fn the_page_of_a_sweep_shows_how_its_runs_ended_and_what_was_observed() {
+    let folder = Folder::new(SWEEP);
+    let (status, _, errors) = folder.sweep("out", &[]);
+    assert_eq!(status, Some(0), "{errors}");
+    let page = fs::read_to_string(folder.path("out/sweep.html")).expect("a page");
+    for cells in ["<td>done</td><td>4</td>", "<td>refused</td><td>2</td>"] {
+        assert!(page.contains(cells), "{cells}");
+    }
+    // Two observations over the one axis of numbers, with a curve for each damping that has results.
+    for (text, number) in [
+        ("<figure>", 2),
+        ("</svg> contact.normal.damping elastic", 2),
+        ("</svg> contact.normal.damping nonsense", 0),
+    ] {
+        assert_eq!(page.matches(text).count(), number, "{text}");
+    }
+    // Without an axis of numbers there is a table, whose means are those of all runs.
+    let words = Folder::new(&SWEEP.replace(
+        "values = [1e-8, 2e-8]",
+        "values = [1e-8, 2e-8]\nlabels = [\"fine\", \"coarse\"]",
+    ));
+    assert_eq!(words.sweep("out", &[]).0, Some(0));
+    let page = fs::read_to_string(words.path("out/sweep.html")).expect("a page");
+    let row = words
+        .rows("out")
+        .into_iter()
+        .find(|row| row["time.step"] == "coarse" && row["contact.normal.damping"] == "damped");
+    let most: f64 = row.expect("a row")["most"].parse().expect("a number");
+    assert!(page.contains(&format!(
+        "<td>coarse</td><td>damped</td><td>1</td><td>{most:.4e}</td>"
+    )));
+}
+
+#[test]
 fn the_bits_of_a_run_depend_neither_on_jobs_nor_on_kills() {
     let folder = Folder::new(SWEEP);
     for (out, jobs) in [("one", "1"), ("two", "2")] {

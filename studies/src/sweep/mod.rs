@@ -8,6 +8,7 @@ mod execute;
 mod export;
 mod file;
 mod observe;
+mod page;
 mod plan;
 mod quantity;
 mod specimen;

@@ -2,6 +2,7 @@
 
 use super::file::{Axis, Sweep};
 use super::observe::Observation;
+use super::page::{Outcome, page_of};
 use super::plan::Planned;
 use super::quantity::Finished;
 use super::state::{State, Status};
@@ -9,7 +10,7 @@ use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::path::{Path, PathBuf};
 
-/// Write `runs.csv`: one row a run, with its axes, its status and cause, its observations and its cost. Failed runs are
+/// Write `runs.csv` and `sweep.html`. The table has one row per run, with its axes, its status and cause, its observations and its cost. Failed runs are
 /// rows, too; what a run does not have is empty.
 ///
 /// # Errors
@@ -34,14 +35,25 @@ pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, E
         .map(str::to_owned),
     );
     writer.write_record(&header).map_err(failed)?;
+    let first = 1 + axes.len();
+    let mut outcomes = Vec::with_capacity(runs.len());
     for run in runs {
         let row = row(sweep, &axes, run, out);
         writer.write_record(&row).map_err(failed)?;
+        let observed = row[first + 2..].iter().take(sweep.observations.len());
+        outcomes.push(Outcome {
+            status: row[first].clone(),
+            observed: observed
+                .map(|cell| cell.parse().unwrap_or(f64::NAN))
+                .collect(),
+        });
     }
     let bytes = writer
         .into_inner()
         .map_err(|error| Error::file("write", &path, error.into_error()))?;
     write_whole(&path, &bytes)?;
+    let page = page_of(sweep, runs, &outcomes).into_string();
+    write_whole(&out.join("sweep.html"), page.as_bytes())?;
     Ok(path)
 }
 
