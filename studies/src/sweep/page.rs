@@ -97,16 +97,14 @@ fn figure(sweep: &Sweep, name: &str, along: usize, groups: &Groups) -> Option<Fi
     let left_out = curves.len().saturating_sub(MOST_CURVES);
     let shown = curves.into_iter().take(MOST_CURVES);
     let shown = shown.map(|(others, points)| curve(&label(sweep, along, &others), points));
-    let title = match left_out {
-        0 => format!(
-            "{name} over {}: means with 95 % intervals of the mean over the seeds.",
-            axis.name
-        ),
-        _ => format!(
-            "{name} over {}: means with 95 % intervals of the mean over the seeds; {left_out} more combinations are in runs.csv.",
-            axis.name
-        ),
-    };
+    let mut title = format!("{name} over {}", axis.name);
+    if !sweep.seeds.is_empty() {
+        title += ": means with 95 % intervals of the mean over the seeds";
+    }
+    if left_out > 0 {
+        title += &format!("; {left_out} more combinations are in runs.csv");
+    }
+    title.push('.');
     let (x, y) = (Scale::linear(&axis.name, ""), Scale::linear(name, ""));
     let figure = Figure::new(title, x, y, shown.collect());
     (!figure.curves.is_empty()).then_some(figure)

@@ -37,6 +37,7 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> 
         (figures::chapter(scene, summary, &series))
         h2 { "Final state" }
         (picture(scene, world))
+        h2 { "Motion" }
         (animation(folder, scene, world))
         h2 { "Files" }
         (files(scene, world))
