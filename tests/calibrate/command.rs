@@ -247,73 +247,57 @@ fn failed_runs_are_counted_and_name_their_causes() {
     assert!(said.contains(&format!("{} failed", failed.len())), "{said}");
 }
 
-/// Damaged calibrations, and what their errors say.
-fn damaged() -> Vec<(String, &'static str)> {
-    vec![
-        (
-            STUDY.replace("[0.05, 20.0]", "[20.0, 0.05]"),
-            "study.toml:2: parameter.range",
-        ),
-        (
-            STUDY.replace("[0.05, 20.0]", "[-1, 20.0]\nscale = \"log\""),
-            "positive range",
-        ),
-        (
-            STUDY.replace("sd = 0.06", "sd = 0.0"),
-            "study.toml:13: target.sd",
-        ),
-        (
-            STUDY.replace("source = \"Durda et al. 2011\"", "source = \" \""),
-            "target.source",
-        ),
-        (
-            STUDY.replace("source = \"Durda et al. 2011\"", ""),
-            "source",
-        ),
-        (
-            STUDY.replace(
-                "quantity = \"restitution\"\nvalue",
-                "quantity = \"angle\"\nvalue",
-            ),
-            "must be one of restitution",
-        ),
-        (
-            STUDY.replace("points = 8", "points = 2"),
-            "must be from 4 to 4096",
-        ),
-        (STUDY.replace("points = 8", "point = 8"), "unknown field"),
-        (STUDY.replace("head-on", "no-such-scene"), "no-such-scene"),
-        (
-            STUDY.replace("contact.normal.damping", "contact.normal.dampings"),
-            "dampings",
-        ),
-        (
-            STUDY.to_owned()
-                + "[[parameter]]\nkey = \"contact.normal.damping\"\nname = \"other\"\nrange = [1, 2]\n",
-            "parameter.key",
-        ),
-        (
-            STUDY.to_owned() + "[[parameter]]\nkey = \"material.damping\"\nrange = [1, 2]\n",
-            "parameter.name",
-        ),
-        (
-            STUDY.replace("value = 0.83", ""),
-            "nobody measured restitution",
-        ),
-        (STUDY.to_owned() + "[budget]\nruns = 10\n", "budget.runs"),
-        (
-            STUDY.to_owned() + "[budget]\ncore_hours = 1e-12\n",
-            "budget.core_hours",
-        ),
-        (
-            STUDY.replace(
-                "quantity = \"restitution\"\n\n",
-                "quantity = \"restitution\"\nclosed_form = \"hexagonal-modulus\"\n\n",
-            ),
-            "closed form",
-        ),
-    ]
-}
+/// Mistakes: what is replaced by what, and what the error says.
+const MISTAKES: [[&str; 3]; 16] = [
+    [
+        "[0.05, 20.0]",
+        "[20.0, 0.05]",
+        "study.toml:2: parameter.range",
+    ],
+    [
+        "[0.05, 20.0]",
+        "[-1, 20.0]\nscale = \"log\"",
+        "positive range",
+    ],
+    ["sd = 0.06", "sd = 0.0", "study.toml:13: target.sd"],
+    ["\"Durda et al. 2011\"", "\" \"", "target.source"],
+    ["source = \"Durda et al. 2011\"", "", "source"],
+    [
+        "quantity = \"restitution\"\nvalue",
+        "quantity = \"angle\"\nvalue",
+        "must be one of restitution",
+    ],
+    ["points = 8", "points = 2", "must be from 4 to 4096"],
+    ["points = 8", "point = 8", "unknown field"],
+    ["head-on", "no-such-scene", "no-such-scene"],
+    [
+        "contact.normal.damping",
+        "contact.normal.dampings",
+        "dampings",
+    ],
+    [
+        "[design]",
+        "[[parameter]]\nkey = \"contact.normal.damping\"\nname = \"other\"\nrange = [1, 2]\n[design]",
+        "parameter.key",
+    ],
+    [
+        "[design]",
+        "[[parameter]]\nkey = \"material.damping\"\nrange = [1, 2]\n[design]",
+        "parameter.name",
+    ],
+    ["value = 0.83", "", "nobody measured restitution"],
+    ["[design]", "[budget]\nruns = 10\n[design]", "budget.runs"],
+    [
+        "[design]",
+        "[budget]\ncore_hours = 1e-12\n[design]",
+        "budget.core_hours",
+    ],
+    [
+        "quantity = \"restitution\"\n\n",
+        "quantity = \"restitution\"\nclosed_form = \"hexagonal-modulus\"\n\n",
+        "closed form",
+    ],
+];
 
 #[test]
 fn no_two_points_share_a_packing() {
@@ -354,8 +338,9 @@ predictive = 1
 
 #[test]
 fn mistakes_in_a_calibration_are_named() {
-    for (text, words) in damaged() {
-        let folder = Folder::new(&text);
+    for [from, to, words] in MISTAKES {
+        assert!(STUDY.contains(from), "{from}");
+        let folder = Folder::new(&STUDY.replace(from, to));
         let (status, _, said) = folder.calibrate("out", &[]);
         assert_eq!(status, Some(2), "{words}: {said}");
         assert!(said.contains(words), "{words}: {said}");

@@ -44,7 +44,7 @@ pub fn answer(calibration: &Calibration, outcome: &Outcome) -> String {
 
 fn parameters(calibration: &Calibration, outcome: &Outcome) -> String {
     let mut text = format!(
-        "\n{:16}{:>12}{:>26}{:>26}{:>14}\n",
+        "\n{:24}{:>12}{:>26}{:>26}{:>14}\n",
         "parameter", "best", "68 %", "90 %", "contraction"
     );
     for (parameter, one) in calibration.parameters.iter().zip(&outcome.marginals) {
@@ -52,7 +52,7 @@ fn parameters(calibration: &Calibration, outcome: &Outcome) -> String {
         let [_, low, high, lowest, highest] = one.quantiles.map(value);
         let _ = writeln!(
             text,
-            "{:16}{:>12}{:>26}{:>26}{:>14.2}{}",
+            "{:24}{:>12}{:>26}{:>26}{:>14.2}{}",
             parameter.name,
             shown(value(one.best)),
             range(low, high),
@@ -64,7 +64,7 @@ fn parameters(calibration: &Calibration, outcome: &Outcome) -> String {
             let range = range(value(low), value(high));
             let _ = writeln!(
                 text,
-                "{:28}{range:>26}  by the profile of the likelihood",
+                "{:36}{range:>26}  by the profile of the likelihood",
                 ""
             );
         }
@@ -183,7 +183,7 @@ fn trust(outcome: &Outcome) -> String {
 /// How known truths were recovered, one line a parameter.
 pub fn account_of_trial(calibration: &Calibration, trial: &Trial) -> String {
     let mut text = format!(
-        "{}\n{:16}{:>8}{:>14}{:>14}{:>14}{:>14}\n",
+        "{}\n{:24}{:>8}{:>14}{:>14}{:>14}{:>14}\n",
         calibration.title, "", "", "50 % hold", "90 % hold", "ranks even, p", "contraction"
     );
     for (parameter, one) in calibration
@@ -193,7 +193,7 @@ pub fn account_of_trial(calibration: &Calibration, trial: &Trial) -> String {
     {
         let _ = writeln!(
             text,
-            "{:16}{:>8}{:>13.1}%{:>13.1}%{:>14.3}{:>14.2}",
+            "{:24}{:>8}{:>13.1}%{:>13.1}%{:>14.3}{:>14.2}",
             parameter.name,
             if one.passes() { "pass" } else { "FAIL" },
             100.0 * one.coverage(0.5),
