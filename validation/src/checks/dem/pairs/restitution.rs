@@ -24,6 +24,9 @@ fn pair(law: Draft, ratio: f64, speed: f64) -> Collision {
     }
 }
 
+/// Measures the restitution of a pair that is to rebound with a wanted one, for a ratio of radii.
+type Measure = fn(f64, f64) -> Result<f64, Failure>;
+
 /// Restitution of truncated Kelvin-Voigt spheres, extrapolated to zero time step.
 fn linear(wanted: f64, ratio: f64) -> Result<f64, Failure> {
     let law = Draft::empty()
@@ -79,7 +82,7 @@ pub fn wanted() -> Outcome {
         "Measured restitution, extrapolated to zero time step",
         &["wanted", "radii 1 : 1", "1 : 10", "1 : 100"],
     );
-    let laws: [(&str, fn(f64, f64) -> Result<f64, Failure>, f64); 2] =
+    let laws: [(&str, Measure, f64); 2] =
         [("Kelvin-Voigt", linear, 1e-8), ("BSHP", hertzian, 1e-7)];
     for (name, measure, tolerance) in laws {
         for wanted in WANTED {
