@@ -116,6 +116,9 @@ fn a_grain_rebounds_from_a_steady_one_as_from_a_wall() {
     );
 }
 
+/// Whether a point lies inside of a shape.
+type IsInside = fn(Vec2) -> bool;
+
 /// A packing on a lattice, cut to a shape, with the density of the material.
 fn cut(shape: &str) -> World {
     let draft = Draft::open_box("velocity-verlet", 1e-8)
@@ -139,17 +142,17 @@ fn a_specimen_has_the_shape_and_the_density_that_the_scene_asks_for() {
             .with("setup.lattice.rows", 15),
     ))
     .expect("a packing");
-    let disc = |x: Vec2| (x - Vec2::new(20e-3, 18e-3)).norm() <= 12e-3;
-    let block = |x: Vec2| x.x >= 8e-3 && x.x <= 30e-3 && x.y >= 5e-3 && x.y <= 20e-3;
-    let shapes: [(&str, &dyn Fn(Vec2) -> bool, f64); 2] = [
+    let disc: IsInside = |x| (x - Vec2::new(20e-3, 18e-3)).norm() <= 12e-3;
+    let block: IsInside = |x| x.x >= 8e-3 && x.x <= 30e-3 && x.y >= 5e-3 && x.y <= 20e-3;
+    let shapes: [(&str, IsInside, f64); 2] = [
         (
             "shape = 'disc'\ncenter = [20e-3, 18e-3]\nradius = 12e-3",
-            &disc,
+            disc,
             PI * 144e-6,
         ),
         (
             "shape = 'rectangle'\nlower_left = [8e-3, 5e-3]\nupper_right = [30e-3, 20e-3]",
-            &block,
+            block,
             22e-3 * 15e-3,
         ),
     ];
@@ -290,7 +293,7 @@ fn the_strain_of_a_region_is_that_of_the_grains_that_began_in_it() {
         let series = std::fs::read_to_string(format!("{out}/series.csv")).expect("a series");
         let mut rows = series.lines().map(|row| row.split(',').collect::<Vec<_>>());
         let header = rows.next().expect("a header");
-        let last = rows.last().expect("rows");
+        let last = rows.next_back().expect("rows");
         let strain = ["strain_xx", "strain_yy", "strain_xy"].map(|name| {
             let place = header.iter().position(|column| *column == name);
             last[place.expect("a column")]
