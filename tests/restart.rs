@@ -93,6 +93,17 @@ fn bonds_and_contacts_across_the_seam_continue_from_text() {
 }
 
 #[test]
+fn a_prescribed_motion_continues_from_text() {
+    let pulled = pair("velocity-verlet", Grain::at([2.0 * RADIUS, 0.0], RADIUS))
+        .grain(Grain::at([4.0 * RADIUS, 0.0], RADIUS).driven())
+        .bond(Bond::between(1, 2))
+        .with("driving.controller", "steady")
+        .with("driving.velocity", vec![toml::Value::from(0.3), 0.1.into()])
+        .replacing("time.end", 1e-6);
+    check_restart(&pulled, false, &["bonds.csv", "breaks.csv"]);
+}
+
+#[test]
 fn a_longer_run_and_a_continued_one_end_alike() {
     let folder = Folder::new();
     let until = |end: f64| grains(1e-8).ending_at(end);

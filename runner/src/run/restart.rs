@@ -12,6 +12,7 @@ use gouge_dem::bonds::Bond;
 use gouge_dem::contacts::ContactMemory;
 use gouge_dem::forces::{Interaction, InteractionKind};
 use gouge_dem::geometry::ContactDistance;
+use gouge_dem::laws::Driving;
 use gouge_dem::particles::{Particles, moment_of_inertia, sphere_mass};
 use std::path::Path;
 
@@ -64,7 +65,11 @@ fn restart(scene: &Scene, world: &World, has_contacts: bool) -> Result<String, t
     if has_contacts {
         name("contacts_file", RESTART_CONTACTS);
     }
-    if let Some(toml::Value::Table(driving)) = table.get_mut("driving") {
+    // The force of a prescribed motion follows from the state.
+    let has_force = |law: &Driving| law.prescribed_velocity().is_none();
+    if let Some(toml::Value::Table(driving)) = table.get_mut("driving")
+        && world.model().driving.as_ref().is_some_and(has_force)
+    {
         let force = world.drive().force;
         driving.insert("initial_force".to_owned(), vec![force.x, force.y].into());
     }
