@@ -1,7 +1,7 @@
 //! Calibration: which parameters of scenes agree with what was measured.
 //!
-//! Read [`calibration`] for what a calibration consists of, [`waves`] for where runs are made, [`likelihood`] and
-//! [`posterior`] for what they tell about the parameters, and [`identify`] for what of it is determined.
+//! Read `calibration` for what a calibration consists of, `waves` for where runs are made, `likelihood` and
+//! `posterior` for what they tell about the parameters, and `identify` for what of it is determined.
 
 mod account;
 mod builtin;
