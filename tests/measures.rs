@@ -221,3 +221,27 @@ fn nothing_is_measured_of_nothing() {
         assert!(columns[name].iter().all(|value| value.is_nan()), "{name}");
     }
 }
+
+#[test]
+fn a_specimen_that_does_not_span_a_periodic_box_ends_at_its_discs() {
+    let packing = |width: f64, places: &[f64]| {
+        let mut draft = open(1e-8, 1e-8)
+            .with("box.width", width)
+            .with("box.boundary", "periodic-x");
+        for &place in places {
+            draft = draft.grain(Grain::at([place, 0.0], RADIUS));
+        }
+        last(&series(&draft, &["packing-fraction"]), "packing_fraction")
+    };
+    // Two discs that touch, in the middle of a wide box and across its seam.
+    for places in [[9e-3, 11e-3], [19e-3, 1e-3]] {
+        assert_relative_eq!(packing(20e-3, &places), FRAC_PI_4, max_relative = 1e-12);
+    }
+    // Gaps of less than a diameter on both sides: they span the box.
+    let spanning = 2.0 * FRAC_PI_4 * 2e-3 / 6e-3;
+    assert_relative_eq!(
+        packing(6e-3, &[1.5e-3, 4.5e-3]),
+        spanning,
+        max_relative = 1e-12
+    );
+}

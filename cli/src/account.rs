@@ -110,6 +110,10 @@ fn friction_lines(friction: &Friction) -> Vec<(&'static str, String)> {
 
 fn files(scene: &Scene, folder: &Path) -> String {
     let mut files = vec![
+        (
+            "run.html",
+            "verdict, figures and picture; opens in a browser",
+        ),
         ("picture.svg", "final state; opens in a browser"),
         (
             "series.csv",
@@ -119,12 +123,22 @@ fn files(scene: &Scene, folder: &Path) -> String {
             "particles.csv",
             "final particles; another scene can read them as particles_file",
         ),
+        (
+            "restart.toml",
+            "a scene that continues from the final state, as text",
+        ),
         ("summary.json", "this account and more"),
         (
             "checkpoint",
             "final state to the bit, for --resume and the key start",
         ),
     ];
+    if scene.bond.is_some() {
+        files.push((
+            "bonds.csv",
+            "final bonds; breaks.csv lists those that broke",
+        ));
+    }
     match scene.output.trajectory {
         Trajectory::None => {}
         Trajectory::Vtk => files.push(("trajectory/run.vtk.series", "frames; opens in ParaView")),
@@ -145,6 +159,7 @@ fn files(scene: &Scene, folder: &Path) -> String {
         }
         _ => {}
     }
+    files.retain(|(name, _)| folder.join(name).exists());
     let path = |name: &str| folder.join(name).display().to_string();
     let width = files.iter().map(|(name, _)| path(name).len()).max();
     let width = width.unwrap_or_default();

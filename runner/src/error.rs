@@ -99,6 +99,9 @@ pub enum Error {
     /// The run was interrupted; it can be continued from its checkpoint.
     #[error("interrupted; continue with --resume and the same folder, {}", .0.display())]
     Interrupted(PathBuf),
+    /// Many runs were interrupted; the same command continues them.
+    #[error("interrupted; the same command continues with what is missing in {}", .0.display())]
+    Stopped(PathBuf),
     /// The run finished, but its energy balance is off.
     #[error(
         "the results in {} cannot be trusted (--accept-untrusted ends such a run with status 0)", .0.display()
@@ -140,7 +143,7 @@ impl Error {
         match self {
             Self::Scene(_) | Self::Argument(_) => 2,
             Self::Untrusted(_) => 3,
-            Self::Interrupted(_) => 130,
+            Self::Interrupted(_) | Self::Stopped(_) => 130,
             _ => 1,
         }
     }

@@ -138,7 +138,9 @@ fn bshp(table: &Table) -> Result<ContactNormal> {
 fn restitution(table: &Table, constant: &str) -> Result<Option<f64>> {
     let (is_wanted, is_given) = (table.has("restitution"), table.has(constant));
     if is_wanted && is_given {
-        let accepted = format!("must not be given together with {constant}");
+        let accepted = format!(
+            "must not be given together with {constant}; an override replaces the whole table, contact.normal={{ law = ..., restitution = ... }}"
+        );
         return Err(table.error("restitution", &accepted));
     }
     if !is_wanted && !is_given {

@@ -116,9 +116,14 @@ impl Outcome {
         let mut header = vec!["run".to_owned(), "purpose".to_owned(), "test".to_owned()];
         header.extend(calibration.parameters.iter().map(|one| one.name.clone()));
         header.extend(["seed", "cause"].map(str::to_owned));
-        let tests = calibration.tests.iter();
-        let width = tests.map(|test| test.observed.len()).max().unwrap_or(0);
-        header.extend((0..width).map(|number| format!("quantity_{number}")));
+        let mut names: Vec<String> = Vec::new();
+        for observed in calibration.tests.iter().flat_map(|test| &test.observed) {
+            let name = observed.observation.name();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        header.extend(names.iter().cloned());
         header.push("wall_seconds".to_owned());
         let parts = [
             ("calibration", &self.results),
@@ -142,12 +147,15 @@ impl Outcome {
                 Err(cause) => (&empty, cause.replace('\n', "; ")),
             };
             row.push(cause);
-            let value = |k: usize| {
-                values
-                    .get(k)
-                    .map_or_else(String::new, |one| format!("{one:?}"))
+            let observed = &calibration.tests[run.test].observed;
+            let value = |name: &String| {
+                let place = observed
+                    .iter()
+                    .position(|one| one.observation.name() == *name);
+                let value = place.and_then(|place| values.get(place));
+                value.map_or_else(String::new, |one| format!("{one:?}"))
             };
-            row.extend((0..width).map(value));
+            row.extend(names.iter().map(value));
             row.push(format!("{:.3}", run.seconds));
             row
         });

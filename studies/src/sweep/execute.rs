@@ -77,7 +77,7 @@ pub fn execute(
     let failure = failure.into_inner().unwrap_or_default();
     match (failure, execution.stop.load(Ordering::Relaxed)) {
         (Some(error), _) => Err(error),
-        (None, true) => Err(Error::Interrupted(execution.out.to_owned())),
+        (None, true) => Err(Error::Stopped(execution.out.to_owned())),
         (None, false) => Ok(()),
     }
 }

@@ -60,16 +60,6 @@ pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, E
 fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> {
     let folder = run.folder(out);
     let state = State::of(&folder);
-    let mut row = vec![run.name.clone()];
-    row.extend(
-        axes.iter()
-            .zip(&run.places)
-            .map(|(axis, &place)| axis.labels[place].clone()),
-    );
-    row.extend([
-        state.status.name().to_owned(),
-        state.cause.replace('\n', "; "),
-    ]);
     let is_observed = match state.status {
         Status::Done => true,
         Status::Untrusted => sweep.observe_untrusted,
@@ -82,9 +72,33 @@ fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> 
         summary,
         scene: &scene,
     });
+    let observe = |one: &Observation| finished.as_ref().map(|run| one.value(run));
+    let observed: Vec<_> = sweep.observations.iter().map(observe).collect();
+    let missing = observed
+        .iter()
+        .flatten()
+        .filter_map(|one| one.as_ref().err());
+    let causes = [&state.cause].into_iter().chain(missing);
+    let causes: Vec<&str> = causes
+        .map(String::as_str)
+        .filter(|cause| !cause.is_empty())
+        .collect();
+    let mut row = vec![run.name.clone()];
+    row.extend(
+        axes.iter()
+            .zip(&run.places)
+            .map(|(axis, &place)| axis.labels[place].clone()),
+    );
+    row.extend([
+        state.status.name().to_owned(),
+        causes.join("; ").replace('\n', "; "),
+    ]);
     let shown = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
-    let observe = |one: &Observation| finished.as_ref().and_then(|run| one.value(run).ok());
-    row.extend(sweep.observations.iter().map(|one| shown(observe(one))));
+    row.extend(
+        observed
+            .iter()
+            .map(|one| shown(one.as_ref().and_then(|one| one.as_ref().ok()).copied())),
+    );
     let of_summary = |text: &dyn Fn(&gouge_runner::run::Summary) -> String| {
         summary.map_or_else(String::new, text)
     };

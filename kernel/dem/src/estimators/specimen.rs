@@ -7,21 +7,57 @@ use gouge_common::estimators::{ContactNetwork, NetworkContact, packing_fraction}
 use gouge_equations::rendered;
 
 /// Width and height in m of the specimen: of the smallest upright rectangle around the discs of all free particles. In
-/// a periodic box it is as wide as the period. Not finite without free particles.
+/// a periodic box it is as wide as the period, unless a strip without discs is left that is wider than the largest of
+/// them; then it ends there. Not finite without free particles.
 pub fn specimen_size(world: &World) -> [f64; 2] {
     let p = world.particles();
-    let extent = |at: fn(&Particles, usize) -> f64| {
+    let spans = |at: fn(&Particles, usize) -> f64| {
         let free = p.with_role(Role::Free);
-        let ends = free.map(|i| (at(p, i) - p.radius[i], at(p, i) + p.radius[i]));
-        let none = (f64::INFINITY, f64::NEG_INFINITY);
-        let (low, high) = ends.fold(none, |all, end| (all.0.min(end.0), all.1.max(end.1)));
-        high - low
+        free.map(move |i| [at(p, i) - p.radius[i], at(p, i) + p.radius[i]])
     };
-    let width = world.model().domain.period();
-    [
-        width.unwrap_or_else(|| extent(|p, i| p.position[i].x)),
-        extent(|p, i| p.position[i].y),
-    ]
+    let across = spans(|p, i| p.position[i].x);
+    let width = match world.model().domain.period() {
+        None => extent(across),
+        Some(period) => extent_on_circle(across.collect(), period),
+    };
+    [width, extent(spans(|p, i| p.position[i].y))]
+}
+
+/// Length of the smallest interval around some intervals.
+fn extent(intervals: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    let [low, high] = intervals.fold(none, |all, one| [all[0].min(one[0]), all[1].max(one[1])]);
+    high - low
+}
+
+/// Length of the smallest arc around some intervals on a circle: the circumference, unless a gap is left that is longer
+/// than every interval.
+fn extent_on_circle(intervals: Vec<[f64; 2]>, circumference: f64) -> f64 {
+    let lengths = intervals.iter().map(|[low, high]| high - low);
+    let longest = lengths.fold(0.0, f64::max);
+    // On three turns, every gap lies between two intervals.
+    let turns = [-circumference, 0.0, circumference];
+    let shifted = |turn| {
+        intervals
+            .iter()
+            .map(move |[low, high]| [low + turn, high + turn])
+    };
+    let mut laid: Vec<[f64; 2]> = turns.into_iter().flat_map(shifted).collect();
+    laid.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (mut widest, mut reached) = (0.0_f64, f64::INFINITY);
+    for [low, high] in laid {
+        widest = widest.max(low - reached);
+        reached = if reached.is_finite() {
+            reached.max(high)
+        } else {
+            high
+        };
+    }
+    if widest > longest {
+        circumference - widest
+    } else {
+        circumference
+    }
 }
 
 /// Mean stress in the specimen in Pa, positive in tension: `[[xx, xy], [yx, yy]]`.
