@@ -336,6 +336,10 @@ fn mistakes_in_a_sweep_are_named() {
         ),
         (SWEEP.replace("statistic = \"last\"", ""), "needs statistic"),
         (
+            SWEEP.to_owned() + "[[axis]]\nkey = \"contact.normal\"\nvalues = [{}]\n",
+            "must not change contact.normal.damping",
+        ),
+        (
             SWEEP.to_owned() + "[seeds]\nsetup = \"8..3\"\n",
             "seeds.setup",
         ),

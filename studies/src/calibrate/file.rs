@@ -241,6 +241,9 @@ impl Place<'_> {
         if !(keys.sd.is_finite() && keys.sd > 0.0) {
             return refusal("sd", "must be a positive number: no measurement is exact");
         }
+        if keys.value.is_some_and(|value| !value.is_finite()) {
+            return refusal("value", "must be a finite number");
+        }
         if keys.specimens == 0 {
             return refusal("specimens", "must be at least 1");
         }
@@ -272,8 +275,16 @@ impl Place<'_> {
             let accepted = format!("must be from {} to {}", POINTS.start, POINTS.end - 1);
             return Err(self.error(span, "design.points", &accepted));
         }
-        if design.waves == 0 || design.repetitions == 0 {
-            return Err(self.error(span, "design", "waves and repetitions must be at least 1"));
+        let bounded = [
+            ("design.waves", design.waves, 1..101),
+            ("design.predictive", design.predictive, 0..4097),
+            ("design.repetitions", design.repetitions as usize, 1..100_001),
+        ];
+        for (key, number, accepted) in bounded {
+            if !accepted.contains(&number) {
+                let accepted = format!("must be from {} to {}", accepted.start, accepted.end - 1);
+                return Err(self.error(span, key, &accepted));
+            }
         }
         Ok(design)
     }

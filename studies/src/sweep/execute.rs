@@ -14,6 +14,10 @@ use std::time::Duration;
 
 /// Time between looks at a running process.
 const PATIENCE: Duration = Duration::from_millis(2);
+/// Time between attempts while another process runs the same run.
+const PAUSE: Duration = Duration::from_millis(200);
+/// Time without a change in the folder of a run after which nobody runs it any more.
+const SILENCE: Duration = Duration::from_secs(60);
 /// Status of a process that was interrupted.
 const INTERRUPTED: i32 = 130;
 
@@ -82,10 +86,24 @@ pub fn execute(
     }
 }
 
+/// Execute a run. While another process runs it, such as one that a killed sweep left behind, wait for that one.
 fn execute_one(run: &Planned, execution: Execution) -> Result<State, Error> {
     let folder = run.folder(execution.out);
+    let failed = |error| Error::file("run", execution.program, error);
+    loop {
+        let child = command(run, &folder, execution).spawn().map_err(failed)?;
+        let (code, said) = wait(child, execution.stop).map_err(failed)?;
+        let is_stopped = execution.stop.load(Ordering::Relaxed);
+        if !said.contains("is in use by") || is_stopped || !is_active(&folder) {
+            return state_after(&folder, code, &said, is_stopped);
+        }
+        std::thread::sleep(PAUSE);
+    }
+}
+
+fn command(run: &Planned, folder: &Path, execution: Execution) -> Command {
     let mut command = Command::new(execution.program);
-    command.arg("run").arg(&run.scene).arg("--out").arg(&folder);
+    command.arg("run").arg(&run.scene).arg("--out").arg(folder);
     command.args(["--resume", "--quiet", "--accept-untrusted", "--data-only"]);
     for one in &run.overrides {
         command.arg("--set").arg(one);
@@ -98,28 +116,44 @@ fn execute_one(run: &Planned, execution: Execution) -> Result<State, Error> {
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::piped());
-    let failed = |error| Error::file("run", execution.program, error);
-    let child = command.spawn().map_err(failed)?;
-    let (code, said) = wait(child, execution.stop).map_err(failed)?;
-    let state = State::of(&folder);
-    let is_unexplained = !state.status.is_final() && code != Some(INTERRUPTED);
-    if !is_unexplained || execution.stop.load(Ordering::Relaxed) {
+    command
+}
+
+/// Whether something in a folder changed lately. A run writes a checkpoint every few seconds.
+fn is_active(folder: &Path) -> bool {
+    let Ok(files) = std::fs::read_dir(folder) else {
+        return false;
+    };
+    let age = |file: std::fs::DirEntry| file.metadata().ok()?.modified().ok()?.elapsed().ok();
+    let mut ages = files.flatten().filter_map(age);
+    ages.any(|age| age < SILENCE)
+}
+
+/// The state of a run whose process ended with a status and some words.
+fn state_after(
+    folder: &Path,
+    code: Option<i32>,
+    said: &str,
+    is_stopped: bool,
+) -> Result<State, Error> {
+    let state = State::of(folder);
+    if state.status.is_final() || code == Some(INTERRUPTED) || is_stopped {
         return Ok(state);
     }
-    // Another process runs it.
+    let said = said.trim();
     if said.contains("is in use by") {
-        return Ok(state);
+        let cause = said.trim_start_matches("gouge: ").to_owned();
+        return Ok(State { cause, ..state });
     }
     if code == Some(2) || state.status == Status::Waiting {
         let path = folder.join(CAUSE);
-        let cause = said.trim().trim_start_matches("gouge: ").to_owned();
-        let write =
-            || std::fs::create_dir_all(&folder).and_then(|()| std::fs::write(&path, &cause));
+        let cause = said.trim_start_matches("gouge: ");
+        let write = || std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, cause));
         write().map_err(|error| Error::file("write", &path, error))?;
-        return Ok(State::of(&folder));
+        return Ok(State::of(folder));
     }
     Ok(State {
-        cause: format!("the process ended with {code:?}: {}", said.trim()),
+        cause: format!("the process ended with {code:?}: {said}"),
         ..state
     })
 }

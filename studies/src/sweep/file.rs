@@ -111,6 +111,16 @@ impl Sweep {
             .iter()
             .map(|(name, value)| place.seed_axis(name, value))
             .collect::<Result<_, _>>()?;
+        let mut known: Vec<&str> = Vec::new();
+        for (axis, span) in axes.iter().zip(keys.axis.iter().map(Spanned::span)) {
+            for key in &axis.keys {
+                if let Some(other) = known.iter().find(|other| overlap(key, other)) {
+                    let accepted = format!("must not change {other}, which an axis has already");
+                    return Err(place.error(span.clone(), "axis.key", &accepted).into());
+                }
+                known.push(key);
+            }
+        }
         for observation in &keys.observe {
             if let Err(accepted) = observation.get_ref().check() {
                 return Err(place.error(observation.span(), "observe", &accepted).into());
@@ -205,6 +215,15 @@ impl Place<'_> {
             labels,
         })
     }
+}
+
+/// Whether two dotted keys are the same, or one lies within the other.
+fn overlap(one: &str, other: &str) -> bool {
+    let is_within = |inner: &str, outer: &str| {
+        let rest = inner.strip_prefix(outer);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    };
+    is_within(one, other) || is_within(other, one)
 }
 
 /// The values of several keys at each place of an axis.
