@@ -278,7 +278,11 @@ impl Place<'_> {
         let bounded = [
             ("design.waves", design.waves, 1..101),
             ("design.predictive", design.predictive, 0..4097),
-            ("design.repetitions", design.repetitions as usize, 1..100_001),
+            (
+                "design.repetitions",
+                design.repetitions as usize,
+                1..100_001,
+            ),
         ];
         for (key, number, accepted) in bounded {
             if !accepted.contains(&number) {
