@@ -1,6 +1,7 @@
 //! Many runs: sweeps over the keys of a scene, the study of the thesis, and calibration.
 
 mod columns;
+mod csv_table;
 mod text;
 
 pub mod decay;

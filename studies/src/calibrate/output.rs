@@ -6,6 +6,7 @@ use super::identify::Marginal;
 use super::outcome::{Answer, Outcome};
 use super::page::write_page;
 use super::parameter::Parameter;
+use crate::csv_table::csv_table;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::collections::BTreeMap;
@@ -107,9 +108,10 @@ impl Outcome {
                 values
                     .chain([*weight, *height])
                     .map(|one| format!("{one:?}"))
-                    .collect()
+                    .collect::<Vec<String>>()
             });
-        table(header.collect(), rows)
+        let rows = [header.collect()].into_iter().chain(rows);
+        csv_table(Path::new("posterior.csv"), rows)
     }
 
     fn runs_table(&self, calibration: &Calibration) -> Result<Vec<u8>, Error> {
@@ -159,7 +161,7 @@ impl Outcome {
             row.push(format!("{:.3}", run.seconds));
             row
         });
-        table(header, rows)
+        csv_table(Path::new("runs.csv"), [header].into_iter().chain(rows))
     }
 }
 
@@ -174,17 +176,4 @@ fn line(parameter: &Parameter, one: &Marginal) -> String {
         range(lowest, highest),
         bounds(parameter, one)
     )
-}
-
-fn table(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u8>, Error> {
-    let failed = |error: csv::Error| {
-        Error::file("write", Path::new("a table"), std::io::Error::other(error))
-    };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(&header).map_err(failed)?;
-    for row in rows {
-        writer.write_record(&row).map_err(failed)?;
-    }
-    let bytes = writer.into_inner();
-    bytes.map_err(|error| Error::file("write", Path::new("a table"), error.into_error()))
 }

@@ -2,6 +2,7 @@
 
 use super::results::Results;
 use super::sample::Sample;
+use crate::csv_table::csv_table;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::path::Path;
@@ -35,6 +36,14 @@ impl Verdict {
             (false, false) => Self::Undecided,
         }
     }
+}
+
+/// Whether an interval lies within a distance of zero, and whether it lies beyond that distance.
+pub fn within_or_beyond([low, high]: [f64; 2], distance: f64) -> [bool; 2] {
+    [
+        low > -distance && high < distance,
+        low > distance || high < -distance,
+    ]
 }
 
 /// A verdict with the numbers on which it rests.
@@ -91,23 +100,14 @@ impl Claim {
 /// # Errors
 /// Failures of the file system.
 pub fn write(claims: &[Claim], path: &Path) -> Result<(), Error> {
-    let failed = |error: csv::Error| Error::file("write", path, std::io::Error::other(error));
-    let mut writer = csv::Writer::from_writer(Vec::new());
     let header = ["claim", "rule", "part", "verdict", "numbers"];
-    writer.write_record(header).map_err(failed)?;
-    for claim in claims {
-        for (part, finding) in &claim.findings {
-            let row = [
-                claim.statement,
-                claim.rule,
-                part,
-                finding.verdict.name(),
-                &finding.numbers,
-            ];
-            writer.write_record(row).map_err(failed)?;
-        }
-    }
-    let bytes = writer.into_inner();
-    let bytes = bytes.map_err(|error| Error::file("write", path, error.into_error()))?;
+    let row = |claim: &'_ Claim, (part, finding): &'_ (&'static str, Finding)| {
+        let verdict = finding.verdict.name();
+        [claim.statement, claim.rule, part, verdict, &finding.numbers].map(str::to_owned)
+    };
+    let rows = claims
+        .iter()
+        .flat_map(|claim| claim.findings.iter().map(move |one| row(claim, one)));
+    let bytes = csv_table(path, [header.map(str::to_owned)].into_iter().chain(rows))?;
     write_whole(path, &bytes)
 }

@@ -1,5 +1,6 @@
 //! The runs of a study as one table.
 
+use crate::csv_table::csv_table;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::collections::BTreeMap;
@@ -122,20 +123,14 @@ impl Results {
     /// # Errors
     /// Failures of the file system.
     pub fn write(&self, path: &Path) -> Result<(), Error> {
-        let failed = |error: csv::Error| Error::file("write", path, std::io::Error::other(error));
-        let mut writer = csv::Writer::from_writer(Vec::new());
         let names = self.columns.iter().map(String::as_str);
         let header: Vec<&str> = ["part", "run"].into_iter().chain(names).collect();
-        writer.write_record(&header).map_err(failed)?;
-        for run in &self.runs {
+        let rows = self.runs.iter().map(|run| {
             let cells = self.columns.iter().map(|name| run.text(name));
             let own = [run.part.as_str(), run.name.as_str()];
-            writer
-                .write_record(own.into_iter().chain(cells))
-                .map_err(failed)?;
-        }
-        let bytes = writer.into_inner();
-        let bytes = bytes.map_err(|error| Error::file("write", path, error.into_error()))?;
+            own.into_iter().chain(cells).collect()
+        });
+        let bytes = csv_table(path, [header].into_iter().chain(rows))?;
         write_whole(path, &bytes)
     }
 }

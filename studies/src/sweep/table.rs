@@ -6,6 +6,7 @@ use super::page::{Outcome, page_of};
 use super::plan::Planned;
 use super::quantity::Finished;
 use super::state::{State, Status};
+use crate::csv_table::csv_table;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::path::{Path, PathBuf};
@@ -17,8 +18,6 @@ use std::path::{Path, PathBuf};
 /// Failures of the file system.
 pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, Error> {
     let path = out.join("runs.csv");
-    let failed = |error: csv::Error| Error::file("write", &path, std::io::Error::other(error));
-    let mut writer = csv::Writer::from_writer(Vec::new());
     let axes: Vec<&Axis> = sweep.all_axes().collect();
     let mut header = vec!["run".to_owned()];
     header.extend(axes.iter().map(|axis| axis.name.clone()));
@@ -34,12 +33,11 @@ pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, E
         ]
         .map(str::to_owned),
     );
-    writer.write_record(&header).map_err(failed)?;
     let first = 1 + axes.len();
     let mut outcomes = Vec::with_capacity(runs.len());
+    let mut rows = vec![header];
     for run in runs {
         let row = row(sweep, &axes, run, out);
-        writer.write_record(&row).map_err(failed)?;
         let observed = row[first + 2..].iter().take(sweep.observations.len());
         outcomes.push(Outcome {
             status: row[first].clone(),
@@ -47,11 +45,9 @@ pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, E
                 .map(|cell| cell.parse().unwrap_or(f64::NAN))
                 .collect(),
         });
+        rows.push(row);
     }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| Error::file("write", &path, error.into_error()))?;
-    write_whole(&path, &bytes)?;
+    write_whole(&path, &csv_table(&path, rows)?)?;
     let page = page_of(sweep, runs, &outcomes).into_string();
     write_whole(&out.join("sweep.html"), page.as_bytes())?;
     Ok(path)

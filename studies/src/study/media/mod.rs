@@ -1,6 +1,6 @@
 //! An open question of the thesis: does water or another medium change friction?
 
-use super::claim::{Finding, Rule, Verdict};
+use super::claim::{Finding, Rule, Verdict, within_or_beyond};
 use super::curves::Curves;
 use super::results::{Results, Run};
 use super::sample::Sample;
@@ -84,8 +84,7 @@ fn water(sample: &Sample) -> Option<Finding> {
         "Change {:+.4}, 90 % [{low:.4}, {high:.4}], over {} seeds.",
         mean.mean, mean.number
     );
-    let is_met = low > -IMMATERIAL && high < IMMATERIAL;
-    let is_opposed = low > IMMATERIAL || high < -IMMATERIAL;
+    let [is_met, is_opposed] = within_or_beyond([low, high], IMMATERIAL);
     Some(Finding::new(Verdict::of(is_met, is_opposed), numbers))
 }
 
@@ -93,8 +92,9 @@ fn liquids(sample: &Sample) -> Option<Finding> {
     let (mut is_met, mut is_opposed, mut said) = (true, false, Vec::new());
     for (medium, _) in MEDIA {
         let (mean, [low, high]) = change(*sample, medium)?;
-        is_met &= low > -MARKED && high < MARKED;
-        is_opposed |= low > MARKED || high < -MARKED;
+        let [is_within, is_beyond] = within_or_beyond([low, high], MARKED);
+        is_met &= is_within;
+        is_opposed |= is_beyond;
         let share = 100.0 * share_of_drag(*sample, medium)?;
         said.push(format!(
             "{medium}: {:+.3} [{low:.3}, {high:.3}], of the work {share:.1} % to drag",

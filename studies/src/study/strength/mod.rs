@@ -2,7 +2,7 @@
 
 pub mod densities;
 
-use super::claim::{Finding, Rule, Verdict};
+use super::claim::{Finding, Rule, Verdict, within_or_beyond};
 use super::curves::Curves;
 use super::results::{Results, Run};
 use super::sample::Sample;
@@ -74,8 +74,9 @@ fn judged(sample: Sample, limit: f64, of: fn(&Run) -> Option<f64>) -> Option<Fin
         let changes = sample.changes("distribution", [other, BASE], of);
         let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
         let [low, high] = mean.interval(0.9);
-        is_met &= low > -limit && high < limit;
-        is_opposed |= low > limit || high < -limit;
+        let [is_within, is_beyond] = within_or_beyond([low, high], limit);
+        is_met &= is_within;
+        is_opposed |= is_beyond;
         said.push(format!("{other}: {:+.3} [{low:.3}, {high:.3}]", mean.mean));
     }
     let numbers = format!("{} (90 %).", said.join("; "));

@@ -1,9 +1,10 @@
 //! Claims about friction.
 
 use crate::statistics::{Mean, holm, rising, slope};
-use crate::study::claim::{Finding, Rule, Verdict};
+use crate::study::claim::{Finding, Rule, Verdict, within_or_beyond};
 use crate::study::sample::Sample;
 use crate::study::thesis::printed::LAWS;
+use std::collections::BTreeMap;
 
 /// The laws with friction.
 const RUBBING: [&str; 2] = ["HW", "CS"];
@@ -104,7 +105,7 @@ fn raises(sample: &Sample) -> Option<Finding> {
 fn seeds_means(
     sample: &Sample,
     pressures: &[f64],
-    of: impl Fn(f64) -> std::collections::BTreeMap<String, f64>,
+    of: impl Fn(f64) -> BTreeMap<String, f64>,
 ) -> Vec<f64> {
     let tables: Vec<_> = pressures.iter().map(|&p| of(p)).collect();
     let mean = |seed: &&str| -> Option<f64> {
@@ -117,7 +118,7 @@ fn seeds_means(
     sample.seeds().iter().filter_map(mean).collect()
 }
 
-fn owned(table: std::collections::BTreeMap<&str, f64>) -> std::collections::BTreeMap<String, f64> {
+fn owned(table: BTreeMap<&str, f64>) -> BTreeMap<String, f64> {
     table
         .into_iter()
         .map(|(seed, value)| (seed.to_owned(), value))
@@ -149,11 +150,8 @@ fn alike(sample: &Sample) -> Option<Finding> {
         "HW less CS: {:.3}, 90 % [{low:.3}, {high:.3}]; at single pressures from {least:.2} to {most:.2}.",
         mean.mean
     );
-    let is_met = low > -ALIKE && high < ALIKE;
-    Some(Finding::new(
-        Verdict::of(is_met, low > ALIKE || high < -ALIKE),
-        numbers,
-    ))
+    let [is_met, is_opposed] = within_or_beyond([low, high], ALIKE);
+    Some(Finding::new(Verdict::of(is_met, is_opposed), numbers))
 }
 
 fn falls(sample: &Sample) -> Option<Finding> {
@@ -238,7 +236,7 @@ fn extremes(sample: &Sample) -> Option<Finding> {
 
 fn rolls(sample: &Sample) -> Option<Finding> {
     let pressures = sample.middle();
-    let ratio = |law: &str, p: f64| -> std::collections::BTreeMap<String, f64> {
+    let ratio = |law: &str, p: f64| -> BTreeMap<String, f64> {
         let slip = sample.by_seed(law, p, "slip_speed_mean");
         let rolling = sample.by_seed(law, p, "rolling_speed_mean").into_iter();
         let ratio = |(seed, rolling): (&str, f64)| {

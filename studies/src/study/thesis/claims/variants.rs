@@ -1,7 +1,7 @@
 //! Claims about what does not matter.
 
 use crate::statistics::Mean;
-use crate::study::claim::{Finding, Rule, Verdict};
+use crate::study::claim::{Finding, Rule, Verdict, within_or_beyond};
 use crate::study::results::Run;
 use crate::study::sample::Sample;
 
@@ -43,8 +43,9 @@ fn immaterial(sample: &Sample) -> Option<Finding> {
         let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
         let [low, high] = mean.interval(0.9);
         if !variant.starts_with("friction") {
-            is_met &= low > -IMMATERIAL && high < IMMATERIAL;
-            is_opposed |= low > IMMATERIAL || high < -IMMATERIAL;
+            let [is_within, is_beyond] = within_or_beyond([low, high], IMMATERIAL);
+            is_met &= is_within;
+            is_opposed |= is_beyond;
         }
         said.push(format!(
             "{variant}: {:+.3} [{low:.3}, {high:.3}]",
