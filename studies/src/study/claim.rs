@@ -101,13 +101,13 @@ impl Claim {
 /// Failures of the file system.
 pub fn write(claims: &[Claim], path: &Path) -> Result<(), Error> {
     let header = ["claim", "rule", "part", "verdict", "numbers"];
-    let row = |claim: &'_ Claim, (part, finding): &'_ (&'static str, Finding)| {
-        let verdict = finding.verdict.name();
-        [claim.statement, claim.rule, part, verdict, &finding.numbers].map(str::to_owned)
-    };
-    let rows = claims
-        .iter()
-        .flat_map(|claim| claim.findings.iter().map(move |one| row(claim, one)));
-    let bytes = csv_table(path, [header.map(str::to_owned)].into_iter().chain(rows))?;
+    let mut rows = vec![header];
+    for claim in claims {
+        for (part, finding) in &claim.findings {
+            let verdict = finding.verdict.name();
+            rows.push([claim.statement, claim.rule, part, verdict, &finding.numbers]);
+        }
+    }
+    let bytes = csv_table(path, rows)?;
     write_whole(path, &bytes)
 }
