@@ -48,7 +48,7 @@ static RULES: [Rule; 2] = [
 
 fn parts(scale: Scale) -> Vec<Part> {
     let seeds = match scale {
-        Scale::Small => "0..4",
+        Scale::Small => "0..6",
         Scale::Full => "0..16",
     };
     vec![Part::new(PART, include_str!("strength.toml"), seeds)]

@@ -65,7 +65,8 @@ fn parts(scale: Scale) -> Vec<Part> {
         // The 75 runs of the thesis, once.
         (_, "thesis-full") => "0..1",
         (Scale::Full, small) if small.ends_with("-small") => "0..32",
-        _ => "0..4",
+        (_, "corrected-full") => "0..4",
+        _ => "0..6",
     };
     let is_run = |name: &str| scale == Scale::Full || name.ends_with("-small");
     let all = SWEEPS.into_iter().filter(|(name, _)| is_run(name));
