@@ -8,12 +8,14 @@ use std::process::Command;
 const ROOT: &str = "..";
 
 /// What the programs are built from.
-const PARTS: [&str; 9] = [
+const PARTS: [&str; 11] = [
     "Cargo.toml",
     "Cargo.lock",
+    "page",
     "kernel",
     "runner",
     "validation",
+    "studies",
     "cli",
     "references",
     "tools/equations",

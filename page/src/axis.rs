@@ -14,8 +14,19 @@ pub struct Axis {
     pub quantity: String,
     /// Its unit; empty for a number.
     pub unit: String,
-    /// Whether the scale is logarithmic; points that are not positive are then left out.
-    pub logarithmic: bool,
+    /// Its scale.
+    pub(crate) scale: Scale,
+}
+
+/// How values are spread along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithms; points that are not positive are left out.
+    Logarithmic,
+    /// Evenly, with ticks only at whole numbers from 1 to this one.
+    Counting(usize),
 }
 
 impl Axis {
@@ -24,21 +35,34 @@ impl Axis {
         Self {
             quantity: quantity.to_owned(),
             unit: unit.to_owned(),
-            logarithmic: false,
+            scale: Scale::Linear,
         }
     }
 
     /// An axis with a logarithmic scale; the unit of a number is empty.
     pub fn logarithmic(quantity: &str, unit: &str) -> Self {
         Self {
-            logarithmic: true,
+            scale: Scale::Logarithmic,
             ..Self::linear(quantity, unit)
         }
     }
 
+    /// An axis of things that are numbered from 1 on.
+    pub fn counting(quantity: &str, things: usize) -> Self {
+        Self {
+            scale: Scale::Counting(things),
+            ..Self::linear(quantity, "")
+        }
+    }
+
+    /// Whether the scale is logarithmic.
+    pub(crate) fn is_logarithmic(&self) -> bool {
+        self.scale == Scale::Logarithmic
+    }
+
     /// A value in coordinates of the axis: its logarithm if the scale is logarithmic.
     pub(crate) fn along(&self, value: f64) -> f64 {
-        if self.logarithmic {
+        if self.is_logarithmic() {
             value.log10()
         } else {
             value
@@ -47,13 +71,16 @@ impl Axis {
 
     /// Range of the axis: all values, given in its coordinates, with a margin, or whole decades.
     pub(crate) fn range(&self, values: impl Iterator<Item = f64>) -> Range<f64> {
+        if let Scale::Counting(things) = self.scale {
+            return 0.5..things as f64 + 0.5;
+        }
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         let finite = values.filter(|value| value.is_finite());
         finite.for_each(|value| (low, high) = (low.min(value), high.max(value)));
         if low > high {
             (low, high) = (0.0, 1.0);
         }
-        if self.logarithmic {
+        if self.is_logarithmic() {
             let (low, high) = (low.floor(), high.ceil());
             return low..high.max(low + 1.0);
         }
@@ -97,9 +124,10 @@ impl Ticks {
 
     /// At most a number of ticks.
     pub fn at_most(most: usize, axis: &Axis, range: &Range<f64>) -> Self {
-        match axis.logarithmic {
-            true => Self::decades(most, axis, range),
-            false => Self::even(most, axis, range),
+        match axis.scale {
+            Scale::Logarithmic => Self::decades(most, axis, range),
+            Scale::Linear => Self::even(most, axis, range, 0.0),
+            Scale::Counting(_) => Self::even(most, axis, range, 1.0),
         }
     }
 
@@ -137,9 +165,9 @@ impl Ticks {
         }
     }
 
-    /// Multiples of 1, 2 or 5 times a power of ten.
-    fn even(most: usize, axis: &Axis, range: &Range<f64>) -> Self {
-        let least = (range.end - range.start) / most as f64;
+    /// Multiples of 1, 2 or 5 times a power of ten, with at least a distance between them.
+    fn even(most: usize, axis: &Axis, range: &Range<f64>, least: f64) -> Self {
+        let least = ((range.end - range.start) / most as f64).max(least);
         let decade = least.log10().floor() as i32;
         let steps = [1, 2, 5, 10].map(|digit| f64::from(digit) * ten_to(decade));
         let step = steps.into_iter().find(|&step| step >= least);
@@ -272,6 +300,15 @@ mod tests {
             "1",
         ];
         assert_eq!(of(-16.0..0.0), wide);
+    }
+
+    #[test]
+    fn things_are_counted_in_whole_numbers() {
+        for (things, expected) in [(1, "1"), (3, "1 2 3"), (40, "5 10 15 20 25 30 35 40")] {
+            let axis = Axis::counting("number of the target", things);
+            let ticks = Ticks::at_most(9, &axis, &axis.range([1.3].into_iter()));
+            assert_eq!(ticks.labels.join(" "), expected);
+        }
     }
 
     #[test]

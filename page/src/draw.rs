@@ -107,7 +107,7 @@ fn ranges(figure: &Figure, curves: &[Drawn]) -> (Range<f64>, Range<f64>) {
             .map(|guide| guide.value)
     };
     let is_histogram = curves.iter().any(|curve| curve.style == Style::Steps);
-    let base = (is_histogram && !figure.y.logarithmic).then_some(0.0);
+    let base = (is_histogram && !figure.y.is_logarithmic()).then_some(0.0);
     let x = points().map(|point| point.0);
     let y = points().map(|point| point.1);
     let (across, up) = (

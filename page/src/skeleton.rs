@@ -30,7 +30,7 @@ pub fn table(caption: &str, columns: &[String], rows: &[Vec<String>]) -> Markup 
     html! {
         div.data {
             table {
-                caption { (caption) }
+                caption { span { (caption) } }
                 thead { tr { @for name in columns { th { (name) } } } }
                 tbody {
                     @for row in rows { tr { @for cell in row { td { (cell) } } } }

@@ -4,6 +4,7 @@ mod balance;
 mod breaks;
 mod bytes;
 mod checkpoint;
+mod columns;
 mod dem;
 mod displacements;
 mod doubts;

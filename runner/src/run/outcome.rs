@@ -4,6 +4,7 @@ use super::folder::{PARTICLES, SUMMARY, write_whole};
 use super::friction::Friction;
 use super::scene_run::SceneRun;
 use super::{Event, dem, page, picture, restart, stress_strain};
+use crate::build::COMMIT;
 use crate::error::Error;
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -41,6 +42,9 @@ pub struct Summary {
     pub link_steps_per_second: f64,
     /// Version of the program.
     pub version: String,
+    /// The commit from which it was built, as [`crate::build::COMMIT`] says.
+    #[serde(default)]
+    pub commit: String,
     /// SHA-256 of the scene file and its overrides.
     pub scene_sha256: String,
     /// Terms of the energy balance in J; absent if the scene does not keep it.
@@ -106,6 +110,7 @@ impl Summary {
             particle_steps_per_second: 0.0,
             link_steps_per_second: 0.0,
             version: env!("CARGO_PKG_VERSION").to_owned(),
+            commit: COMMIT.to_owned(),
             scene_sha256: scene.sha256.clone(),
             energy: None,
             series_columns: Vec::new(),
@@ -183,7 +188,7 @@ impl SceneRun<'_> {
             }
         }
         if !self.options.data_only {
-            stress_strain::write(folder, scene)?;
+            stress_strain::write(folder)?;
             page::write(folder, scene, world, summary)?;
         }
         summary.write(folder)

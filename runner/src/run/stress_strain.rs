@@ -1,8 +1,8 @@
 //! The picture of stresses over strains, of a run that measures both.
 
+use super::columns::Columns;
 use super::folder::{SERIES, STRESS_STRAIN, write_whole};
 use crate::error::Error;
-use crate::scene::{Measure, Scene};
 use gouge_page::{Axis, Curve, Figure};
 use std::path::Path;
 
@@ -12,40 +12,90 @@ const COMPONENTS: [[&str; 2]; 3] = [
     ["strain_yy", "stress_yy"],
     ["strain_xy", "stress_xy"],
 ];
+/// The part of its peak to which the largest stress falls at failure.
+const FAILED: f64 = 0.5;
 
-/// Write `stress-strain.svg` from the series if the scene measures stress and strain.
+/// Write `stress-strain.svg` if the series has stresses and strains.
 ///
 /// # Errors
 /// Failures of the file system.
-pub fn write(folder: &Path, scene: &Scene) -> Result<(), Error> {
-    let measures = &scene.output.measure;
-    let both = [Measure::Stress, Measure::Strain];
-    let series = folder.join(SERIES);
-    if !both.iter().all(|one| measures.contains(one)) || !series.exists() {
+pub fn write(folder: &Path) -> Result<(), Error> {
+    let path = folder.join(SERIES);
+    let Some(figure) = figure(&Columns::read(&path)) else {
         return Ok(());
-    }
-    let failed = |error| Error::file("draw", &series, error);
-    let mut reader = csv::Reader::from_path(&series).map_err(|error| failed(error.into()))?;
-    let header = reader.headers().map_err(|error| failed(error.into()))?;
-    let header = header.clone();
-    let rows: Vec<csv::StringRecord> = reader.records().flatten().collect();
-    let curve = |[strain, stress]: [&str; 2]| {
-        let number = |row: &csv::StringRecord, name: &str| -> Option<f64> {
-            let place = header.iter().position(|column| column == name)?;
-            row.get(place)?.parse().ok()
-        };
-        let points = rows.iter().filter_map(|row| {
-            let point = [number(row, strain)?, number(row, stress)?];
-            point.iter().all(|x: &f64| x.is_finite()).then_some(point)
-        });
-        Curve::line(&stress.replace('_', " "), points)
     };
-    let figure = Figure::new(
-        format!("{}: stress over the same component of strain", scene.title),
-        Axis::linear("strain", "1"),
-        Axis::linear("stress", "Pa"),
-        COMPONENTS.into_iter().map(curve).collect(),
-    );
-    let text = figure.svg().map_err(failed)?;
+    let text = figure
+        .svg()
+        .map_err(|error| Error::file("draw", &path, error))?;
     write_whole(&folder.join(STRESS_STRAIN), text.as_bytes())
+}
+
+/// Each component of the mean stress over the same component of the strain, until the specimen fails: the strain of
+/// what is left afterwards says nothing.
+pub fn figure(series: &Columns) -> Option<Figure> {
+    let curve = |columns: [&str; 2]| {
+        let mut curve = series.curve(&columns[1].replace('_', " "), columns)?;
+        curve.points.truncate(failure(series));
+        Some(curve)
+    };
+    let curves: Vec<Curve> = COMPONENTS.into_iter().filter_map(curve).collect();
+    let figure = Figure::new(
+        "Mean stress over the same component of the strain, until the largest stress has fallen to half of its peak.",
+        Axis::linear("strain", ""),
+        Axis::linear("stress", "Pa"),
+        curves,
+    );
+    (!figure.curves.is_empty()).then_some(figure)
+}
+
+/// Number of samples until the component of the largest stress has fallen to half of its peak.
+fn failure(series: &Columns) -> usize {
+    let components = COMPONENTS
+        .iter()
+        .filter_map(|[_, stress]| series.get(stress));
+    let peaks = components.filter_map(|stress| {
+        let sizes = stress.iter().map(|value| value.abs()).enumerate();
+        let peak = sizes
+            .filter(|(_, size)| size.is_finite())
+            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some((stress, peak))
+    });
+    let largest = peaks.max_by(|(_, a), (_, b)| a.1.total_cmp(&b.1));
+    largest.map_or(0, |(stress, (place, peak))| {
+        let later = stress[place..].iter();
+        let fallen = later.take_while(|value| value.abs() >= FAILED * peak);
+        place + fallen.count()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Columns, figure};
+
+    #[test]
+    fn curves_end_where_the_specimen_fails() {
+        let rows = [
+            "0,0.0,0,0.0,0",
+            "1,0.1,1,-0.2,-50",
+            "2,0.2,2,-0.4,-90",
+            "3,0.2,40,-0.5,-60",
+            "4,9.0,3,-7.0,-30",
+            "5,9.0,3,-8.0,-80",
+        ];
+        let text = format!(
+            "time,strain_xx,stress_xx,strain_yy,stress_yy\n{}\n",
+            rows.join("\n")
+        );
+        let figure = figure(&Columns::of(text.as_bytes())).expect("a figure");
+        let points: Vec<&[[f64; 2]]> = figure
+            .curves
+            .iter()
+            .map(|curve| &curve.points[..])
+            .collect();
+        assert_eq!(
+            points[1],
+            [[0.0, 0.0], [-0.2, -50.0], [-0.4, -90.0], [-0.5, -60.0]]
+        );
+        assert_eq!(points[0].len(), 4);
+    }
 }

@@ -119,11 +119,20 @@ fn label(sweep: &Sweep, along: usize, others: &[usize]) -> String {
         .filter(|(place, _)| *place != along);
     let values = axes
         .zip(others)
-        .map(|((_, axis), &place)| format!("{} {}", axis.name, axis.labels[place]));
+        .map(|((_, axis), &place)| format!("{} {}", axis.name, short(&axis.labels[place])));
     let values: Vec<String> = values.collect();
     match values.is_empty() {
         true => "all runs".to_owned(),
         false => values.join(", "),
+    }
+}
+
+/// A label; one that is a number without zeros that say nothing.
+fn short(label: &str) -> String {
+    match label.parse::<f64>() {
+        Ok(number) if number == 0.0 || (1e-3..1e5).contains(&number.abs()) => number.to_string(),
+        Ok(number) => format!("{number:e}"),
+        Err(_) => label.to_owned(),
     }
 }
 
@@ -148,7 +157,7 @@ fn means(sweep: &Sweep, name: &str, groups: &Groups) -> Markup {
             .axes
             .iter()
             .zip(places)
-            .map(|(axis, &place)| axis.labels[place].clone());
+            .map(|(axis, &place)| short(&axis.labels[place]));
         let mut row: Vec<String> = labels.collect();
         let [low, high] = mean.interval(LEVEL);
         let interval = match mean.number {

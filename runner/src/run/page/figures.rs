@@ -1,47 +1,11 @@
 //! Figures of the series.
 
+use crate::run::columns::Columns;
 use crate::run::outcome::Summary;
+use crate::run::stress_strain;
 use crate::scene::Scene;
 use gouge_page::{Axis, Curve, Figure, Guide};
 use maud::{Markup, html};
-use std::path::Path;
-
-/// Columns of a series by name.
-pub struct Columns {
-    names: Vec<String>,
-    values: Vec<Vec<f64>>,
-}
-
-/// Read a series; one that is missing or damaged has no columns.
-pub fn read(path: &Path) -> Columns {
-    let (mut names, mut values) = (Vec::new(), Vec::new());
-    if let Ok(mut reader) = csv::Reader::from_path(path) {
-        if let Ok(header) = reader.headers() {
-            names = header.iter().map(str::to_owned).collect();
-        }
-        values.resize(names.len(), Vec::new());
-        for row in reader.records().map_while(Result::ok) {
-            for (column, cell) in values.iter_mut().zip(&row) {
-                column.push(cell.parse().unwrap_or(f64::NAN));
-            }
-        }
-    }
-    Columns { names, values }
-}
-
-impl Columns {
-    fn get(&self, name: &str) -> Option<&[f64]> {
-        let place = self.names.iter().position(|own| own == name)?;
-        Some(&self.values[place])
-    }
-
-    /// A column over time.
-    fn curve(&self, label: &str, name: &str) -> Option<Curve> {
-        let (times, values) = (self.get("time")?, self.get(name)?);
-        let points = times.iter().zip(values).map(|(&t, &value)| [t, value]);
-        Some(Curve::line(label, points))
-    }
-}
 
 /// A figure: its title, the quantity and its unit, and the columns with their labels.
 type Plan = (
@@ -49,6 +13,9 @@ type Plan = (
     [&'static str; 2],
     &'static [(&'static str, &'static str)],
 );
+
+/// The quantity that only a block that slides has.
+const FRICTION: &str = "coefficient of friction";
 
 /// The figures of every series, as far as it has their columns.
 const PLANS: [Plan; 14] = [
@@ -78,7 +45,7 @@ const PLANS: [Plan; 14] = [
     ),
     (
         "Coefficient of friction.",
-        ["coefficient of friction", ""],
+        [FRICTION, ""],
         &[
             ("from the applied force", "friction_load"),
             ("from the reaction", "friction_feedback"),
@@ -143,10 +110,12 @@ const PLANS: [Plan; 14] = [
 
 /// All figures that show something.
 pub fn chapter(scene: &Scene, summary: &Summary, series: &Columns) -> Markup {
-    let figures: Vec<Figure> = PLANS
+    let slides = scene.driving.is_some_and(|driving| driving.speed != 0.0);
+    let plans = PLANS
         .iter()
-        .filter_map(|plan| figure(plan, series))
-        .collect();
+        .filter(|(_, [quantity, _], _)| slides || *quantity != FRICTION);
+    let over_time = plans.filter_map(|plan| figure(plan, series));
+    let figures: Vec<Figure> = over_time.chain(stress_strain::figure(series)).collect();
     html! {
         @if !figures.is_empty() {
             h2 { "Series" }
@@ -167,7 +136,7 @@ fn figure((title, [quantity, unit], columns): &Plan, series: &Columns) -> Option
     };
     let curves = columns
         .iter()
-        .filter_map(|(label, name)| series.curve(label, name));
+        .filter_map(|(label, name)| series.curve(label, ["time", name]));
     let curves: Vec<Curve> = curves.filter(shows).collect();
     let axes = (Axis::linear("time", "s"), Axis::linear(quantity, unit));
     (!curves.is_empty()).then(|| Figure::new(*title, axes.0, axes.1, curves))
@@ -176,9 +145,7 @@ fn figure((title, [quantity, unit], columns): &Plan, series: &Columns) -> Option
 /// The figure of friction with the mean and its interval.
 fn with_friction(figure: &Figure, scene: &Scene, summary: &Summary) -> Figure {
     let mut figure = figure.clone();
-    if let (Some(friction), "coefficient of friction") =
-        (&summary.friction, figure.y.quantity.as_str())
-    {
+    if let (Some(friction), FRICTION) = (&summary.friction, figure.y.quantity.as_str()) {
         let (mean, interval) = (friction.coefficient, friction.interval);
         let ends = [friction.since, scene.end.min(summary.time)];
         let band = Curve::line(

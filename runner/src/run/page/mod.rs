@@ -7,6 +7,7 @@ mod player;
 
 pub use animation::{Animation, NAME as ANIMATION};
 
+use super::columns::Columns;
 use super::folder::{PAGE, SERIES, write_soon};
 use super::outcome::Summary;
 use super::picture::draw_picture;
@@ -29,7 +30,7 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> 
         "" => &scene.file,
         title => title,
     };
-    let series = figures::read(&folder.join(SERIES));
+    let series = Columns::read(&folder.join(SERIES));
     let body = html! {
         h1 { (title) }
         (verdict(summary))
@@ -101,7 +102,10 @@ fn facts(scene: &Scene, summary: &Summary) -> Markup {
         ),
         ("scene", Some(scene.file.clone())),
         ("hash", Some(summary.scene_sha256.clone())),
-        ("version", Some(summary.version.clone())),
+        (
+            "version",
+            Some(format!("{} (commit {})", summary.version, summary.commit)),
+        ),
     ];
     html! {
         dl {

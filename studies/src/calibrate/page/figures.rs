@@ -139,7 +139,7 @@ fn predictive(calibration: &Calibration, outcome: &Outcome) -> Figure {
     }
     Figure::new(
         "Predictions of the targets, in standard deviations of their measurements.",
-        Axis::linear("number of the target", ""),
+        Axis::counting("number of the target", calibration.targets.len()),
         Axis::linear("prediction less measurement, in sd", ""),
         vec![
             Curve::marks("emulator, median and 90 % of the posterior", emulated)
