@@ -1,5 +1,6 @@
 //! Studies: sweeps, claims with rules that are fixed before the runs, and a page of verdicts.
 
+mod change;
 mod claim;
 mod curves;
 mod media;

@@ -2,6 +2,7 @@
 
 use super::results::{Results, Run};
 use crate::statistics::Mean;
+use gouge_page::Curve;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Lowest and highest pressure between which friction is said to fall, in units of the normal strength.
@@ -64,6 +65,31 @@ impl<'a> Sample<'a> {
     /// A number of all runs with a law and a pressure.
     pub fn values(self, law: &str, pressure: f64, column: &str) -> Vec<f64> {
         self.by_seed(law, pressure, column).into_values().collect()
+    }
+
+    /// Means over pressure of a number of the runs that are meant, with 95 % intervals over seeds; a single run has no
+    /// interval.
+    pub fn over_pressure(
+        self,
+        label: &str,
+        column: &str,
+        is_meant: impl Fn(&Run) -> bool,
+    ) -> Curve {
+        let mean = |pressure: f64| {
+            let runs = self.runs().filter(|run| run.pressure() == pressure);
+            let numbers = runs
+                .filter(|run| is_meant(run))
+                .filter_map(|run| run.number(column));
+            Mean::of(&numbers.collect::<Vec<f64>>())
+        };
+        let pressures = self.pressures().into_iter();
+        let means: Vec<(f64, Mean)> = pressures.filter_map(|p| Some((p, mean(p)?))).collect();
+        let intervals = means.iter().map(|(_, mean)| match mean.number {
+            1 => [mean.mean; 2],
+            _ => mean.interval(0.95),
+        });
+        let points = means.iter().map(|(p, mean)| [*p, mean.mean]);
+        Curve::marked_line(label, points).with_intervals(intervals)
     }
 
     /// The seeds.

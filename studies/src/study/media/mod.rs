@@ -1,6 +1,7 @@
 //! An open question of the thesis: does water or another medium change friction?
 
-use super::claim::{Finding, Rule, Verdict, within_or_beyond};
+use super::change::Change;
+use super::claim::{Finding, Rule};
 use super::curves::Curves;
 use super::results::{Results, Run};
 use super::sample::Sample;
@@ -71,38 +72,25 @@ fn introduction() -> Markup {
     }
 }
 
-/// Change of friction in a medium, averaged over laws and pressures, with its 90 % interval over seeds.
-fn change(sample: Sample, medium: &str) -> Option<(Mean, [f64; 2])> {
-    let changes = sample.changes("medium", [medium, NOTHING], |run| run.number("friction"));
-    let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
-    Some((mean, mean.interval(0.9)))
+/// Change of friction in a medium.
+fn change(sample: Sample, medium: &'static str) -> Option<Change> {
+    Change::of(sample, "medium", [NOTHING, medium], |run| {
+        run.number("friction")
+    })
 }
 
 fn water(sample: &Sample) -> Option<Finding> {
-    let (mean, [low, high]) = change(*sample, "water")?;
-    let numbers = format!(
-        "Change {:+.4}, 90 % [{low:.4}, {high:.4}], over {} seeds.",
-        mean.mean, mean.number
-    );
-    let [is_met, is_opposed] = within_or_beyond([low, high], IMMATERIAL);
-    Some(Finding::new(Verdict::of(is_met, is_opposed), numbers))
+    let change = change(*sample, "water")?;
+    Some(Change::judged(&[change], IMMATERIAL, |_| String::new()))
 }
 
 fn liquids(sample: &Sample) -> Option<Finding> {
-    let (mut is_met, mut is_opposed, mut said) = (true, false, Vec::new());
-    for (medium, _) in MEDIA {
-        let (mean, [low, high]) = change(*sample, medium)?;
-        let [is_within, is_beyond] = within_or_beyond([low, high], MARKED);
-        is_met &= is_within;
-        is_opposed |= is_beyond;
-        let share = 100.0 * share_of_drag(*sample, medium)?;
-        said.push(format!(
-            "{medium}: {:+.3} [{low:.3}, {high:.3}], of the work {share:.1} % to drag",
-            mean.mean
-        ));
-    }
-    let numbers = format!("{} (90 %).", said.join("; "));
-    Some(Finding::new(Verdict::of(is_met, is_opposed), numbers))
+    let changes = MEDIA.iter().map(|(medium, _)| change(*sample, medium));
+    let changes: Option<Vec<Change>> = changes.collect();
+    Some(Change::judged(&changes?, MARKED, |change| {
+        let share = share_of_drag(*sample, change.value).unwrap_or(f64::NAN);
+        format!(", of the work {:.1} % to drag", 100.0 * share)
+    }))
 }
 
 /// Part of the work of the drive that becomes heat of drag, on the moving block, too.
@@ -119,8 +107,8 @@ fn figures(results: &Results, _: &Curves) -> Vec<Figure> {
         part: PART,
     };
     let point = |(medium, viscosity)| {
-        let (mean, interval) = change(sample, medium)?;
-        Some((viscosity, mean, interval))
+        let change = change(sample, medium)?;
+        Some((viscosity, change.mean, change.interval))
     };
     let points: Vec<(f64, Mean, [f64; 2])> = MEDIA.into_iter().filter_map(point).collect();
     let curve = Curve::marks(

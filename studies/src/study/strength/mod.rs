@@ -2,12 +2,12 @@
 
 pub mod densities;
 
-use super::claim::{Finding, Rule, Verdict, within_or_beyond};
+use super::change::Change;
+use super::claim::{Finding, Rule};
 use super::curves::Curves;
 use super::results::{Results, Run};
 use super::sample::Sample;
 use super::{Part, Scale, Study};
-use crate::statistics::Mean;
 use gouge_page::{Axis, Curve, Figure};
 use maud::{Markup, html};
 
@@ -25,6 +25,8 @@ pub static STUDY: Study = Study {
 };
 
 const PART: &str = "strength";
+/// The axis of distributions.
+const AXIS: &str = "distribution";
 /// The distribution with which the others are compared, and the others.
 const BASE: &str = "factors of the thesis";
 const OTHERS: [&str; 3] = ["one strength", "Weibull 5", "Weibull 2"];
@@ -68,30 +70,22 @@ fn introduction() -> Markup {
     }
 }
 
-fn judged(sample: Sample, limit: f64, of: fn(&Run) -> Option<f64>) -> Option<Finding> {
-    let (mut is_met, mut is_opposed, mut said) = (true, false, Vec::new());
-    for other in OTHERS {
-        let changes = sample.changes("distribution", [other, BASE], of);
-        let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
-        let [low, high] = mean.interval(0.9);
-        let [is_within, is_beyond] = within_or_beyond([low, high], limit);
-        is_met &= is_within;
-        is_opposed |= is_beyond;
-        said.push(format!("{other}: {:+.3} [{low:.3}, {high:.3}]", mean.mean));
-    }
-    let numbers = format!("{} (90 %).", said.join("; "));
-    Some(Finding::new(Verdict::of(is_met, is_opposed), numbers))
+fn changes(sample: Sample, of: fn(&Run) -> Option<f64>) -> Option<Vec<Change>> {
+    let change = |other| Change::of(sample, AXIS, [BASE, other], of);
+    OTHERS.into_iter().map(change).collect()
 }
 
 fn friction(sample: &Sample) -> Option<Finding> {
-    judged(*sample, IMMATERIAL, |run| run.number("friction"))
+    let changes = changes(*sample, |run| run.number("friction"))?;
+    Some(Change::judged(&changes, IMMATERIAL, |_| String::new()))
 }
 
 fn broken(sample: &Sample) -> Option<Finding> {
-    judged(*sample, LARGE, |run| {
+    let changes = changes(*sample, |run| {
         let number = run.number("bonds-broken")?;
         (number > 0.0).then(|| number.ln())
-    })
+    })?;
+    Some(Change::judged(&changes, LARGE, |_| String::new()))
 }
 
 fn figures(results: &Results, _: &Curves) -> Vec<Figure> {
@@ -99,21 +93,12 @@ fn figures(results: &Results, _: &Curves) -> Vec<Figure> {
         results,
         part: PART,
     };
-    let curve = |distribution: &str| {
-        let mean = |p: f64| {
-            let runs = sample.runs().filter(|run| {
-                run.law() == "CS" && run.pressure() == p && run.text("distribution") == distribution
-            });
-            let values: Vec<f64> = runs.filter_map(|run| run.number("friction")).collect();
-            Mean::of(&values).filter(|mean| mean.number > 1)
-        };
-        let pressures = sample.pressures().into_iter();
-        let means: Vec<(f64, Mean)> = pressures.filter_map(|p| Some((p, mean(p)?))).collect();
-        let intervals: Vec<[f64; 2]> = means.iter().map(|(_, mean)| mean.interval(0.95)).collect();
-        let points = means.iter().map(|(p, mean)| [*p, mean.mean]);
-        Curve::marked_line(distribution, points).with_intervals(intervals)
+    let curve = |distribution: &&str| {
+        sample.over_pressure(distribution, "friction", |run| {
+            run.law() == "CS" && run.text(AXIS) == *distribution
+        })
     };
-    let curves: Vec<Curve> = [BASE].iter().chain(&OTHERS).map(|one| curve(one)).collect();
+    let curves: Vec<Curve> = [BASE].iter().chain(&OTHERS).map(curve).collect();
     let is_empty = curves.iter().all(|curve| curve.points.is_empty());
     let figure = Figure::new(
         "Friction over pressure for four distributions of bond strengths, law CS, 95 % intervals over seeds.",

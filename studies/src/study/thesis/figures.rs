@@ -39,22 +39,9 @@ pub fn all(results: &Results, curves: &Curves) -> Vec<Figure> {
 
 /// Thesis figure 13: friction over pressure, by two estimators.
 fn over_pressure(sample: Sample, arm: &str) -> Vec<Figure> {
-    let curve = |law: &str, column: &str| -> Curve {
-        let pressures = sample.pressures().into_iter();
-        let means: Vec<(f64, Mean)> = pressures
-            .filter_map(|p| Some((p, Mean::of(&sample.values(law, p, column))?)))
-            .collect();
-        let intervals = means.iter().map(|(_, mean)| match mean.number {
-            1 => [mean.mean; 2],
-            _ => mean.interval(0.95),
-        });
-        let intervals: Vec<[f64; 2]> = intervals.collect();
-        let points = means.iter().map(|(p, mean)| [*p, mean.mean]);
-        Curve::marked_line(law, points).with_intervals(intervals)
-    };
     let figure = |title: String, quantity: &str, column: &str| {
         let pressure = Axis::logarithmic("pressure over normal strength", "");
-        let curves = LAWS.map(|law| curve(law, column));
+        let curves = LAWS.map(|law| sample.over_pressure(law, column, |run| run.law() == law));
         Figure::new(title, pressure, Axis::linear(quantity, ""), curves.into())
     };
     vec![
