@@ -157,14 +157,7 @@ fn verdicts(folder: &Path, friction: impl Fn(&str, f64, u64) -> f64) -> BTreeMap
             }
         }
     }
-    std::fs::write(folder.join("runs.csv"), table).expect("a table");
-    let out = folder.join("out");
-    std::fs::create_dir_all(&out).expect("a folder");
-    let study = Study::named("thesis").expect("a study");
-    study.conclude(&[], &[folder], &out).expect("conclusions");
-    let reader = csv::Reader::from_path(out.join("claims.csv")).expect("claims");
-    let rows = reader.into_deserialize::<BTreeMap<String, String>>();
-    let rows = rows.map(|row| row.expect("a row"));
+    let rows = concluded("thesis", folder, &table).into_iter();
     rows.map(|row| {
         (
             row["claim"].chars().take(24).collect(),
@@ -172,6 +165,51 @@ fn verdicts(folder: &Path, friction: impl Fn(&str, f64, u64) -> f64) -> BTreeMap
         )
     })
     .collect()
+}
+
+/// The table of claims of a study on made-up runs.
+fn concluded(study: &str, folder: &Path, runs: &str) -> Vec<BTreeMap<String, String>> {
+    std::fs::write(folder.join("runs.csv"), runs).expect("a table");
+    let out = folder.join("out");
+    std::fs::create_dir_all(&out).expect("a folder");
+    let study = Study::named(study).expect("a study");
+    study.conclude(&[], &[folder], &out).expect("conclusions");
+    let reader = csv::Reader::from_path(out.join("claims.csv")).expect("claims");
+    let rows = reader.into_deserialize::<BTreeMap<String, String>>();
+    rows.map(|row| row.expect("a row")).collect()
+}
+
+#[test]
+fn rocks_are_compared_on_the_same_packings_and_pressures() {
+    let mut runs = "part,run,pressure,setup.seed,status,friction,strength\n".to_owned();
+    let raised = [("model-granite", 0.0), ("granite", 0.02), ("basalt", 0.2)];
+    for seed in 0..6 {
+        for p in [0.05, 0.4] {
+            for (rock, more) in raised {
+                // What packings and pressures do to friction is far larger than the difference between rocks.
+                let mu = 0.5 * f64::from(seed) - p + more;
+                runs += &format!("{rock}-fault,{rock}-{p}-{seed},{p},{seed},done,{mu},\n");
+            }
+        }
+        for (rock, strength) in [("granite", 7e6), ("tonalite", 60e6)] {
+            let strength = strength * (1.0 + 0.01 * f64::from(seed));
+            runs += &format!("{rock}-tension,{rock}-{seed},,{seed},done,,{strength}\n");
+        }
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let verdict = |row: &BTreeMap<String, String>| (row["part"].clone(), row["verdict"].clone());
+    let found = concluded("rocks", folder.path(), &runs);
+    let found: BTreeMap<String, String> = found.iter().map(verdict).collect();
+    let expected = [
+        ("basalt-fault", "refuted"),
+        ("granite-fault", "holds"),
+        ("granite-tension", "holds"),
+        ("tonalite-tension", "refuted"),
+    ];
+    assert_eq!(
+        found,
+        BTreeMap::from(expected.map(|(a, b)| (a.to_owned(), b.to_owned())))
+    );
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod media;
 mod page;
 mod pictures;
 mod results;
+mod rocks;
 mod sample;
 mod strength;
 mod thesis;
@@ -46,7 +47,12 @@ pub struct Study {
 }
 
 /// All studies.
-pub static STUDIES: [&Study; 3] = [&thesis::STUDY, &strength::STUDY, &media::STUDY];
+pub static STUDIES: [&Study; 4] = [
+    &thesis::STUDY,
+    &strength::STUDY,
+    &media::STUDY,
+    &rocks::STUDY,
+];
 
 /// How much is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

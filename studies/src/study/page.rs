@@ -1,7 +1,7 @@
 //! The page of the study.
 
 use super::Study;
-use super::claim::Claim;
+use super::claim::{Claim, Finding};
 use super::results::{Results, Run};
 use gouge_page::{Figure, table};
 use maud::{Markup, PreEscaped, html};
@@ -43,16 +43,17 @@ pub fn page(
     )
 }
 
-/// Each claim with its verdict in the most telling part of the study that has one.
+/// Each claim with its verdict in every part of the study that has one.
 fn summary(claims: &[Claim]) -> Markup {
+    let said = |(part, finding): &(&str, Finding)| format!("{part}: {}", finding.verdict.name());
     let row = |claim: &Claim| {
-        let first = claim.findings.first();
-        let verdict = first.map_or("not run", |(_, finding)| finding.verdict.name());
-        let part = first.map_or("", |(part, _)| part);
-        [claim.statement, verdict, part].map(str::to_owned).into()
+        let mut all = claim.findings.iter().map(said);
+        let first = all.next().unwrap_or_else(|| "not run".to_owned());
+        let others: Vec<String> = all.collect();
+        vec![claim.statement.to_owned(), first, others.join("; ")]
     };
     let rows: Vec<Vec<String>> = claims.iter().map(row).collect();
-    let columns = ["claim", "verdict", "part"].map(str::to_owned);
+    let columns = ["claim", "verdict", "in other parts"].map(str::to_owned);
     table(
         "Verdicts, by the most telling part of the study",
         &columns,

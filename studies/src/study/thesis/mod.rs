@@ -66,6 +66,7 @@ fn parts(scale: Scale) -> Vec<Part> {
         (_, "thesis-full") => "0..1",
         (Scale::Full, small) if small.ends_with("-small") => "0..32",
         (_, "corrected-full") => "0..4",
+        (Scale::Small, "thesis-small") => "0..3",
         _ => "0..6",
     };
     let is_run = |name: &str| scale == Scale::Full || name.ends_with("-small");
