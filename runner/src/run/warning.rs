@@ -39,6 +39,11 @@ pub enum Warning<'a> {
     SamePlace([usize; 2]),
     /// The set-up bonds nothing.
     NothingBonded,
+    /// The grains cover little of the area for which masses are corrected.
+    Sparse {
+        /// By how much masses were multiplied.
+        factor: f64,
+    },
     /// The lattice is higher than the box.
     HighLattice {
         /// Height of the highest grain in m.
@@ -112,6 +117,12 @@ impl fmt::Display for Warning<'_> {
             Self::NothingBonded => write!(
                 f,
                 "setup.bonding bonds nothing: no two grains are within setup.bonding.reach"
+            ),
+            Self::Sparse { factor } => write!(
+                f,
+                "setup.correct_density multiplies masses by {factor:.2}, because the grains cover only {:.0} % of \
+                 the box, or of setup.cut: the packing is smaller or looser than that",
+                100.0 / factor
             ),
             Self::HighLattice { top, height } => write!(
                 f,

@@ -3,6 +3,7 @@
 use super::Result;
 use super::shape::{Rectangle, region};
 use super::table::{Range, Table};
+use crate::error::SceneError;
 
 /// `[output]`.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,8 @@ pub struct Output {
     pub measure: Vec<Measure>,
     /// The grains whose strain is measured are those whose centre was in here at t = 0; `None` for all free grains.
     pub strain_region: Option<Rectangle>,
+    /// The error that refuses to measure strains, except for the reason; none if none are measured.
+    pub strain_refusal: Option<SceneError>,
 }
 
 /// Format of the trajectory.
@@ -77,6 +80,7 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
         energy: true,
         measure: Vec::new(),
         strain_region: None,
+        strain_refusal: None,
     };
     let Some(table) = root.optional_table("output")? else {
         return Ok(output);
@@ -107,6 +111,13 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
     if output.strain_region.is_some() && !output.measure.contains(&Measure::Strain) {
         let accepted = "needs output.measure with \"strain\"";
         return Err(table.error("strain_region", accepted));
+    }
+    if output.measure.contains(&Measure::Strain) {
+        let key = match output.strain_region {
+            Some(_) => "strain_region",
+            None => "measure",
+        };
+        output.strain_refusal = Some(table.error(key, ""));
     }
     Ok(output)
 }
