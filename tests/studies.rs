@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use gouge_studies::decay::Decay;
 use gouge_studies::statistics::{Mean, holm, rising, slope};
-use gouge_studies::study::{STUDIES, Scale, Study};
+use gouge_studies::study::{STUDIES, Scale, Study, known};
 use gouge_studies::sweep::plan;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -233,5 +233,79 @@ fn the_distributions_of_the_strength_study_have_one_mean() {
         let uniform = (0..number).map(|k| (f64::from(k) + 0.5) / f64::from(number));
         let mean = uniform.map(quantile).sum::<f64>() / f64::from(number);
         assert_relative_eq!(mean, 790.3, max_relative = 1e-4);
+    }
+}
+
+#[test]
+fn mistakes_in_tables_of_earlier_studies_are_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let study = Study::named("media").expect("a study");
+    let prepared = study.prepare(Scale::Small, &folder.path().join("out"));
+    let prepared = prepared.expect("sweeps");
+    let header = "part,run,medium,law,pressure,setup.seed,status,cause,friction,steps\n";
+    let row = "media,a,air,HW,0.05,0,done,,0.3,100\n";
+    let curves = "run,time,friction,heat\n";
+    let point = "a,1e-3,0.4,0.1\n";
+    let check = |runs: &str, curves: &str| {
+        std::fs::write(folder.path().join("runs.csv"), runs).expect("a file");
+        std::fs::write(folder.path().join("curves.csv"), curves).expect("a file");
+        known(&[folder.path()], &prepared).map_err(|error| error.to_string())
+    };
+    let fine = [header, row].concat();
+    let found = check(&fine, &[curves, point].concat()).expect("tables");
+    assert!(found.len() == 1 && found.contains("a"));
+    let changed = |from: &str, to: &str| fine.replacen(from, to, 1);
+    let cases = [
+        (String::new(), curves.to_owned(), "runs.csv:1: run: missing"),
+        (
+            "garbage\n1\n".to_owned(),
+            curves.to_owned(),
+            "runs.csv:1: run: missing",
+        ),
+        (
+            changed("status", "state"),
+            curves.to_owned(),
+            "runs.csv:1: status: missing",
+        ),
+        (
+            changed("medium", "fluid"),
+            curves.to_owned(),
+            "runs.csv:1: medium: missing",
+        ),
+        (
+            changed("done", "finished"),
+            curves.to_owned(),
+            "runs.csv:2: status = finished: must be one of waiting",
+        ),
+        (
+            changed("0.3", "much"),
+            curves.to_owned(),
+            "runs.csv:2: friction = much: must be a number",
+        ),
+        (
+            changed("100", "1oo"),
+            curves.to_owned(),
+            "runs.csv:2: steps = 1oo: must be a number",
+        ),
+        (
+            changed("media,a", "media,"),
+            curves.to_owned(),
+            "runs.csv:2: run: must not be empty",
+        ),
+        (
+            fine.clone() + "media,b\n",
+            curves.to_owned(),
+            "runs.csv:3: must be CSV",
+        ),
+        (fine.clone(), String::new(), "curves.csv:1: run: missing"),
+        (
+            fine.clone(),
+            [curves, "a,1e-3,high,0.1\n"].concat(),
+            "curves.csv:2: friction = high: must be a number",
+        ),
+    ];
+    for (runs, curves, words) in cases {
+        let said = check(&runs, &curves).expect_err(words);
+        assert!(said.contains(words), "{words}: {said}");
     }
 }
