@@ -1,6 +1,6 @@
 //! Prescribed motion, specimens cut to shape, and a lattice whose elastic constants are known.
 
-use crate::program::{run, stderr};
+use crate::program::{run, stderr, write_draft};
 use crate::worlds::{INTEGRATORS, advance, scene, world};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;

@@ -236,76 +236,74 @@ fn the_distributions_of_the_strength_study_have_one_mean() {
     }
 }
 
+/// A table of runs of the study of media, and a table of curves.
+const EARLIER: [&str; 2] = [
+    "part,run,medium,law,pressure,setup.seed,status,cause,friction,steps\n\
+     media,a,air,HW,0.05,0,done,,0.3,100\n",
+    "run,time,friction,heat\na,1e-3,0.4,0.1\n",
+];
+
+/// Mistakes in them: the table, what is replaced by what, and what the error says.
+const MISTAKES: [(usize, [&str; 3]); 10] = [
+    (0, [EARLIER[0], "", "runs.csv:1: run: missing"]),
+    (0, [EARLIER[0], "garbage\n1\n", "runs.csv:1: run: missing"]),
+    (0, ["status", "state", "runs.csv:1: status: missing"]),
+    (0, ["medium", "fluid", "runs.csv:1: medium: missing"]),
+    (
+        0,
+        [
+            "done",
+            "over",
+            "runs.csv:2: status = over: must be one of waiting",
+        ],
+    ),
+    (
+        0,
+        [
+            "0.3",
+            "much",
+            "runs.csv:2: friction = much: must be a number",
+        ],
+    ),
+    (
+        0,
+        ["100", "1oo", "runs.csv:2: steps = 1oo: must be a number"],
+    ),
+    (
+        0,
+        ["media,a", "media,", "runs.csv:2: run: must not be empty"],
+    ),
+    (1, [EARLIER[1], "", "curves.csv:1: run: missing"]),
+    (
+        1,
+        [
+            "0.4",
+            "high",
+            "curves.csv:2: friction = high: must be a number",
+        ],
+    ),
+];
+
 #[test]
 fn mistakes_in_tables_of_earlier_studies_are_named() {
     let folder = tempfile::tempdir().expect("a folder");
     let study = Study::named("media").expect("a study");
     let prepared = study.prepare(Scale::Small, &folder.path().join("out"));
     let prepared = prepared.expect("sweeps");
-    let header = "part,run,medium,law,pressure,setup.seed,status,cause,friction,steps\n";
-    let row = "media,a,air,HW,0.05,0,done,,0.3,100\n";
-    let curves = "run,time,friction,heat\n";
-    let point = "a,1e-3,0.4,0.1\n";
-    let check = |runs: &str, curves: &str| {
+    let check = |[runs, curves]: [&str; 2]| {
         std::fs::write(folder.path().join("runs.csv"), runs).expect("a file");
         std::fs::write(folder.path().join("curves.csv"), curves).expect("a file");
         known(&[folder.path()], &prepared).map_err(|error| error.to_string())
     };
-    let fine = [header, row].concat();
-    let found = check(&fine, &[curves, point].concat()).expect("tables");
+    let found = check(EARLIER).expect("tables");
     assert!(found.len() == 1 && found.contains("a"));
-    let changed = |from: &str, to: &str| fine.replacen(from, to, 1);
-    let cases = [
-        (String::new(), curves.to_owned(), "runs.csv:1: run: missing"),
-        (
-            "garbage\n1\n".to_owned(),
-            curves.to_owned(),
-            "runs.csv:1: run: missing",
-        ),
-        (
-            changed("status", "state"),
-            curves.to_owned(),
-            "runs.csv:1: status: missing",
-        ),
-        (
-            changed("medium", "fluid"),
-            curves.to_owned(),
-            "runs.csv:1: medium: missing",
-        ),
-        (
-            changed("done", "finished"),
-            curves.to_owned(),
-            "runs.csv:2: status = finished: must be one of waiting",
-        ),
-        (
-            changed("0.3", "much"),
-            curves.to_owned(),
-            "runs.csv:2: friction = much: must be a number",
-        ),
-        (
-            changed("100", "1oo"),
-            curves.to_owned(),
-            "runs.csv:2: steps = 1oo: must be a number",
-        ),
-        (
-            changed("media,a", "media,"),
-            curves.to_owned(),
-            "runs.csv:2: run: must not be empty",
-        ),
-        (
-            fine.clone() + "media,b\n",
-            curves.to_owned(),
-            "runs.csv:3: must be CSV",
-        ),
-        (fine.clone(), String::new(), "curves.csv:1: run: missing"),
-        (
-            fine.clone(),
-            [curves, "a,1e-3,high,0.1\n"].concat(),
-            "curves.csv:2: friction = high: must be a number",
-        ),
-    ];
-    for (runs, curves, words) in cases {
-        let said = check(&runs, &curves).expect_err(words);
+    let short = [EARLIER[0], "media,b\n"].concat();
+    let said = check([&short, EARLIER[1]]).expect_err("a short row");
+    assert!(said.contains("runs.csv:3: must be CSV"), "{said}");
+    for (table, [from, to, words]) in MISTAKES {
+        let mut tables = EARLIER.map(str::to_owned);
+        tables[table] = tables[table].replacen(from, to, 1);
+        let said = check([&tables[0], &tables[1]]).expect_err(words);
         assert!(said.contains(words), "{words}: {said}");
     }
 }

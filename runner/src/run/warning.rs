@@ -75,6 +75,15 @@ fn above(bound: f64) -> String {
     }
 }
 
+/// How masses were multiplied by a factor.
+fn sparse(factor: f64) -> String {
+    format!(
+        "setup.correct_density multiplies masses by {factor:.2}, because the grains cover only {:.0} % of the box, \
+         or of setup.cut: the packing is smaller or looser than that",
+        100.0 / factor
+    )
+}
+
 impl fmt::Display for Warning<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -118,12 +127,7 @@ impl fmt::Display for Warning<'_> {
                 f,
                 "setup.bonding bonds nothing: no two grains are within setup.bonding.reach"
             ),
-            Self::Sparse { factor } => write!(
-                f,
-                "setup.correct_density multiplies masses by {factor:.2}, because the grains cover only {:.0} % of \
-                 the box, or of setup.cut: the packing is smaller or looser than that",
-                100.0 / factor
-            ),
+            Self::Sparse { factor } => f.write_str(&sparse(*factor)),
             Self::HighLattice { top, height } => write!(
                 f,
                 "setup.lattice reaches up to {top:?} m, above box.height = {height:?}"
