@@ -28,10 +28,14 @@ impl Calibration {
         match std::fs::read_to_string(&path) {
             Ok(text) if text == own => Ok(()),
             Ok(text) => {
-                let is_known = |line: &&str| own.lines().any(|other| other == *line);
-                match text.lines().find(|line| !is_known(line)) {
-                    Some(line) => refusal(&format!("its plan has \"{line}\"")),
-                    None => refusal("its plan lacks a part of this one"),
+                let first = |some: &str, others: &str| {
+                    let is_other = |line: &&str| !others.lines().any(|other| other == *line);
+                    some.lines().find(is_other).map(str::to_owned)
+                };
+                match (first(&text, &own), first(&own, &text)) {
+                    (Some(line), _) => refusal(&format!("its plan has \"{line}\"")),
+                    (None, Some(line)) => refusal(&format!("its plan lacks \"{line}\"")),
+                    (None, None) => Ok(()),
                 }
             }
             Err(error) if error.kind() != ErrorKind::NotFound => {
