@@ -127,12 +127,12 @@ fn counted(world: &World, origin: &[Vec2], region: Option<Rectangle>) -> Vec<usi
     free.filter(counts).collect()
 }
 
-/// Check that the strain that a scene asks for can be measured in the world at t = 0.
+/// Check that the region whose strain a scene asks for has one in the world at t = 0.
 ///
 /// # Errors
 /// Too few free particles in the region.
 pub fn check_strain(scene: &Scene, world: &World) -> Result<(), SceneError> {
-    let Some(refusal) = &scene.output.strain_refusal else {
+    let Some(refusal) = &scene.output.region_refusal else {
         return Ok(());
     };
     let position = &world.particles().position;

@@ -20,8 +20,8 @@ pub struct Output {
     pub measure: Vec<Measure>,
     /// The grains whose strain is measured are those whose centre was in here at t = 0; `None` for all free grains.
     pub strain_region: Option<Rectangle>,
-    /// The error that refuses to measure strains, except for the reason; none if none are measured.
-    pub strain_refusal: Option<SceneError>,
+    /// The error that refuses this region, except for the reason.
+    pub region_refusal: Option<SceneError>,
 }
 
 /// Format of the trajectory.
@@ -80,7 +80,7 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
         energy: true,
         measure: Vec::new(),
         strain_region: None,
-        strain_refusal: None,
+        region_refusal: None,
     };
     let Some(table) = root.optional_table("output")? else {
         return Ok(output);
@@ -112,12 +112,7 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
         let accepted = "needs output.measure with \"strain\"";
         return Err(table.error("strain_region", accepted));
     }
-    if output.measure.contains(&Measure::Strain) {
-        let key = match output.strain_region {
-            Some(_) => "strain_region",
-            None => "measure",
-        };
-        output.strain_refusal = Some(table.error(key, ""));
-    }
+    let is_limited = output.strain_region.is_some();
+    output.region_refusal = is_limited.then(|| table.error("strain_region", ""));
     Ok(output)
 }
