@@ -1,6 +1,6 @@
 //! The commands and their outputs, as specified by the contract.
 
-use crate::program::{run, stderr, stdout, write_draft};
+use crate::program::{gouge, run, stderr, stdout, write_draft};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli, KelvinVoigt};
@@ -301,4 +301,16 @@ fn the_report_needs_no_other_file() {
     for outside in ["src=", "<link", "@import", "import(", "url(", "fetch("] {
         assert!(!page.contains(outside), "{outside}");
     }
+}
+
+#[test]
+fn a_closed_standard_error_is_no_reason_to_panic() {
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let mut program = gouge();
+    let program = program.args(["links", "no-such-scene"]).stderr(writer);
+    assert_eq!(
+        program.status().expect("the program starts").code(),
+        Some(2)
+    );
 }

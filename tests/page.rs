@@ -1,6 +1,6 @@
 //! The page of a run: it needs no other file, and what it shows is what happened.
 
-use crate::program::{run, stderr, write_draft};
+use crate::program::{gouge, run, stderr, write_draft};
 use approx::assert_relative_eq;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -204,4 +204,38 @@ fn pressures_of_grains_add_up_to_the_stress_of_the_specimen() {
     );
     assert_relative_eq!(sum, -0.5 * (xx + yy) * width * height, max_relative = 1e-12);
     assert!(sum > 0.0, "they are compressed");
+}
+
+#[test]
+fn a_truncated_motion_is_noticed_when_the_run_is_continued() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let until = |end: f64| {
+        draft(1e-5, end)
+            .with("output.interval", 1e-4)
+            .with("output.trajectory", "extxyz")
+            .grain(Grain::at([0.0, 0.0], RADIUS).moving([0.8, 0.0]))
+    };
+    assert!(page(folder.path(), &until(1e-3), &[]).is_some());
+    let scene = write_draft(folder.path(), &until(2e-3));
+    let resume = || {
+        let mut program = gouge();
+        program.arg("run").arg(&scene).arg("--resume").arg("--out");
+        program
+            .arg(folder.path().join("out"))
+            .output()
+            .expect("the program starts")
+    };
+    let motion = folder.path().join("out/trajectory/animation.bin");
+    let bytes = std::fs::read(&motion).expect("a motion");
+    std::fs::write(&motion, &bytes[..bytes.len() - 1]).expect("ours");
+    let output = resume();
+    assert_eq!(output.status.code(), Some(1));
+    let said = stderr(&output);
+    assert!(
+        said.contains("animation.bin: it is shorter than") && said.contains("remove it"),
+        "{said}"
+    );
+    std::fs::remove_file(&motion).expect("ours");
+    let output = resume();
+    assert!(output.status.success(), "{}", stderr(&output));
 }

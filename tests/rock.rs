@@ -1,6 +1,6 @@
 //! Prescribed motion, specimens cut to shape, and a lattice whose elastic constants are known.
 
-use crate::program::{run, stderr};
+use crate::program::{run, stderr, write_draft};
 use crate::worlds::{INTEGRATORS, advance, scene, world};
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
@@ -309,5 +309,72 @@ fn the_strain_of_a_region_is_that_of_the_grains_that_began_in_it() {
         assert!((farthest < 1e-12) == region, "{region} {strain:?}");
         let picture = std::fs::read_to_string(format!("{out}/stress-strain.svg"));
         assert!(picture.expect("a picture").contains("<svg"));
+    }
+}
+
+/// What a run of a draft says; its status.
+fn said(draft: &Draft) -> (Option<i32>, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = write_draft(folder.path(), draft);
+    let out = folder.path().join("out");
+    let [scene, out] = [&scene, &out].map(|path| path.display().to_string());
+    let output = run(&["run", &scene, "--out", &out]);
+    (output.status.code(), stderr(&output))
+}
+
+/// Rows of twenty touching grains of 1 mm in a box of 40 mm by 40 mm.
+fn rows(number: i64) -> Draft {
+    Draft::open_box("velocity-verlet", 1e-8)
+        .replacing("time.end", 1e-7)
+        .with("box.width", 40e-3)
+        .with("box.height", 40e-3)
+        .with("setup.seed", 3)
+        .with("setup.correct_density", true)
+        .with("setup.sizes.minimum", RADIUS)
+        .with("setup.sizes.maximum", RADIUS)
+        .with("setup.lattice.columns", 20)
+        .with("setup.lattice.rows", number)
+}
+
+#[test]
+fn a_packing_that_does_not_fill_the_block_is_doubted() {
+    // 100 discs of pi mm^2 on 1600 mm^2, and 400.
+    let (status, warning) = said(&rows(5));
+    assert_eq!(status, Some(0), "{warning}");
+    assert!(warning.contains("multiplies masses by 5.09"), "{warning}");
+    assert!(warning.contains("cover only 20 % of the box"), "{warning}");
+    let (status, warning) = said(&rows(20));
+    assert_eq!((status, warning.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn a_region_whose_strain_cannot_be_measured_is_refused_at_the_beginning() {
+    let away = |draft: Draft| {
+        draft
+            .with("output.strain_region.lower_left", vec![1.0, 1.0])
+            .with("output.strain_region.upper_right", vec![2.0, 2.0])
+    };
+    let measured = |draft: Draft| draft.with("output.measure", vec!["strain"]);
+    let row = measured(rows(20))
+        .with("output.strain_region.lower_left", vec![0.0, 0.0])
+        .with("output.strain_region.upper_right", vec![40e-3, 2e-3]);
+    // The grains of a row lie on a line.
+    let cases = [
+        (away(flying(false)), 0),
+        (away(measured(rows(20))), 0),
+        (row, 20),
+    ];
+    let words = "output.strain_region = {table}: needs at least three free grains";
+    for (draft, number) in cases {
+        let (status, found) = said(&draft);
+        assert_eq!(status, Some(2), "{found}");
+        assert!(
+            found.contains("scene.toml:") && found.contains(words),
+            "{found}"
+        );
+        assert!(
+            found.contains(&format!("there are {number} at t = 0")),
+            "{found}"
+        );
     }
 }

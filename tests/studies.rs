@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use gouge_studies::decay::Decay;
 use gouge_studies::statistics::{Mean, holm, rising, slope};
-use gouge_studies::study::{STUDIES, Scale, Study};
+use gouge_studies::study::{STUDIES, Scale, Study, known};
 use gouge_studies::sweep::plan;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -271,5 +271,77 @@ fn the_distributions_of_the_strength_study_have_one_mean() {
         let uniform = (0..number).map(|k| (f64::from(k) + 0.5) / f64::from(number));
         let mean = uniform.map(quantile).sum::<f64>() / f64::from(number);
         assert_relative_eq!(mean, 790.3, max_relative = 1e-4);
+    }
+}
+
+/// A table of runs of the study of media, and a table of curves.
+const EARLIER: [&str; 2] = [
+    "part,run,medium,law,pressure,setup.seed,status,cause,friction,steps\n\
+     media,a,air,HW,0.05,0,done,,0.3,100\n",
+    "run,time,friction,heat\na,1e-3,0.4,0.1\n",
+];
+
+/// Mistakes in them: the table, what is replaced by what, and what the error says.
+const MISTAKES: [(usize, [&str; 3]); 10] = [
+    (0, [EARLIER[0], "", "runs.csv:1: run: missing"]),
+    (0, [EARLIER[0], "garbage\n1\n", "runs.csv:1: run: missing"]),
+    (0, ["status", "state", "runs.csv:1: status: missing"]),
+    (0, ["medium", "fluid", "runs.csv:1: medium: missing"]),
+    (
+        0,
+        [
+            "done",
+            "over",
+            "runs.csv:2: status = over: must be one of waiting",
+        ],
+    ),
+    (
+        0,
+        [
+            "0.3",
+            "much",
+            "runs.csv:2: friction = much: must be a number",
+        ],
+    ),
+    (
+        0,
+        ["100", "1oo", "runs.csv:2: steps = 1oo: must be a number"],
+    ),
+    (
+        0,
+        ["media,a", "media,", "runs.csv:2: run: must not be empty"],
+    ),
+    (1, [EARLIER[1], "", "curves.csv:1: run: missing"]),
+    (
+        1,
+        [
+            "0.4",
+            "high",
+            "curves.csv:2: friction = high: must be a number",
+        ],
+    ),
+];
+
+#[test]
+fn mistakes_in_tables_of_earlier_studies_are_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let study = Study::named("media").expect("a study");
+    let prepared = study.prepare(Scale::Small, &folder.path().join("out"));
+    let prepared = prepared.expect("sweeps");
+    let check = |[runs, curves]: [&str; 2]| {
+        std::fs::write(folder.path().join("runs.csv"), runs).expect("a file");
+        std::fs::write(folder.path().join("curves.csv"), curves).expect("a file");
+        known(&[folder.path()], &prepared).map_err(|error| error.to_string())
+    };
+    let found = check(EARLIER).expect("tables");
+    assert!(found.len() == 1 && found.contains("a"));
+    let short = [EARLIER[0], "media,b\n"].concat();
+    let said = check([&short, EARLIER[1]]).expect_err("a short row");
+    assert!(said.contains("runs.csv:3: must be CSV"), "{said}");
+    for (table, [from, to, words]) in MISTAKES {
+        let mut tables = EARLIER.map(str::to_owned);
+        tables[table] = tables[table].replacen(from, to, 1);
+        let said = check([&tables[0], &tables[1]]).expect_err(words);
+        assert!(said.contains(words), "{words}: {said}");
     }
 }

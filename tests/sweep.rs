@@ -1,6 +1,10 @@
 //! `gouge sweep`: many runs of one scene.
 
 use crate::program::{gouge, run, stderr, stdout};
+use approx::assert_relative_eq;
+use gouge_runner::run::Summary;
+use gouge_studies::sweep::{Finished, Observation};
+use gouge_studies::words::duration;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -313,46 +317,168 @@ quantity = "bonds-broken"
     assert!(rows.iter().all(|row| row["bonds-broken"] == "0.0"));
 }
 
+/// Mistakes: what is replaced by what, and what the error says.
+const MISTAKES: [[&str; 3]; 16] = [
+    ["head-on", "no-such-scene", "no-such-scene"],
+    [
+        "times = 10.0",
+        "time = 10.0",
+        "sweep.toml:10: axis.time = 10.0: unknown key",
+    ],
+    [
+        "\"nonsense\"]",
+        "]",
+        "sweep.toml:12: axis.labels = [\"elastic\", \"damped\", ]: must hold one name for each of the 3 values",
+    ],
+    [
+        "\"nonsense\"]",
+        "\"damped\"]",
+        "sweep.toml:12: axis.labels = [\"elastic\", \"damped\", \"damped\"]: must be unique",
+    ],
+    [
+        "[1e-8, 2e-8]",
+        "[]",
+        "sweep.toml:6: axis.values = []: must hold at least one value",
+    ],
+    ["[1e-8, 2e-8]", "[1e-8, 1e-8]", "are the same run"],
+    ["key = \"time.step\"", "key = \"time.stop\"", "time.stop"],
+    [
+        "statistic = \"last\"",
+        "",
+        "sweep.toml:14: observe.statistic: a column needs one of mean",
+    ],
+    [
+        "[[axis]]\nkey = \"contact.normal.damping\"",
+        "[[axis]]\nname = \"time.step\"\nkey = \"contact.normal.damping\"",
+        "sweep.toml:9: axis.name = \"time.step\": must be unique",
+    ],
+    [
+        "name = \"most\"",
+        "name = \"kinetic_last\"",
+        "sweep.toml:19: observe.name = \"kinetic_last\": must be unique",
+    ],
+    [
+        "name = \"most\"",
+        "name = \"steps\"",
+        "sweep.toml:19: observe.name = \"steps\": must be unique",
+    ],
+    [
+        "column = \"kinetic\"",
+        "column = \"friction_load\"",
+        "sweep.toml:15: observe.column = \"friction_load\": must be a column of the series: time, kinetic",
+    ],
+    [
+        "column = \"kinetic\"\nstatistic = \"last\"",
+        "quantity = \"friction\"",
+        "sweep.toml:15: observe.quantity = \"friction\": needs a scene with [driving]",
+    ],
+    [
+        "after = 1e-6",
+        "after = 1.0",
+        "sweep.toml:22: observe.after = 1.0: must not be above time.end",
+    ],
+    [
+        "column = \"kinetic\"",
+        "column = 7",
+        "sweep.toml:15: observe.column = 7: must be a string",
+    ],
+    [
+        "after = 1e-6",
+        "after = nan",
+        "sweep.toml:22: observe.after = nan: must be a finite",
+    ],
+];
+
 #[test]
 fn mistakes_in_a_sweep_are_named() {
-    let cases = [
-        (SWEEP.replace("head-on", "no-such-scene"), "no-such-scene"),
+    let replaced = MISTAKES.map(|[from, to, words]| {
+        assert!(SWEEP.contains(from), "{from}");
+        (SWEEP.replacen(from, to, 1), words)
+    });
+    let added = [
         (
-            SWEEP.replace("times = 10.0", "time = 10.0"),
-            "sweep.toml:10: ",
-        ),
-        (
-            SWEEP.replace("\"nonsense\"]", "]"),
-            "one name for each of the 3 values",
-        ),
-        (SWEEP.replace("[1e-8, 2e-8]", "[]"), "at least one value"),
-        (
-            SWEEP.replace("[1e-8, 2e-8]", "[1e-8, 1e-8]"),
-            "are the same run",
-        ),
-        (
-            SWEEP.replace("key = \"time.step\"", "key = \"time.stop\""),
-            "time.stop",
-        ),
-        (SWEEP.replace("statistic = \"last\"", ""), "needs statistic"),
-        (
-            SWEEP.to_owned() + "[[axis]]\nkey = \"contact.normal\"\nvalues = [{}]\n",
+            "[[axis]]\nkey = \"contact.normal\"\nvalues = [{}]\n",
             "must not change contact.normal.damping",
         ),
-        (
-            SWEEP.to_owned() + "[seeds]\nsetup = \"8..3\"\n",
-            "seeds.setup",
-        ),
-        (
-            SWEEP.to_owned() + "[budget]\ncore_hours = 1e-12\n",
-            "budget.core_hours",
-        ),
+        ("[seeds]\nsetup = \"8..3\"\n", "seeds.setup"),
+        ("[budget]\ncore_hours = 1e-12\n", "budget.core_hours"),
     ];
-    for (text, words) in cases {
+    let added = added.map(|(text, words)| (SWEEP.to_owned() + text, words));
+    for (text, words) in replaced.into_iter().chain(added) {
         let folder = Folder::new(&text);
         let (status, _, said) = folder.sweep("out", &[]);
         assert_eq!(status, Some(2), "{words}: {said}");
         assert!(said.contains(words), "{words}: {said}");
         assert!(!folder.path("out/runs").exists());
     }
+}
+
+#[test]
+fn an_observation_that_some_runs_can_have_is_accepted() {
+    let folder = Folder::new(
+        r#"
+scene = "head-on"
+set = ["time.end=1e-6"]
+[[axis]]
+name = "measured"
+key = "output.measure"
+values = [[], ["coordination"]]
+[[observe]]
+column = "coordination"
+statistic = "last"
+"#,
+    );
+    let (status, _, said) = folder.sweep("out", &[]);
+    assert_eq!(status, Some(0), "{said}");
+    let rows = folder.rows("out");
+    assert!(rows[0]["cause"].contains("the run has no coordination_last"));
+    assert!(!rows[1]["coordination_last"].is_empty());
+}
+
+/// The summary of a run, with the keys that have no default.
+const SUMMARY: &str = r#"{"status": "done", "steps": 3, "time": 3.0, "particles": 9, "bonds_initial": 20,
+"bonds_broken": 2, "wall_seconds": 1.0, "particle_steps_per_second": 1.0, "link_steps_per_second": 1.0,
+"version": "", "scene_sha256": "", "series_columns": []}"#;
+
+#[test]
+fn elastic_constants_are_those_of_the_whole_specimen() {
+    // E = 70 GPa, nu = 0.25 under s_y = 70 MPa; then bonds break.
+    let series = "time,bonds,stress_xx,stress_yy,strain_xx,strain_yy\n\
+                  0.0,20,0.0,0.0,0.0,0.0\n1.0,20,0.0,70e6,-0.25e-3,1e-3\n2.0,18,0.0,9e6,-0.1,0.3\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("series.csv"), series).expect("a file");
+    fs::write(folder.path().join("summary.json"), SUMMARY).expect("a file");
+    let summary = Summary::read(folder.path()).expect("a summary");
+    let run = Finished {
+        folder: folder.path(),
+        summary: &summary,
+        scene: &|| None,
+    };
+    for (name, expected) in [("youngs-modulus", 70e9), ("poissons-ratio", 0.25)] {
+        let text = format!("quantity = {name:?}");
+        let observation: Observation = toml::from_str(&text).expect("an observation");
+        let found = observation.value(&run).expect("a value");
+        assert_relative_eq!(found, expected, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn durations_have_fitting_units_and_single_things_no_plural() {
+    for (seconds, text) in [
+        (0.012, "0.012 s"),
+        (3.21, "3.2 s"),
+        (90.0, "90 s"),
+        (600.0, "10 min"),
+        (9000.0, "2.5 h"),
+    ] {
+        assert_eq!(duration(seconds), text);
+    }
+    let folder = Folder::new(&SWEEP.replace("[1e-8, 2e-8]", "[1e-8]"));
+    assert_eq!(folder.sweep("out", &["--quiet"]).0, Some(0));
+    assert_eq!(
+        folder.sweep("out", &["retry"]).1,
+        "1 run will be run again\n"
+    );
+    let said = folder.sweep("out", &["--plan"]).1;
+    assert!(said.contains(" s on one core)"), "{said}");
 }

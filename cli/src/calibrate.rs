@@ -2,7 +2,7 @@
 
 use crate::print;
 use crate::sweep::{cores, run};
-use crate::terminal::stopped_by_signals;
+use crate::terminal::{say, stopped_by_signals};
 use clap::Args;
 use gouge_runner::error::Error;
 use gouge_studies::calibrate::{
@@ -50,7 +50,7 @@ pub fn launch(arguments: &CalibrateArguments) -> Result<(), Error> {
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
     let execute = |purpose: &str, runs: &[Planned]| {
         if !arguments.quiet {
-            eprintln!("{purpose}");
+            say(purpose);
         }
         run(runs, out, jobs, &stop, arguments.quiet)
     };

@@ -24,7 +24,7 @@ use std::process::ExitCode;
 use std::sync::LazyLock;
 use study::StudyArguments;
 use sweep::SweepArguments;
-use terminal::Terminal;
+use terminal::{Terminal, say};
 
 /// Aligns the columns of large worlds to cache lines and puts them into huge pages.
 #[global_allocator]
@@ -148,10 +148,10 @@ impl SceneArguments {
         let path = Path::new(&self.scene);
         if path.is_file() && builtin::of_path(path).is_some() {
             let name = path.display();
-            eprintln!(
-                "gouge: reading the file {name}; for the built-in scene of this name: \
+            say(&format!(
+                "reading the file {name}; for the built-in scene of this name: \
                  gouge scenes {name} | gouge ... -"
-            );
+            ));
         }
     }
 }
@@ -222,7 +222,7 @@ fn main() -> ExitCode {
     match execute(Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("gouge: {error}");
+            say(&error.to_string());
             ExitCode::from(error.status())
         }
     }

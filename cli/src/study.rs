@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::study::{Prepared, STUDIES, Scale, Study, known};
 use gouge_studies::sweep::{Planned, collect, estimate, plan};
+use gouge_studies::words::{counted, duration};
 use std::path::{Path, PathBuf};
 
 /// A study and where it goes.
@@ -64,9 +65,9 @@ pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
     };
     let out = &arguments.out;
     let earlier: Vec<&Path> = arguments.earlier.iter().map(PathBuf::as_path).collect();
-    let known = known(&earlier)?;
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
     let prepared = arguments.study.prepare(scale, out)?;
+    let known = known(&earlier, &prepared)?;
     let stop = stopped_by_signals()?;
     let mut outcome = Ok(());
     for one in &prepared {
@@ -100,10 +101,11 @@ fn planned(one: &Prepared, all: usize, open: &[Planned]) -> String {
     let runs: Vec<&Planned> = open.iter().collect();
     let cost = estimate(&runs);
     format!(
-        "{:16}{all:5} runs, of which {:5} are not done yet: {:.2} core-hours, {:.0} MB\n",
+        "{:16}{:>10}, of which {:5} not done yet: {} on one core, {:.0} MB\n",
         one.part.name,
+        counted(all, "run"),
         open.len(),
-        cost.core_hours,
+        duration(cost.seconds()),
         cost.bytes / 1e6
     )
 }

@@ -1,13 +1,14 @@
 //! `gouge sweep`: runs of a scene with every combination of some values.
 
 use crate::print;
-use crate::terminal::stopped_by_signals;
+use crate::terminal::{say, stopped_by_signals};
 use clap::{Args, Subcommand, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::sweep::{
     Chunks, Cost, Execution, Planned, Progress, Script, Status, Sweep, collect, estimate, execute,
     plan, retry, status,
 };
+use gouge_studies::words::{counted, duration};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -141,7 +142,7 @@ fn manage(command: &SweepCommand) -> Result<(), Error> {
         SweepCommand::Status(_) => print(&states(&runs, &place.out)),
         SweepCommand::Retry(_) => {
             let number = retry(&runs, &place.out)?.len();
-            print(&format!("{number} runs will be run again\n"))
+            print(&format!("{} will be run again\n", counted(number, "run")))
         }
         SweepCommand::Collect(_) => {
             let path = collect(&sweep, &runs, &place.out)?;
@@ -187,7 +188,7 @@ fn work(runs: &[Planned], out: &Path, chunk: usize, chunks: usize) -> Result<(),
 fn tell(progress: Progress) {
     let Progress { name, state } = progress;
     if !matches!(state.status, Status::Done | Status::Begun) {
-        eprintln!("gouge: {name}: {}: {}", state.status.name(), state.cause);
+        say(&format!("{name}: {}: {}", state.status.name(), state.cause));
     }
 }
 
@@ -235,16 +236,17 @@ pub fn cores() -> u16 {
 }
 
 fn planned(runs: &[Planned], open: &[&Planned], cost: Cost, jobs: usize) -> String {
-    let hours = cost.core_hours / jobs.min(open.len()).max(1) as f64;
+    let seconds = cost.seconds() / jobs.min(open.len()).max(1) as f64;
     format!(
         "runs            {}, of which {} are not done yet\n\
-         core-hours      {:.3}, estimated from pilot runs\n\
-         time            {:.3} h with {jobs} at a time\n\
+         core-hours      {:.3} ({} on one core), estimated from pilot runs\n\
+         time            {} with {jobs} at a time\n\
          disk            {:.1} MB\n",
         runs.len(),
         open.len(),
         cost.core_hours,
-        hours,
+        duration(cost.seconds()),
+        duration(seconds),
         cost.bytes / 1e6
     )
 }
@@ -283,7 +285,7 @@ pub fn run(
     let ended = AtomicUsize::new(0);
     let report = |progress: Progress| {
         let number = 1 + ended.fetch_add(1, Ordering::Relaxed);
-        bar.set_message(format!("{number}/{} runs", runs.len()));
+        bar.set_message(format!("{number} of {}", counted(runs.len(), "run")));
         bar.inc(steps.get(&progress.name).copied().unwrap_or(0));
         bar.suspend(|| tell(progress));
     };

@@ -5,7 +5,7 @@ use gouge_runner::run::{Event, Observer, Phase};
 use indicatif::{ProgressBar, ProgressStyle};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -23,6 +23,11 @@ pub fn stopped_by_signals() -> Result<Arc<AtomicBool>, Error> {
             .map_err(|error| Error::file("receive", Path::new("signals"), error))?;
     }
     Ok(is_stopped)
+}
+
+/// Say something on standard error. If nobody reads it any more, it is left out.
+pub fn say(text: &str) {
+    let _ = writeln!(std::io::stderr(), "gouge: {text}");
 }
 
 /// An observer that writes to standard error.
@@ -69,20 +74,22 @@ impl Observer for Terminal {
                     bar.show(phase, steps);
                 }
             }
-            Event::Warning(warning) => eprintln!("gouge: warning: {warning}"),
+            Event::Warning(warning) => say(&format!("warning: {warning}")),
             Event::Ended => {
                 if let Some(bar) = &self.bar {
                     bar.bar.finish_and_clear();
                 }
             }
-            Event::NothingToResume { folder } => eprintln!(
-                "gouge: {} holds nothing to resume; the run begins",
-                folder.display()
-            ),
-            Event::AlreadyDone { folder } => eprintln!(
-                "gouge: {} already holds the finished run of this scene; nothing to do",
-                folder.display()
-            ),
+            Event::NothingToResume { folder } => {
+                let folder = folder.display();
+                say(&format!("{folder} holds nothing to resume; the run begins"));
+            }
+            Event::AlreadyDone { folder } => {
+                let folder = folder.display();
+                say(&format!(
+                    "{folder} already holds the finished run of this scene; nothing to do"
+                ));
+            }
             Event::SampleWritten { .. } | Event::CheckpointWritten { .. } => {}
         }
     }

@@ -1,5 +1,6 @@
 //! `gouge verify`: starts `gouge-verify`, a separate program, so that scenes run without compiling the checks.
 
+use crate::terminal::say;
 use gouge_runner::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -91,7 +92,7 @@ fn build(own: &Path) -> Result<(), Error> {
     if !target.join("CACHEDIR.TAG").exists() || !manifest.exists() {
         return Ok(());
     }
-    eprintln!("gouge: building the checks from their sources; this takes up to a few minutes");
+    say("building the checks from their sources; this takes up to a few minutes");
     let cargo = Path::new("cargo");
     let status = Command::new(cargo)
         .args([

@@ -8,6 +8,7 @@ pub mod decay;
 pub mod final_state;
 pub mod statistics;
 pub mod sweep;
+pub mod words;
 
 pub mod calibrate;
 pub mod study;

@@ -2,4 +2,5 @@
 
 mod command;
 mod documentation;
+mod mistakes;
 mod numerics;

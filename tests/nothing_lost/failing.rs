@@ -48,6 +48,7 @@ fn a_far_too_large_time_step_reports_its_cause_and_keeps_the_last_good_state() {
                 assert!(said.contains(part), "{integrator} {step}: {part}: {said}");
             }
             assert!(said.contains("bond is "), "{integrator} {step}: {said}");
+            assert!(!out.join("restart.toml").exists(), "{integrator} {step}");
             let report = summary(&out);
             let status = report["status"].as_str().expect("a status");
             assert!(

@@ -3,7 +3,7 @@
 use super::displacements::Displacements;
 use super::friction::DriveSample;
 use super::links;
-use super::measures::measured;
+use super::measures::{measured, names as measured_names};
 use super::series::{Sample, Value};
 use super::table::{Kinds, Table, Values};
 use super::trajectory::{Frame, LinkFrame, Shapes};
@@ -31,17 +31,17 @@ pub fn sample(
     if scene.driving.is_some() {
         let drive = evaluated.drive();
         let numbers = [
-            ("friction_load", friction_load(drive)),
-            ("friction_feedback", friction_feedback(drive)),
-            ("drive_force_x", drive.applied.x),
-            ("drive_force_y", drive.applied.y),
+            friction_load(drive),
+            friction_feedback(drive),
+            drive.applied.x,
+            drive.applied.y,
         ];
-        sample.extend(numbers.map(|(name, number)| (name, Value::Number(number))));
+        sample.extend(DRIVE.into_iter().zip(numbers.map(Value::Number)));
     }
     if scene.bond.is_some() {
         let fragments = fragments(world.state()).number;
-        sample.push(("bonds", Value::Count(number_of_bonds(world))));
-        sample.push(("fragments", Value::Count(fragments)));
+        let counts = [number_of_bonds(world), fragments];
+        sample.extend(BONDS.into_iter().zip(counts.map(Value::Count)));
     }
     sample.extend(measured(scene, world, evaluated, displacements));
     sample
@@ -62,15 +62,31 @@ pub fn drive_sample(world: &World, drive: &Drive<f64>) -> Option<DriveSample> {
     })
 }
 
+/// Columns of a scene with a drive.
+const DRIVE: [&str; 4] = [
+    "friction_load",
+    "friction_feedback",
+    "drive_force_x",
+    "drive_force_y",
+];
+/// Columns of a scene with bonds.
+const BONDS: [&str; 2] = ["bonds", "fragments"];
+
 /// Names of the values in every sample of a scene.
-pub fn series_columns(
-    scene: &Scene,
-    world: &World,
-    displacements: Option<&Displacements>,
-) -> Vec<&'static str> {
-    let energy = scene.output.energy.then(Energy::default);
-    let sample = sample(scene, world, world, energy.as_ref(), displacements);
-    sample.into_iter().map(|(name, _)| name).collect()
+pub fn series_columns(scene: &Scene) -> Vec<&'static str> {
+    let mut names = vec!["time"];
+    if scene.output.energy {
+        names.extend(Energy::<f64>::NAMES);
+    }
+    if scene.driving.is_some() {
+        names.extend(DRIVE);
+    }
+    if scene.bond.is_some() {
+        names.extend(BONDS);
+    }
+    let measures = scene.output.measure.iter();
+    names.extend(measures.flat_map(|&measure| measured_names(measure)));
+    names
 }
 
 /// The first energy of a sample that is not finite.

@@ -3,11 +3,15 @@
 use super::warning::Warning;
 use crate::scene::{Amount, Scene};
 use gouge_dem::World;
-use gouge_dem::particles::Role;
+use gouge_dem::particles::{Role, sphere_mass};
 use std::collections::HashMap;
 
 /// Smallest ratio of a radius to the spacing of floating-point numbers at its position that raises no doubt.
 const DIGITS: f64 = 1e9;
+
+/// Factor of masses above which a packing is too loose to be settled: loose packings of equal discs that touch cover
+/// at least about three quarters of the plane, and fewer at the edges of a small block.
+const LOOSEST: f64 = 1.0 / 0.6;
 
 /// Doubts about the lattice of the set-up.
 pub fn about_lattice(scene: &Scene) -> Option<Warning<'static>> {
@@ -43,9 +47,18 @@ pub fn about_beginning(scene: &Scene, world: &World) -> Vec<Warning<'static>> {
     if bonds_made && world.bonds().is_none_or(|bonds| bonds.is_empty()) {
         doubts.push(Warning::NothingBonded);
     }
+    doubts.extend(sparse(scene, world));
     doubts.extend(same_place(world));
     doubts.extend(far_out(world));
     doubts
+}
+
+/// A packing much looser than the block whose density it is to have.
+fn sparse(scene: &Scene, world: &World) -> Option<Warning<'static>> {
+    scene.setup.as_ref().filter(|one| one.correct_density)?;
+    let p = world.particles();
+    let factor = p.mass.first()? / sphere_mass(scene.material.density, *p.radius.first()?);
+    (factor > LOOSEST).then_some(Warning::Sparse { factor })
 }
 
 /// The first particle at the place of an earlier one.

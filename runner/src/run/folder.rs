@@ -116,6 +116,23 @@ pub fn remove_outputs(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
+/// Remove what continues from the final state of an earlier run.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn remove_restart(folder: &Path) -> Result<(), Error> {
+    for name in [RESTART, RESTART_PARTICLES, RESTART_CONTACTS] {
+        let path = folder.join(name);
+        match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
+                return Err(Error::file("remove", &path, error));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
 /// Write a file atomically: afterwards it has either the new content or its old one, even after a power failure.
 ///
 /// # Errors

@@ -2,6 +2,7 @@
 
 use super::displacements::Displacements;
 use super::series::{Sample, Value};
+use crate::error::SceneError;
 use crate::scene::{Measure, Rectangle, Scene};
 use gouge_common::estimators::{ContactNetwork, displacement_gradient};
 use gouge_common::geometry::Vec2;
@@ -12,6 +13,19 @@ use gouge_dem::estimators::{
 use gouge_dem::forces::{Forces, Interaction};
 use gouge_dem::laws::characteristic_length;
 use gouge_dem::particles::Role;
+
+/// Names of the columns of a quantity.
+pub fn names(measure: Measure) -> &'static [&'static str] {
+    match measure {
+        Measure::Rolling => &["rolling_speed", "slip_speed"],
+        Measure::Stress => &["stress_xx", "stress_xy", "stress_yx", "stress_yy"],
+        Measure::Coordination => &["coordination"],
+        Measure::PackingFraction => &["packing_fraction"],
+        Measure::UnbalancedForce => &["unbalanced_force"],
+        Measure::LargestOverlap => &["largest_overlap"],
+        Measure::Strain => &["strain_xx", "strain_yy", "strain_xy"],
+    }
+}
 
 /// Quantities that are functions of contacts and bonds.
 const OF_INTERACTIONS: [Measure; 4] = [
@@ -41,7 +55,10 @@ pub fn measured(
         displacements,
         region: scene.output.strain_region,
     };
-    let columns = measures.iter().flat_map(|&measure| state.columns(measure));
+    let columns = measures.iter().flat_map(|&measure| {
+        let names = names(measure).iter().copied();
+        names.zip(state.values(measure))
+    });
     let value = |(name, number)| (name, Value::Number(number));
     columns.map(value).collect()
 }
@@ -57,36 +74,27 @@ struct Measured<'a> {
 }
 
 impl Measured<'_> {
-    fn columns(&self, measure: Measure) -> Vec<(&'static str, f64)> {
+    fn values(&self, measure: Measure) -> Vec<f64> {
         let (world, interactions) = (self.world, &self.interactions);
         match measure {
-            Measure::Rolling => {
-                let [rolling, slip] = rolling_and_slip(world);
-                vec![("rolling_speed", rolling), ("slip_speed", slip)]
-            }
+            Measure::Rolling => rolling_and_slip(world).to_vec(),
             Measure::Stress => self.stress(),
-            Measure::Coordination => vec![("coordination", self.coordination())],
-            Measure::PackingFraction => vec![("packing_fraction", specimen_packing(world))],
-            Measure::UnbalancedForce => {
-                let unbalanced = unbalanced_force(world.particles(), self.resultant, interactions);
-                vec![("unbalanced_force", unbalanced)]
-            }
-            Measure::LargestOverlap => {
-                vec![("largest_overlap", largest_overlap(world, interactions))]
-            }
+            Measure::Coordination => vec![self.coordination()],
+            Measure::PackingFraction => vec![specimen_packing(world)],
+            Measure::UnbalancedForce => vec![unbalanced_force(
+                world.particles(),
+                self.resultant,
+                interactions,
+            )],
+            Measure::LargestOverlap => vec![largest_overlap(world, interactions)],
             Measure::Strain => self.strain(),
         }
     }
 
-    fn stress(&self) -> Vec<(&'static str, f64)> {
+    fn stress(&self) -> Vec<f64> {
         let thickness = characteristic_length(&self.world.particles().radius);
         let [[xx, xy], [yx, yy]] = specimen_stress(self.world, &self.interactions, thickness);
-        vec![
-            ("stress_xx", xx),
-            ("stress_xy", xy),
-            ("stress_yx", yx),
-            ("stress_yy", yy),
-        ]
+        vec![xx, xy, yx, yy]
     }
 
     fn coordination(&self) -> f64 {
@@ -98,23 +106,47 @@ impl Measured<'_> {
     }
 
     /// The strain of the free particles since t = 0.
-    fn strain(&self) -> Vec<(&'static str, f64)> {
+    fn strain(&self) -> Vec<f64> {
         let Some(displacements) = self.displacements else {
             return Vec::new();
         };
         let p = self.world.particles();
         let moved = displacements.to(&p.position, self.world.model().domain.period());
         let origin = displacements.origin();
-        let counts = |i: &usize| self.region.is_none_or(|region| region.contains(origin[*i]));
-        let of_counted = |all: &[Vec2]| -> Vec<Vec2> {
-            let free = p.with_role(Role::Free).filter(counts);
-            free.map(|i| all[i]).collect()
-        };
+        let counted = counted(self.world, origin, self.region);
+        let of_counted = |all: &[Vec2]| -> Vec<Vec2> { counted.iter().map(|&i| all[i]).collect() };
         let [[xx, xy], [yx, yy]] = displacement_gradient(&of_counted(origin), &of_counted(&moved));
-        vec![
-            ("strain_xx", xx),
-            ("strain_yy", yy),
-            ("strain_xy", 0.5 * (xy + yx)),
-        ]
+        vec![xx, yy, 0.5 * (xy + yx)]
+    }
+}
+
+/// The free particles whose strain is measured: those that were in the region at t = 0, if there is one.
+fn counted(world: &World, origin: &[Vec2], region: Option<Rectangle>) -> Vec<usize> {
+    let counts = |i: &usize| region.is_none_or(|region| region.contains(origin[*i]));
+    let free = world.particles().with_role(Role::Free);
+    free.filter(counts).collect()
+}
+
+/// Check that the region whose strain a scene asks for has one in the world at t = 0.
+///
+/// # Errors
+/// Too few free particles in the region.
+pub fn check_strain(scene: &Scene, world: &World) -> Result<(), SceneError> {
+    let Some(refusal) = &scene.output.region_refusal else {
+        return Ok(());
+    };
+    let position = &world.particles().position;
+    let counted = counted(world, position, scene.output.strain_region);
+    let points: Vec<Vec2> = counted.iter().map(|&i| position[i]).collect();
+    // A gradient is determined or not whatever the displacements are.
+    match displacement_gradient(&points, &points)[0][0].is_finite() {
+        true => Ok(()),
+        false => Err(SceneError {
+            accepted: format!(
+                "needs at least three free grains that do not lie on a line, but there are {} at t = 0",
+                counted.len()
+            ),
+            ..refusal.clone()
+        }),
     }
 }

@@ -35,6 +35,7 @@ mod warning;
 
 pub use bytes::words_of_bytes;
 pub use checkpoint::{world_of_checkpoint, world_of_record};
+pub use dem::series_columns;
 pub use folder::write_whole;
 pub use friction::{DriveSample, Friction};
 pub use links::links_of;

@@ -1,6 +1,6 @@
 //! Outputs at the end of a finished or failed run: the summary, the final particles and a picture.
 
-use super::folder::{PARTICLES, SUMMARY, write_whole};
+use super::folder::{PARTICLES, SUMMARY, remove_restart, write_whole};
 use super::friction::Friction;
 use super::scene_run::SceneRun;
 use super::{Event, dem, page, picture, restart, stress_strain};
@@ -92,9 +92,14 @@ impl Summary {
         self.status == INTERRUPTED
     }
 
+    /// Whether an error of the model stopped the run.
+    pub fn is_failed(&self) -> bool {
+        self.status.starts_with(FAILED)
+    }
+
     /// Whether the run finished without anything to show because its first state could not be made.
     pub fn is_stillborn(&self) -> bool {
-        self.status.starts_with(FAILED) && self.particles == 0
+        self.is_failed() && self.particles == 0
     }
 
     /// The summary of a run of which nothing is known but its status.
@@ -183,8 +188,11 @@ impl SceneRun<'_> {
         picture::write(folder, scene, world, self.balance.is_off)?;
         if self.is_main() {
             restart::write_bonds(folder, world)?;
-            if !self.options.data_only {
-                restart::write_restart(folder, scene, world)?;
+            match summary.is_failed() {
+                // What led to the failure is in its last state, too.
+                true => remove_restart(folder)?,
+                false if self.options.data_only => {}
+                false => restart::write_restart(folder, scene, world)?,
             }
         }
         if !self.options.data_only {
@@ -205,7 +213,7 @@ impl SceneRun<'_> {
         let number = world.particles().len();
         let rate = |amount: f64| if main > 0.0 { amount / main } else { 0.0 };
         let bonds = dem::number_of_bonds(world);
-        let columns = dem::series_columns(scene, world, self.displacements.as_ref());
+        let columns = dem::series_columns(scene);
         Summary {
             steps,
             time,

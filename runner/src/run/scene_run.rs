@@ -300,7 +300,7 @@ impl<'a> SceneRun<'a> {
     }
 
     fn open_series(&self, bytes: Option<u64>) -> Result<Series, Error> {
-        let columns = dem::series_columns(self.scene, &self.world, self.displacements.as_ref());
+        let columns = dem::series_columns(self.scene);
         Series::open(self.folder.join(SERIES), &columns, bytes)
     }
 
@@ -432,6 +432,9 @@ impl<'a> SceneRun<'a> {
         }
         if let Some(frames) = &mut self.frames {
             frames.sync()?;
+        }
+        if let Some(animation) = &self.animation {
+            animation.sync()?;
         }
         let now = || self.progress();
         let progress = self.before_early_sample.clone().unwrap_or_else(now);

@@ -1,29 +1,43 @@
 //! Transitions from one phase to the next.
 
+use super::measures::check_strain;
 use super::phases::{Phase, PhaseKind, phase_model, phases};
 use super::setup_states::{bonded_block, loose_grains, roles};
 use super::start::continued;
 use crate::error::Error;
 use crate::machine::with_chosen_execution;
-use crate::scene::Scene;
-use gouge_dem::World;
+use crate::scene::{Scene, Setup};
+use gouge_dem::{ModelError, World};
 
 /// The world at the beginning of a phase, made from the world at the end of the previous phase.
 ///
 /// # Errors
-/// A state that the kernel rejects, or no state from which the run can begin.
+/// A state that the kernel rejects, no state from which the run can begin, or one whose strain cannot be measured.
 pub fn begin_phase(
     scene: &Scene,
     phases: &[Phase],
     index: usize,
     before: Option<World>,
 ) -> Result<World, Error> {
-    if let Some(start) = &scene.start {
-        return continued(scene, start);
-    }
-    let Some(setup) = &scene.setup else {
-        return Ok(scene.initial_world().map(with_chosen_execution)?);
+    let world = match (&scene.start, &scene.setup) {
+        (Some(start), _) => continued(scene, start)?,
+        (None, None) => scene.initial_world().map(with_chosen_execution)?,
+        (None, Some(setup)) => next_phase(scene, setup, phases, index, before)?,
     };
+    if index + 1 == phases.len() {
+        check_strain(scene, &world)?;
+    }
+    Ok(world)
+}
+
+/// The world at the beginning of a phase of a scene with a set-up.
+fn next_phase(
+    scene: &Scene,
+    setup: &Setup,
+    phases: &[Phase],
+    index: usize,
+    before: Option<World>,
+) -> Result<World, ModelError> {
     let kind = phases[index].kind;
     let world = match before {
         None => loose_grains(scene, setup, kind)?,
@@ -39,7 +53,7 @@ pub fn begin_phase(
     let had_roles = index > 0 && matches!(phases[index - 1].kind, PhaseKind::Press(_));
     let gets_roles = matches!(kind, PhaseKind::Press(_) | PhaseKind::Main) && !had_roles;
     let roles = gets_roles.then(|| roles(scene, setup, world.particles()));
-    Ok(world.continue_with(phase_model(scene, kind, &radii), roles)?)
+    world.continue_with(phase_model(scene, kind, &radii), roles)
 }
 
 /// The world at t = 0 of the scene proper, after all phases of its set-up, without any output.

@@ -39,6 +39,11 @@ pub enum Warning<'a> {
     SamePlace([usize; 2]),
     /// The set-up bonds nothing.
     NothingBonded,
+    /// The grains cover little of the area for which masses are corrected.
+    Sparse {
+        /// By how much masses were multiplied.
+        factor: f64,
+    },
     /// The lattice is higher than the box.
     HighLattice {
         /// Height of the highest grain in m.
@@ -68,6 +73,15 @@ fn above(bound: f64) -> String {
         true => format!("above the estimated stability bound, {bound:.3e} s"),
         false => "no step is stable with this integrator".to_owned(),
     }
+}
+
+/// How masses were multiplied by a factor.
+fn sparse(factor: f64) -> String {
+    format!(
+        "setup.correct_density multiplies masses by {factor:.2}, because the grains cover only {:.0} % of the box, \
+         or of setup.cut: the packing is smaller or looser than that",
+        100.0 / factor
+    )
 }
 
 impl fmt::Display for Warning<'_> {
@@ -113,6 +127,7 @@ impl fmt::Display for Warning<'_> {
                 f,
                 "setup.bonding bonds nothing: no two grains are within setup.bonding.reach"
             ),
+            Self::Sparse { factor } => f.write_str(&sparse(*factor)),
             Self::HighLattice { top, height } => write!(
                 f,
                 "setup.lattice reaches up to {top:?} m, above box.height = {height:?}"

@@ -3,6 +3,7 @@
 use super::Result;
 use super::shape::{Rectangle, region};
 use super::table::{Range, Table};
+use crate::error::SceneError;
 
 /// `[output]`.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,8 @@ pub struct Output {
     pub measure: Vec<Measure>,
     /// The grains whose strain is measured are those whose centre was in here at t = 0; `None` for all free grains.
     pub strain_region: Option<Rectangle>,
+    /// The error that refuses this region, except for the reason.
+    pub region_refusal: Option<SceneError>,
 }
 
 /// Format of the trajectory.
@@ -77,6 +80,7 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
         energy: true,
         measure: Vec::new(),
         strain_region: None,
+        region_refusal: None,
     };
     let Some(table) = root.optional_table("output")? else {
         return Ok(output);
@@ -108,5 +112,7 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
         let accepted = "needs output.measure with \"strain\"";
         return Err(table.error("strain_region", accepted));
     }
+    let is_limited = output.strain_region.is_some();
+    output.region_refusal = is_limited.then(|| table.error("strain_region", ""));
     Ok(output)
 }

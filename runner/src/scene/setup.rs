@@ -2,7 +2,7 @@
 
 use super::laws;
 use super::particles::{Material, mass_problem};
-use super::shape::{Shape, cut};
+use super::shape::{Shape, check_within_box, cut};
 use super::strength::{BondStrength, bond_strength};
 use super::table::{Range, Table};
 use crate::error::SceneError;
@@ -171,6 +171,10 @@ pub fn setup(
         }
     }
     check_dependencies(root, &table)?;
+    let cut = cut(&table)?;
+    if let (true, Some(shape), Some((width, height))) = (correct_density, &cut, needs_box) {
+        check_within_box(&table, shape, [width, height])?;
+    }
     Ok(Some(Setup {
         seed: table
             .optional_whole("seed")?
@@ -179,7 +183,7 @@ pub fn setup(
         sizes,
         settle: phases("settle", false)?,
         clip,
-        cut: cut(&table)?,
+        cut,
         bonding: bonding(root, &table, folder)?,
         correct_density,
         fault: fault(&table, domain)?,

@@ -7,6 +7,9 @@ use std::f64::consts::PI;
 
 type Result<T> = std::result::Result<T, SceneError>;
 
+/// Part of the size of the box by which a shape may reach beyond it because of rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// An upright rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rectangle {
@@ -47,6 +50,17 @@ impl Shape {
         }
     }
 
+    /// Lower left and upper right corner of the smallest upright rectangle around it, in m.
+    fn bounds(&self) -> Rectangle {
+        match self {
+            Self::Rectangle(rectangle) => *rectangle,
+            Self::Disc { center, radius } => Rectangle {
+                lower_left: *center - Vec2::new(*radius, *radius),
+                upper_right: *center + Vec2::new(*radius, *radius),
+            },
+        }
+    }
+
     /// Area in m^2.
     pub fn area(&self) -> f64 {
         match self {
@@ -73,6 +87,28 @@ pub fn cut(setup: &Table) -> Result<Option<Shape>> {
         center: vector(table.pair("center")?),
         radius: table.number("radius", Range::Positive)?,
     }))
+}
+
+/// Check that `[setup.cut]` does not reach beyond the box, whose width and height in m are given. Rounding is forgiven.
+pub fn check_within_box(setup: &Table, shape: &Shape, [width, height]: [f64; 2]) -> Result<()> {
+    let Some(table) = setup.optional_table("cut")? else {
+        return Ok(());
+    };
+    let (bounds, slack) = (shape.bounds(), ROUNDING * (width + height));
+    let (low, high) = (bounds.lower_left, bounds.upper_right);
+    let is_low = low.x < -slack || low.y < -slack;
+    let is_high = high.x > width + slack || high.y > height + slack;
+    let key = match shape {
+        _ if !is_low && !is_high => return Ok(()),
+        Shape::Disc { .. } => "radius",
+        Shape::Rectangle(_) if is_low => "lower_left",
+        Shape::Rectangle(_) => "upper_right",
+    };
+    let accepted = format!(
+        "with setup.correct_density, the shape must lie within the box, from [0, 0] to [{width:?}, {height:?}]: \
+         there are no grains to fill what lies outside"
+    );
+    Err(table.error(key, &accepted))
 }
 
 /// The key of a table that is a rectangle, if it is present.

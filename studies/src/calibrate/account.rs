@@ -5,6 +5,7 @@ use super::identify::{DROPS, Marginal, profile_interval};
 use super::outcome::{Answer, Outcome};
 use super::parameter::Parameter;
 use super::truths::Trial;
+use crate::words::{counted, duration};
 use std::fmt::Write;
 
 /// The outcome on a few lines: the answer, the parameters, the targets, and how far to trust it all.
@@ -30,7 +31,7 @@ pub fn answer(calibration: &Calibration, outcome: &Outcome) -> String {
     let combinations: Vec<String> = determined
         .map(|one| one.text(&calibration.parameters))
         .collect();
-    match &outcome.answer {
+    let answer = match &outcome.answer {
         Answer::Determined => "determined".to_owned(),
         Answer::Combinations => format!("only this is determined: {}", combinations.join(", ")),
         Answer::Undetermined => "the measurements determine nothing".to_owned(),
@@ -39,6 +40,13 @@ pub fn answer(calibration: &Calibration, outcome: &Outcome) -> String {
             outcome.posterior.effective_number()
         ),
         Answer::Refuted(reasons) => format!("refuted: {}", reasons.join("; ")),
+    };
+    match outcome.failed_range() {
+        0.0 => answer,
+        share => format!(
+            "{answer}; about {:.0} % of the ranges could not be run",
+            (100.0 * share).max(1.0)
+        ),
     }
 }
 
@@ -166,15 +174,17 @@ fn trust(outcome: &Outcome) -> String {
     );
     let _ = writeln!(
         text,
-        "runs            {}, of which {failed} failed; {:.4} core-hours",
+        "runs            {}, of which {failed} failed; {} on one core",
         runs + outcome.predictive.runs.len(),
-        outcome.results.core_hours() + outcome.predictive.core_hours()
+        duration(outcome.results.seconds() + outcome.predictive.seconds())
     );
     if failed > 0 {
-        let share = 100.0 * outcome.failed_share();
+        let [range, share] =
+            [outcome.failed_range(), outcome.failed_share()].map(|one| 100.0 * one);
         let _ = writeln!(
             text,
-            "                {share:.1} % of the posterior is nearest to points where runs failed"
+            "                {range:.1} % of the ranges and {share:.1} % of the posterior are nearest to points where \
+             runs failed;\n                there nothing was measured, and all values are about as likely as before"
         );
     }
     text
@@ -206,13 +216,16 @@ pub fn account_of_trial(calibration: &Calibration, trial: &Trial) -> String {
         recovery,
         failed,
         runs,
-        core_hours,
+        seconds,
     } = trial;
     let repetitions = recovery.parameters.first().map_or(0, |one| one.ranks.len());
     let _ = writeln!(
         text,
-        "{repetitions} repetitions ({failed} more failed), {runs} runs, {core_hours:.4} core-hours; \
+        "{} ({failed} more failed), {}, {} on one core; \
          smallest effective number {:.0}; {:.1} % would be refuted",
+        counted(repetitions, "repetition"),
+        counted(*runs, "run"),
+        duration(*seconds),
         recovery.effective_number,
         100.0 * recovery.refuted
     );

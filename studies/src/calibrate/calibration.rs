@@ -132,6 +132,11 @@ impl Calibration {
 
     /// The run of a test at a point.
     pub fn run(&self, test: &Test, point: &[f64], seed: Option<u64>) -> Planned {
+        Planned::new(&test.scene, self.overrides(test, point, seed))
+    }
+
+    /// The overrides of a run, as `KEY=VALUE`.
+    pub fn overrides(&self, test: &Test, point: &[f64], seed: Option<u64>) -> Vec<String> {
         let mut overrides = test.set.clone();
         for (parameter, &place) in self.parameters.iter().zip(point) {
             let value = parameter.written(place);
@@ -139,27 +144,26 @@ impl Calibration {
             overrides.extend(keys.map(|key| format!("{key}={value}")));
         }
         overrides.extend(seed.map(|seed| format!("setup.seed={seed}")));
-        Planned::new(&test.scene, overrides)
+        overrides
     }
 
     /// The expression for a quantity as a function of the place in the unit cube.
     ///
     /// # Errors
     /// A scene that cannot be used or does not fit, or a parameter that the expression does not know.
-    pub fn expected(&self, test: &Test, form: ClosedForm) -> Result<Expected, Error> {
-        let unfit =
-            |reason: String| Error::Argument(format!("{}: {}: {reason}", self.file, test.name));
-        let scene = Scene::load_with(&test.scene, &Overrides::parse(&test.set)?)?;
+    pub fn expected(&self, test: &Test, form: ClosedForm) -> Result<Expected, String> {
+        let overrides = Overrides::parse(&test.set).map_err(|error| error.to_string())?;
+        let scene = Scene::load_with(&test.scene, &overrides).map_err(|error| error.to_string())?;
         let keys = form.keys();
         let mut sources: [Option<usize>; 2] = [None; 2];
         for (place, parameter) in self.parameters.iter().enumerate() {
             for key in parameter.keys_in(&test.name) {
                 let known = keys.iter().position(|known| known == key);
                 let known = known.ok_or_else(|| {
-                    unfit(format!(
-                        "the closed form {form:?} is for varying {} only, not {key}",
+                    format!(
+                        "this closed form is for varying {} only, not {key}",
                         keys.join(" and ")
-                    ))
+                    )
                 })?;
                 sources[known] = Some(place);
             }
@@ -176,9 +180,7 @@ impl Calibration {
         };
         match expected(&vec![0.5; self.parameters.len()]).is_finite() {
             true => Ok(Arc::new(expected)),
-            false => Err(unfit(format!(
-                "the closed form {form:?} does not fit the scene"
-            ))),
+            false => Err("this closed form does not fit the scene".to_owned()),
         }
     }
 }

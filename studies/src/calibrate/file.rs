@@ -9,12 +9,37 @@ use super::parameter::{Keys, Parameter, Scale};
 use crate::sweep::Observation;
 use crate::text::{Place, read_text, scene_beside};
 use gouge_runner::error::{Error, SceneError};
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 use toml::Spanned;
 
 /// Accepted numbers of points.
 const POINTS: Range<u32> = 4..4097;
+
+/// Accepted sizes of measurements and of their standard deviations, whose squares and ratios are numbers, too.
+const SIZES: RangeInclusive<f64> = 1e-60..=1e60;
+/// Least width of a range, as a part of its larger end: values are written with six digits.
+const NARROWEST: f64 = 1e-3;
+
+/// What is accepted instead of a range; none if it can be used.
+fn range_problem([low, high]: [f64; 2], scale: Scale) -> Option<&'static str> {
+    let width = match scale {
+        Scale::Log => high / low,
+        Scale::Linear => high - low,
+    };
+    let is_narrow = high - low < NARROWEST * low.abs().max(high.abs());
+    if !(low.is_finite() && high.is_finite() && low < high) {
+        Some("must be two finite numbers, the smaller one first")
+    } else if !width.is_finite() {
+        Some(
+            "must be narrower: the difference of the ends, with a logarithmic scale their ratio, is no number",
+        )
+    } else if is_narrow {
+        Some("must be wider than a thousandth of the larger end")
+    } else {
+        None
+    }
+}
 
 impl Calibration {
     /// Read a calibration file.
@@ -59,17 +84,19 @@ impl Calibration {
                 return Err(place.error(0..0, "", &accepted));
             }
         }
-        Ok(Self {
-            title: keys.title.unwrap_or_else(|| file.to_owned()),
-            notes: keys.notes,
+        let calibration = Self {
+            title: keys.title.clone().unwrap_or_else(|| file.to_owned()),
+            notes: keys.notes.clone(),
             file: file.to_owned(),
-            design: place.design(keys.design)?,
+            design: place.design(keys.design.as_ref())?,
             parameters,
             tests,
             targets,
-            core_hours: keys.budget.core_hours,
+            core_hours: place.core_hours(keys.budget.core_hours.as_ref())?,
             runs: keys.budget.runs,
-        })
+        };
+        place.check_scenes(&keys, &calibration)?;
+        Ok(calibration)
     }
 }
 
@@ -123,10 +150,7 @@ impl Place<'_> {
         let refusal = |key: &str, accepted: &str| {
             Err(self.error(spanned.span(), &format!("parameter.{key}"), accepted))
         };
-        let [low, high] = keys.range;
-        if !(low.is_finite() && high.is_finite() && low < high) {
-            return refusal("range", "must be two finite numbers, the smaller one first");
-        }
+        let [low, _] = keys.range;
         let scale = match keys.scale {
             Some(ScaleName::Linear) => Scale::Linear,
             Some(ScaleName::Log) if low <= 0.0 => {
@@ -135,6 +159,9 @@ impl Place<'_> {
             None if low <= 0.0 => Scale::Linear,
             _ => Scale::Log,
         };
+        if let Some(accepted) = range_problem(keys.range, scale) {
+            return refusal("range", accepted);
+        }
         let keys_of = match &keys.key {
             KeysValue::One(key) => Keys::Same(vec![key.clone()]),
             KeysValue::List(list) => Keys::Same(list.clone()),
@@ -182,6 +209,10 @@ impl Place<'_> {
             let accepted = "needs at least one [[test.observe]]";
             return Err(self.error(spanned.span(), "test.observe", accepted));
         }
+        let names: Vec<String> = observed.iter().map(|one| one.observation.name()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let spans = keys.observe.iter().map(Spanned::span);
+        self.refuse_twins("test.observe.name", &names, spans)?;
         Ok(Test {
             name: keys.name.clone(),
             scene: scene_beside(Path::new(self.file), &keys.scene),
@@ -212,7 +243,10 @@ impl Place<'_> {
                 form: keys.form,
                 closed_form: keys.closed_form,
             }),
-            Err(accepted) => Err(self.error(spanned.span(), "test.observe", &accepted)),
+            Err((key, accepted)) => {
+                let key = format!("test.observe.{key}");
+                Err(self.error(spanned.span(), &key, &accepted))
+            }
         }
     }
 
@@ -238,11 +272,22 @@ impl Place<'_> {
         let Some(quantity) = names.iter().position(|name| *name == keys.quantity) else {
             return refusal("quantity", &format!("must be one of {}", names.join(", ")));
         };
-        if !(keys.sd.is_finite() && keys.sd > 0.0) {
-            return refusal("sd", "must be a positive number: no measurement is exact");
+        if !(keys.sd > 0.0 && SIZES.contains(&keys.sd)) {
+            let accepted = format!(
+                "must be a positive number, from {:e} to {:e}: no measurement is exact",
+                SIZES.start(),
+                SIZES.end()
+            );
+            return refusal("sd", &accepted);
         }
-        if keys.value.is_some_and(|value| !value.is_finite()) {
-            return refusal("value", "must be a finite number");
+        let is_absurd = |value: f64| !(value == 0.0 || SIZES.contains(&value.abs()));
+        if keys.value.is_some_and(is_absurd) {
+            let accepted = format!(
+                "must be zero, or a number of a size from {:e} to {:e}",
+                SIZES.start(),
+                SIZES.end()
+            );
+            return refusal("value", &accepted);
         }
         if keys.specimens == 0 {
             return refusal("specimens", "must be at least 1");
@@ -262,9 +307,10 @@ impl Place<'_> {
         })
     }
 
-    fn design(&self, keys: Option<Spanned<DesignKeys>>) -> Result<Design, SceneError> {
-        let span = keys.as_ref().map_or(0..0, Spanned::span);
-        let keys = keys.map(Spanned::into_inner).unwrap_or_default();
+    fn design(&self, keys: Option<&Spanned<DesignKeys>>) -> Result<Design, SceneError> {
+        let span = keys.map_or(0..0, Spanned::span);
+        let none = DesignKeys::default();
+        let keys = keys.map_or(&none, Spanned::get_ref);
         let design = Design {
             points: keys.points.unwrap_or(32),
             waves: keys.waves.unwrap_or(2),

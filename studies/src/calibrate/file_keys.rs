@@ -37,7 +37,10 @@ pub struct ParameterKeys {
 
 /// A key, a list of keys, or a table from tests to either.
 #[derive(Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "must be a key, a list of keys, or a table from tests to either"
+)]
 pub enum KeysValue {
     One(String),
     List(Vec<String>),
@@ -45,7 +48,7 @@ pub enum KeysValue {
 }
 
 #[derive(Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "must be a key or a list of keys")]
 pub enum OneOrMore {
     One(String),
     List(Vec<String>),
@@ -122,6 +125,6 @@ pub struct DesignKeys {
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Budget {
-    pub core_hours: Option<f64>,
+    pub core_hours: Option<Spanned<f64>>,
     pub runs: Option<usize>,
 }

@@ -5,10 +5,12 @@
 
 mod account;
 mod builtin;
+mod claim;
 mod climb;
 mod closed_form;
 mod emulator;
 mod file;
+mod file_check;
 mod file_keys;
 mod gaussian_process;
 mod identify;

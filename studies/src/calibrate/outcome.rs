@@ -58,10 +58,11 @@ pub enum Answer {
 /// Calibrate.
 ///
 /// # Errors
-/// A run that cannot be executed, an interruption, a budget that does not suffice, too few successful runs, a target
-/// without a value.
+/// A folder with the results of another calibration, a run that cannot be executed, an interruption, a budget that does
+/// not suffice, too few successful runs, a target without a value.
 pub fn calibrate(calibration: &Calibration, runner: Runner) -> Result<Outcome, Error> {
     let measured = calibration.measured()?;
+    calibration.claim(runner.out)?;
     let (results, emulators, waves) = run_waves(calibration, &measured, runner)?;
     let log_likelihood = |point: &[f64]| emulators.log_likelihood(&measured, point);
     let posterior = Posterior::of(calibration.parameters.len(), &log_likelihood);
@@ -110,19 +111,29 @@ impl Outcome {
     /// Part of the posterior that is closer to a point with a failed run than to any other: there the emulators know
     /// little.
     pub fn failed_share(&self) -> f64 {
+        self.posterior.mean(&|point| self.near_failure(point))
+    }
+
+    /// The same part of the ranges.
+    pub fn failed_range(&self) -> f64 {
+        if self.results.failed().next().is_none() {
+            return 0.0;
+        }
+        let points = Region::cube(self.marginals.len()).points(SEARCHED, 0);
+        let near: f64 = points.iter().map(|point| self.near_failure(point)).sum();
+        near / points.len() as f64
+    }
+
+    /// One if the nearest point has a failed run, otherwise zero.
+    fn near_failure(&self, point: &[f64]) -> f64 {
         let points = &self.results.points;
-        let failed: Vec<bool> = (0..points.len())
-            .map(|point| self.results.has_failed_at(point))
-            .collect();
-        let distance = |one: &[f64], other: &[f64]| -> f64 {
-            one.iter().zip(other).map(|(x, y)| (x - y).powi(2)).sum()
+        let distance = |place: &usize| -> f64 {
+            let pairs = points[*place].iter().zip(point);
+            pairs.map(|(x, y)| (x - y).powi(2)).sum()
         };
-        let is_near_failed = |point: &[f64]| {
-            let to = |place: &usize| distance(point, &points[*place]);
-            let nearest = (0..points.len()).min_by(|a, b| to(a).total_cmp(&to(b)));
-            f64::from(u8::from(nearest.is_some_and(|nearest| failed[nearest])))
-        };
-        self.posterior.mean(&is_near_failed)
+        let nearest = (0..points.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let has_failed = nearest.is_some_and(|nearest| self.results.has_failed_at(nearest));
+        f64::from(u8::from(has_failed))
     }
 }
 

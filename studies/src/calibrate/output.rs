@@ -10,7 +10,6 @@ use crate::csv_table::csv_table;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::path::Path;
 
 /// The file with the calibrated parameters.
@@ -42,19 +41,17 @@ impl Outcome {
 
     /// The calibrated keys under the headers of their tables, with intervals as comments.
     fn material(&self, calibration: &Calibration) -> String {
-        let mut text = format!("# {}\n# {}\n", calibration.title, answer(calibration, self));
+        let mut text = comment(&calibration.title) + &comment(&answer(calibration, self));
         for (target, one) in calibration.targets.iter().zip(&self.measured) {
             let name = calibration.target_name(target);
-            let _ = writeln!(
-                text,
-                "# {name} = {} +- {}: {}",
-                exact(one.value),
-                exact(one.deviation),
+            let (value, deviation) = (exact(one.value), exact(one.deviation));
+            text += &comment(&format!(
+                "{name} = {value} +- {deviation}: {}",
                 target.source
-            );
+            ));
         }
         for test in &calibration.tests {
-            let _ = writeln!(text, "# {}", self.command(calibration, test));
+            text += &comment(&self.command(calibration, test));
         }
         let mut tables: BTreeMap<&str, Vec<String>> = BTreeMap::new();
         for (parameter, one) in calibration.parameters.iter().zip(&self.marginals) {
@@ -88,9 +85,19 @@ impl Outcome {
     fn command(&self, calibration: &Calibration, test: &Test) -> String {
         let best: Vec<f64> = self.marginals.iter().map(|one| one.best).collect();
         let run = calibration.run(test, &best, test.seeds_at(0)[0]);
-        let set = run.overrides.iter().map(|one| format!(" --set '{one}'"));
+        let quoted = |text: &str| format!("'{}'", text.replace('\'', "'\\''"));
+        let set = run
+            .overrides
+            .iter()
+            .map(|one| format!(" --set {}", quoted(one)));
         let set: String = set.collect();
-        format!("gouge run {} --out DIR{set}", run.scene.display())
+        let scene = run.scene.display().to_string();
+        let is_plain = |c: char| c.is_alphanumeric() || "/._-".contains(c);
+        let scene = match scene.chars().all(is_plain) {
+            true => scene,
+            false => quoted(&scene),
+        };
+        format!("gouge run {scene} --out DIR{set}")
     }
 
     fn posterior_table(&self, calibration: &Calibration) -> Result<Vec<u8>, Error> {
@@ -163,6 +170,18 @@ impl Outcome {
         });
         csv_table(Path::new("runs.csv"), [header].into_iter().chain(rows))
     }
+}
+
+/// A comment on one line, whatever the text has.
+fn comment(text: &str) -> String {
+    let mut line = "# ".to_owned();
+    for character in text.chars() {
+        match character.is_control() {
+            true => line.extend(character.escape_default()),
+            false => line.push(character),
+        }
+    }
+    line + "\n"
 }
 
 /// A value with its intervals.

@@ -115,10 +115,9 @@ impl Results {
         self.failed().any(|run| run.point == point)
     }
 
-    /// Wall time of all runs in h.
-    pub fn core_hours(&self) -> f64 {
-        let seconds: f64 = self.runs.iter().map(|run| run.seconds).sum();
-        seconds / 3600.0
+    /// Wall time of all runs in s.
+    pub fn seconds(&self) -> f64 {
+        self.runs.iter().map(|run| run.seconds).sum()
     }
 }
 

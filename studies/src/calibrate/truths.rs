@@ -22,8 +22,8 @@ pub struct Trial {
     pub failed: usize,
     /// Number of runs.
     pub runs: usize,
-    /// Wall time of all runs in h.
-    pub core_hours: f64,
+    /// Wall time of all runs in s.
+    pub seconds: f64,
 }
 
 /// Recover known truths: draw them from the ranges, run the scenes there with seeds of their own, add errors of
@@ -55,7 +55,7 @@ pub fn recover(calibration: &Calibration, runner: Runner) -> Result<Trial, Error
         recovery: Recovery::of(&|point| emulators.at(point), &repetitions),
         failed,
         runs: design.runs.len() + runs.runs.len(),
-        core_hours: design.core_hours() + runs.core_hours(),
+        seconds: design.seconds() + runs.seconds(),
     })
 }
 

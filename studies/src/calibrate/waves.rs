@@ -39,9 +39,8 @@ impl Emulators {
             let test = &calibration.tests[target.test];
             let observed = &test.observed[target.quantity];
             let form = observed.closed_form;
-            let expected = form
-                .map(|form| calibration.expected(test, form))
-                .transpose()?;
+            let expected = form.map(|form| calibration.expected(test, form));
+            let expected = expected.transpose().map_err(Error::Argument)?;
             let samples = results.samples(target.test, target.quantity);
             Emulator::fit(&samples, observed.form, expected).map_err(|reason| {
                 let cause = results.failed().find_map(|run| run.outcome.clone().err());

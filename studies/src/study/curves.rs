@@ -2,6 +2,7 @@
 
 use super::results::{Results, Run};
 use crate::columns::Columns;
+use crate::csv_table::CsvFile;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::collections::BTreeMap;
@@ -9,6 +10,8 @@ use std::path::Path;
 
 /// Pressures whose curves are kept, in units of the normal strength: those of thesis figure 14 and one of each decade.
 pub const PRESSURES: [f64; 5] = [0.075, 0.1, 0.15, 0.3, 0.6];
+/// Columns of the file.
+const COLUMNS: [&str; 4] = ["run", "time", "friction", "heat"];
 /// Points of a curve.
 const POINTS: usize = 50;
 
@@ -38,21 +41,31 @@ impl Curves {
     /// Add the curves of a file, if it exists.
     ///
     /// # Errors
-    /// A file that cannot be read.
+    /// A file that cannot be read or does not hold curves: file, line, column and cell.
     pub fn add(&mut self, path: &Path) -> Result<(), Error> {
         if !path.exists() {
             return Ok(());
         }
-        let failed = |error: csv::Error| Error::file("read", path, std::io::Error::other(error));
-        let mut reader = csv::Reader::from_path(path).map_err(failed)?;
-        for row in reader.deserialize() {
-            let (run, time, friction, heat): (String, f64, f64, f64) = row.map_err(failed)?;
-            let point = Point {
-                time,
-                friction,
-                heat,
+        let table = CsvFile::read(path)?;
+        table.check_header(COLUMNS.into_iter())?;
+        let place = |name: &str| table.header.iter().position(|column| column == name);
+        let [run, time, friction, heat] = COLUMNS.map(|name| place(name).unwrap_or_default());
+        for (line, row) in &table.rows {
+            let number = |column: usize| {
+                let cell = &row[column];
+                let refusal =
+                    |_| table.error(*line, &table.header[column], cell, "must be a number");
+                cell.parse::<f64>().map_err(refusal)
             };
-            self.curves.entry(run).or_default().push(point);
+            let point = Point {
+                time: number(time)?,
+                friction: number(friction)?,
+                heat: number(heat)?,
+            };
+            self.curves
+                .entry(row[run].to_owned())
+                .or_default()
+                .push(point);
         }
         Ok(())
     }
@@ -73,7 +86,7 @@ impl Curves {
     /// # Errors
     /// Failures of the file system.
     pub fn write(&self, path: &Path) -> Result<(), Error> {
-        let mut text = "run,time,friction,heat\n".to_owned();
+        let mut text = COLUMNS.join(",") + "\n";
         for (run, curve) in &self.curves {
             for Point {
                 time,

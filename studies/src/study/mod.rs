@@ -20,7 +20,7 @@ use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use maud::Markup;
 use pictures::Shown;
-use results::Results;
+use results::{Columns, Results};
 use std::collections::HashSet;
 use std::path::Path;
 
@@ -126,15 +126,16 @@ impl Study {
         earlier: &[&Path],
         out: &Path,
     ) -> Result<(), Error> {
+        let columns = Columns::of(prepared.iter().map(|one| &one.sweep));
         let mut results = Results::default();
         let mut curves = Curves::default();
         for folder in earlier {
-            results.add_joint(&folder.join("runs.csv"))?;
+            results.add_joint(&folder.join("runs.csv"), &columns)?;
             curves.add(&folder.join("curves.csv"))?;
         }
         for one in prepared {
             let folder = out.join(one.part.name);
-            results.add(one.part.name, &folder.join("runs.csv"))?;
+            results.add(one.part.name, &folder.join("runs.csv"), &columns)?;
         }
         curves.observe(&results, out);
         results.write(&out.join("runs.csv"))?;
@@ -151,14 +152,16 @@ impl Study {
     }
 }
 
-/// Names of the runs that earlier studies finished.
+/// Names of the runs that earlier studies finished; `prepared` are the parts of the present one.
 ///
 /// # Errors
-/// Tables that cannot be read.
-pub fn known(earlier: &[&Path]) -> Result<HashSet<String>, Error> {
+/// Tables that cannot be read or are not those of a study.
+pub fn known(earlier: &[&Path], prepared: &[Prepared]) -> Result<HashSet<String>, Error> {
+    let columns = Columns::of(prepared.iter().map(|one| &one.sweep));
     let mut results = Results::default();
     for folder in earlier {
-        results.add_joint(&folder.join("runs.csv"))?;
+        results.add_joint(&folder.join("runs.csv"), &columns)?;
+        Curves::default().add(&folder.join("curves.csv"))?;
     }
     let finished = results.runs().iter().filter(|run| run.is_finished());
     Ok(finished.map(|run| run.name.clone()).collect())

@@ -21,6 +21,13 @@ pub struct Cost {
     pub bytes: f64,
 }
 
+impl Cost {
+    /// Seconds on one core.
+    pub fn seconds(self) -> f64 {
+        3600.0 * self.core_hours
+    }
+}
+
 /// What some runs will cost: a few of them, spread evenly, are tried for a number of steps.
 pub fn estimate(runs: &[&Planned]) -> Cost {
     let chosen = runs.len().min(PILOTS);

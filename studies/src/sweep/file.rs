@@ -1,10 +1,11 @@
 //! Sweep files.
 
 use super::observe::Observation;
+use super::table::{COST, RUN, STATE};
 use crate::text::{Place, inline, number, read_text, scene_beside};
 use gouge_runner::error::{Error, SceneError};
 use serde::Deserialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use toml::{Spanned, Value};
 
@@ -13,6 +14,8 @@ use toml::{Spanned, Value};
 pub struct Sweep {
     /// Name of the file.
     pub file: String,
+    /// Text of the file.
+    pub text: String,
     /// A scene file, or the name of a built-in scene.
     pub scene: PathBuf,
     /// Overrides that all runs have, as `KEY=VALUE`.
@@ -23,8 +26,8 @@ pub struct Sweep {
     pub seeds: Vec<Axis>,
     /// Most core-hours that the sweep may take.
     pub core_hours: Option<f64>,
-    /// What is observed in each run.
-    pub observations: Vec<Observation>,
+    /// What is observed in each run, with the places in the file.
+    pub observations: Vec<Spanned<Observation>>,
     /// Whether runs whose balance cannot be trusted are observed, too.
     pub observe_untrusted: bool,
 }
@@ -85,7 +88,7 @@ struct AxisKeys {
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Budget {
-    core_hours: Option<f64>,
+    core_hours: Option<Spanned<f64>>,
 }
 
 impl Sweep {
@@ -122,19 +125,22 @@ impl Sweep {
             }
         }
         for observation in &keys.observe {
-            if let Err(accepted) = observation.get_ref().check() {
-                return Err(place.error(observation.span(), "observe", &accepted).into());
+            if let Err((key, accepted)) = observation.get_ref().check() {
+                let key = format!("observe.{key}");
+                return Err(place.error(observation.span(), &key, &accepted).into());
             }
         }
+        place.refuse_same_columns(&keys, &axes, &seeds)?;
         Ok(Self {
             scene: scene_beside(path, &keys.scene),
             set: keys.set,
             axes,
             seeds,
-            core_hours: keys.budget.core_hours,
-            observations: keys.observe.into_iter().map(Spanned::into_inner).collect(),
+            core_hours: place.core_hours(keys.budget.core_hours.as_ref())?,
+            observations: keys.observe,
             observe_untrusted: keys.observe_untrusted,
             file,
+            text,
         })
     }
 
@@ -145,6 +151,39 @@ impl Sweep {
 }
 
 impl Place<'_> {
+    /// Refuse two columns of the table of runs with the same name.
+    fn refuse_same_columns(
+        &self,
+        keys: &Keys,
+        axes: &[Axis],
+        seeds: &[Axis],
+    ) -> Result<(), SceneError> {
+        let axes = axes.iter().zip(keys.axis.iter().map(Spanned::span));
+        let axes = axes.map(|(axis, span)| (axis.name.clone(), span, "axis.name".to_owned()));
+        let seeds = seeds.iter().zip(&keys.seeds);
+        let seeds = seeds.map(|(axis, (name, value))| {
+            (axis.name.clone(), value.span(), format!("seeds.{name}"))
+        });
+        let observed = keys.observe.iter();
+        let observed =
+            observed.map(|one| (one.get_ref().name(), one.span(), "observe.name".to_owned()));
+        let mut seen: Vec<String> = [RUN]
+            .iter()
+            .chain(&STATE)
+            .chain(&COST)
+            .map(|&one| one.to_owned())
+            .collect();
+        for (name, span, key) in axes.chain(seeds).chain(observed) {
+            if seen.contains(&name) {
+                let accepted =
+                    format!("must be unique, but runs.csv has another column {name} already");
+                return Err(self.error(span, &key, &accepted));
+            }
+            seen.push(name);
+        }
+        Ok(())
+    }
+
     fn axis(&self, axis: &Spanned<AxisKeys>) -> Result<Axis, SceneError> {
         let refusal =
             |key: &str, accepted: &str| self.error(axis.span(), &format!("axis.{key}"), accepted);
@@ -189,7 +228,13 @@ impl Place<'_> {
                     format!("must hold one name for each of the {} values", values.len());
                 return Err(refusal("labels", &accepted));
             }
-            Some(labels) => labels.clone(),
+            Some(labels) => match twin(labels) {
+                Some(label) => {
+                    let accepted = format!("must be unique, but {label:?} is there twice");
+                    return Err(refusal("labels", &accepted));
+                }
+                None => labels.clone(),
+            },
             None => table.values.iter().map(inline).collect(),
         };
         Ok(Axis {
@@ -215,6 +260,12 @@ impl Place<'_> {
             labels,
         })
     }
+}
+
+/// The first text that occurs twice.
+fn twin(texts: &[String]) -> Option<&String> {
+    let mut seen = HashSet::new();
+    texts.iter().find(|text| !seen.insert(text.as_str()))
 }
 
 /// Whether two dotted keys are the same, or one lies within the other.

@@ -23,4 +23,4 @@ pub use observe::{Observation, Statistic};
 pub use plan::{Planned, plan};
 pub use quantity::{Finished, Quantity};
 pub use state::{State, Status, status};
-pub use table::collect;
+pub use table::{COST, RUN, STATE, collect};

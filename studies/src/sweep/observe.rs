@@ -2,6 +2,8 @@
 
 use super::quantity::{Finished, Quantity};
 use crate::columns::Columns;
+use gouge_runner::run::series_columns;
+use gouge_runner::scene::Scene;
 use serde::Deserialize;
 use std::path::Path;
 
@@ -28,6 +30,9 @@ pub struct Observation {
     pub times: Option<f64>,
 }
 
+/// A key with a mistake, and what is accepted.
+pub type Mistake = (&'static str, String);
+
 /// What is taken of a column.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -49,29 +54,65 @@ pub enum Statistic {
 }
 
 impl Observation {
-    /// Check that exactly one of quantity and column is given, and what the statistic needs.
+    /// Check that exactly one of quantity and column is given, what the statistic needs, and all numbers.
     ///
     /// # Errors
-    /// What is accepted.
-    pub fn check(&self) -> Result<(), String> {
+    /// The key at fault and what is accepted.
+    pub fn check(&self) -> Result<(), Mistake> {
         let of_two = matches!(self.statistic, Some(Statistic::Slope | Statistic::AtPeak));
-        let accepted = match (&self.quantity, &self.column, &self.statistic) {
-            (None, Some(_), None) => {
-                "needs statistic: mean, deviation, minimum, maximum, last, slope or at-peak"
-            }
-            (Some(_), Some(_), _) | (None, None, _) | (Some(_), None, Some(_)) => {
-                "must have either quantity, or column and statistic"
-            }
-            _ if of_two && self.against.is_none() => "needs against: another column",
+        let is_finite = |number: Option<f64>| number.is_none_or(f64::is_finite);
+        let [low, high] = self.range.unwrap_or([0.0, 1.0]);
+        let (key, accepted) = match (&self.quantity, &self.column, &self.statistic) {
+            (None, Some(_), None) => (
+                "statistic",
+                "a column needs one of mean, deviation, minimum, maximum, last, slope and at-peak",
+            ),
+            (Some(_), Some(_), _) => ("column", "must not be given beside quantity"),
+            (None, None, _) => (
+                "quantity",
+                "must have either quantity, or column and statistic",
+            ),
+            (Some(_), None, Some(_)) => ("statistic", "is for a column, not for a quantity"),
+            _ if of_two && self.against.is_none() => ("against", "must name another column"),
             _ if !of_two && self.against.is_some() => {
-                "against is for the statistics slope and at-peak"
+                ("against", "is for the statistics slope and at-peak")
             }
             _ if self.range.is_some() && self.against.is_none() => {
-                "range is one of the column against"
+                ("range", "is one of the column against, which is missing")
             }
+            _ if low.is_nan() || high.is_nan() || low > high => {
+                ("range", "must be two numbers, the smaller one first")
+            }
+            _ if !self.after.is_finite() => ("after", "must be a finite number"),
+            _ if !is_finite(self.times) => ("times", "must be a finite number"),
             _ => return Ok(()),
         };
-        Err(accepted.to_owned())
+        Err((key, accepted.to_owned()))
+    }
+
+    /// Check that runs of a scene can have a value.
+    ///
+    /// # Errors
+    /// The key at fault and what is accepted.
+    pub fn check_in(&self, scene: &Scene) -> Result<(), Mistake> {
+        if let Some(needed) = self.quantity.and_then(|one| one.lacks(scene)) {
+            return Err(("quantity", format!("needs a scene with {needed}")));
+        }
+        let columns = series_columns(scene);
+        for (key, column) in [("column", &self.column), ("against", &self.against)] {
+            let is_known = |name: &String| columns.contains(&name.as_str());
+            if !column.as_ref().is_none_or(is_known) {
+                let list = columns.join(", ");
+                return Err((key, format!("must be a column of the series: {list}")));
+            }
+        }
+        match self.after > scene.end {
+            true => {
+                let end = scene.end;
+                Err(("after", format!("must not be above time.end = {end:?}")))
+            }
+            false => Ok(()),
+        }
     }
 
     /// The name in tables.

@@ -30,8 +30,8 @@ pub fn page_of(sweep: &Sweep, runs: &[Planned], outcomes: &[Outcome]) -> Markup 
         p { "A sweep of " code { (sweep.scene.display()) } " with " (runs.len()) " runs; " a href="runs.csv" { "runs.csv" } " has a row per run." }
         (statuses(outcomes))
         @for (place, observation) in sweep.observations.iter().enumerate() {
-            h2 { (observation.name()) }
-            (observed(sweep, &observation.name(), &groups(sweep, runs, outcomes, place)))
+            h2 { (observation.get_ref().name()) }
+            (observed(sweep, &observation.get_ref().name(), &groups(sweep, runs, outcomes, place)))
         }
     };
     page(&sweep.file, body)

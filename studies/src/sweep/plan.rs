@@ -2,6 +2,7 @@
 
 use super::file::{Axis, Sweep};
 use super::state::State;
+use crate::text::Place;
 use gouge_runner::error::Error;
 use gouge_runner::run::{phases, write_whole};
 use gouge_runner::scene::{Overrides, Scene, hex};
@@ -70,8 +71,8 @@ impl Planned {
 /// sweep, because resolving the scenes of many runs takes a while.
 ///
 /// # Errors
-/// A scene that refuses every combination of values, two runs that are the same, too many runs, or a failure of the
-/// file system.
+/// A scene that refuses every combination of values, an observation that no run can have, two runs that are the same,
+/// too many runs, or a failure of the file system.
 pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
     let axes: Vec<&Axis> = sweep.all_axes().collect();
     let lengths = axes.iter().map(|axis| axis.values.len());
@@ -91,6 +92,7 @@ pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
             .err()
             .unwrap_or(Error::Argument(format!("{}: no run", sweep.file))));
     };
+    refuse_unavailable(sweep, &runs, &first)?;
     let kept = Names::of(sweep, &first, out);
     match kept.read(number) {
         Some(names) => runs
@@ -104,6 +106,26 @@ pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
         }
     }
     Ok(runs)
+}
+
+/// Refuse an observation that no run can have; `first` is the first scene that accepts its values.
+fn refuse_unavailable(sweep: &Sweep, runs: &[Planned], first: &Scene) -> Result<(), Error> {
+    for observation in &sweep.observations {
+        let check = |scene: &Scene| observation.get_ref().check_in(scene);
+        let Err((key, accepted)) = check(first) else {
+            continue;
+        };
+        let mut scenes = runs.iter().filter_map(|run| run.load().ok());
+        if !scenes.any(|scene| check(&scene).is_ok()) {
+            let place = Place {
+                file: &sweep.file,
+                text: &sweep.text,
+            };
+            let key = format!("observe.{key}");
+            return Err(place.error(observation.span(), &key, &accepted).into());
+        }
+    }
+    Ok(())
 }
 
 fn refuse_twins(sweep: &Sweep, runs: &[Planned]) -> Result<(), Error> {

@@ -5,8 +5,9 @@ use crate::columns::Columns;
 use crate::decay::Decay;
 use crate::final_state::FinalState;
 use gouge_dem::laws::characteristic_length;
+use gouge_dem::particles::Role;
 use gouge_runner::run::Summary;
-use gouge_runner::scene::Scene;
+use gouge_runner::scene::{Measure, Scene};
 use serde::Deserialize;
 use std::path::Path;
 
@@ -100,6 +101,44 @@ impl Quantity {
         }
     }
 
+    /// What a scene needs for it and does not have; none if runs of the scene can have a value.
+    pub(super) fn lacks(self, scene: &Scene) -> Option<&'static str> {
+        let (driving, energy) = (scene.driving, scene.output.energy);
+        let measures = |measure: Measure| scene.output.measure.contains(&measure);
+        let can_break = scene.bond.is_some_and(|bond| bond.yielding.is_some());
+        let (is_there, needed) = match self {
+            Self::BondsBroken => (true, ""),
+            Self::Friction | Self::FrictionMargin | Self::Slip => (
+                driving.is_some() && energy,
+                "[driving], and output.energy = true",
+            ),
+            Self::LoadHeld => (
+                driving.is_some_and(|one| one.pressure != 0.0) && scene.domain.width.is_some(),
+                "driving.pressure and box.width",
+            ),
+            Self::Restitution => (energy, "output.energy = true"),
+            Self::ContactDuration => (
+                scene.contact.is_some() && energy,
+                "[contact], and output.energy = true",
+            ),
+            Self::YoungsModulus | Self::PoissonsRatio => (
+                measures(Measure::Stress) && measures(Measure::Strain),
+                "output.measure = [\"stress\", \"strain\"]",
+            ),
+            Self::ReposeAngle => (has_floor(scene), "fixed grains, on which the others lie"),
+            Self::DebrisFragments
+            | Self::DebrisDepth
+            | Self::LongestCrack
+            | Self::CrackGap
+            | Self::EdgeDebris => (
+                scene.domain.period().is_some() && can_break,
+                "[bond.yielding], and box.boundary = \"periodic-x\"",
+            ),
+            _ => (driving.is_some(), "[driving]"),
+        };
+        (!is_there).then_some(needed)
+    }
+
     /// Its value in a finished run; none if the run does not have it.
     pub(super) fn value(self, run: &Finished) -> Option<f64> {
         let friction = run.summary.friction.as_ref();
@@ -149,6 +188,14 @@ impl Quantity {
             _ => decay.correlation(),
         })
     }
+}
+
+/// Whether grains of a scene are fixed, as far as it tells: one that begins from another run may have any.
+fn has_floor(scene: &Scene) -> bool {
+    let roles = scene.setup.as_ref().and_then(|setup| setup.roles);
+    scene.start.is_some()
+        || scene.particles.iter().any(|one| one.role == Role::Fixed)
+        || roles.is_some_and(|one| one.fixed_below.or(one.fixed_left_of).is_some())
 }
 
 fn load_held(run: &Finished) -> Option<f64> {

@@ -24,10 +24,19 @@ pub fn contact_duration(folder: &Path) -> Option<f64> {
 }
 
 /// Young's modulus in Pa and Poisson's ratio of the isotropic plane solid, free to expand out of the plane, that has the
-/// last stress and strain of the specimen along the axes: E e_x = s_x - nu s_y, E e_y = s_y - nu s_x.
+/// stress and strain of the specimen along the axes in the last sample before a bond breaks:
+/// E e_x = s_x - nu s_y, E e_y = s_y - nu s_x.
 pub fn isotropic(folder: &Path) -> Option<[f64; 2]> {
     let series = Columns::of_series(folder)?;
-    let last = |name: &str| series.get(name)?.last().copied();
+    let time = series.get("time")?;
+    let whole = match series.get("bonds") {
+        Some(bonds) => bonds
+            .iter()
+            .take_while(|&number| *number == bonds[0])
+            .count(),
+        None => time.len(),
+    };
+    let last = |name: &str| series.get(name)?[..whole].last().copied();
     let [stress_x, stress_y] = [last("stress_xx")?, last("stress_yy")?];
     let [strain_x, strain_y] = [last("strain_xx")?, last("strain_yy")?];
     let ratio =

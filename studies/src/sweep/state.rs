@@ -26,6 +26,16 @@ pub enum Status {
 }
 
 impl Status {
+    /// All of them.
+    pub const ALL: [Self; 6] = [
+        Self::Waiting,
+        Self::Begun,
+        Self::Done,
+        Self::Untrusted,
+        Self::Failed,
+        Self::Refused,
+    ];
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
@@ -36,6 +46,11 @@ impl Status {
             Self::Failed => "failed",
             Self::Refused => "refused",
         }
+    }
+
+    /// The status of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|status| status.name() == name)
     }
 
     /// Whether nothing remains to be done for the run, unless it is retried.

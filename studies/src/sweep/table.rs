@@ -10,6 +10,20 @@ use crate::csv_table::csv_table;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::path::{Path, PathBuf};
+use toml::Spanned;
+
+/// Column of the name of a run.
+pub const RUN: &str = "run";
+/// Columns of how a run ended.
+pub const STATE: [&str; 2] = ["status", "cause"];
+/// Columns of what a run cost.
+pub const COST: [&str; 5] = [
+    "steps",
+    "time",
+    "particles",
+    "balance_error",
+    "wall_seconds",
+];
 
 /// Write `runs.csv` and `sweep.html`. The table has one row per run, with its axes, its status and cause, its observations and its cost. Failed runs are
 /// rows, too; what a run does not have is empty.
@@ -19,20 +33,11 @@ use std::path::{Path, PathBuf};
 pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, Error> {
     let path = out.join("runs.csv");
     let axes: Vec<&Axis> = sweep.all_axes().collect();
-    let mut header = vec!["run".to_owned()];
+    let mut header = vec![RUN.to_owned()];
     header.extend(axes.iter().map(|axis| axis.name.clone()));
-    header.extend(["status", "cause"].map(str::to_owned));
-    header.extend(sweep.observations.iter().map(|one| one.name()));
-    header.extend(
-        [
-            "steps",
-            "time",
-            "particles",
-            "balance_error",
-            "wall_seconds",
-        ]
-        .map(str::to_owned),
-    );
+    header.extend(STATE.map(str::to_owned));
+    header.extend(sweep.observations.iter().map(|one| one.get_ref().name()));
+    header.extend(COST.map(str::to_owned));
     let first = 1 + axes.len();
     let mut outcomes = Vec::with_capacity(runs.len());
     let mut rows = vec![header];
@@ -69,7 +74,8 @@ fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> 
         scene: &scene,
     });
     let observe = |one: &Observation| finished.as_ref().map(|run| one.value(run));
-    let observed: Vec<_> = sweep.observations.iter().map(observe).collect();
+    let observations = sweep.observations.iter().map(Spanned::get_ref);
+    let observed: Vec<_> = observations.map(observe).collect();
     let missing = observed
         .iter()
         .flatten()

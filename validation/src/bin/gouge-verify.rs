@@ -6,6 +6,7 @@ use gouge_runner::machine::{CallingThread, start_pool};
 use gouge_validation::report::Figures;
 use gouge_validation::verify::verify;
 use mimalloc::MiMalloc;
+use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -42,7 +43,8 @@ fn main() -> ExitCode {
     match execute(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("gouge: {error}");
+            // If nobody reads it any more, it is left out.
+            let _ = writeln!(std::io::stderr(), "gouge: {error}");
             ExitCode::from(error.status())
         }
     }

@@ -15,6 +15,9 @@ pub const NAME: &str = "animation.bin";
 /// Bytes per grain and sample: position, angle, speed and pressure as single-precision numbers, and a colour.
 const WIDTH: usize = 21;
 
+/// Why a file is refused that lacks samples.
+const TRUNCATED: &str = "it is shorter than when it was last written; remove it to continue without the motion on the page";
+
 /// Colour of a single free grain; smaller numbers are those of fragments.
 pub const SINGLE: u8 = 250;
 /// Colour of a driven grain.
@@ -39,26 +42,41 @@ pub struct Grain {
 }
 
 impl Animation {
-    /// Begin the file, or continue it after a number of samples; none if it lacks some of them.
+    /// Begin the file, or continue it after a number of samples; none if the earlier part of the run left none, as with
+    /// `--data-only`.
     ///
     /// # Errors
-    /// Failures of the file system.
+    /// A file that lacks some of the samples, or failures of the file system.
     pub fn open(folder: &Path, samples: u64, particles: usize) -> Result<Option<Self>, Error> {
         let path = folder.join(FOLDER).join(NAME);
         let bytes = samples * (WIDTH * particles) as u64;
-        let open = || -> std::io::Result<Option<File>> {
+        if samples > 0 && !path.exists() {
+            return Ok(None);
+        }
+        let open = || -> std::io::Result<File> {
             let mut file = File::options()
                 .create(true)
                 .truncate(false)
                 .write(true)
                 .open(&path)?;
-            let is_whole = file.metadata()?.len() >= bytes;
-            file.set_len(if is_whole { bytes } else { 0 })?;
+            if file.metadata()?.len() < bytes {
+                return Err(std::io::Error::other(TRUNCATED));
+            }
+            file.set_len(bytes)?;
             file.seek(SeekFrom::End(0))?;
-            Ok(is_whole.then_some(file))
+            Ok(file)
         };
         let file = open().map_err(|error| Error::file("open", &path, error))?;
-        Ok(file.map(|file| Self { path, file }))
+        Ok(Some(Self { path, file }))
+    }
+
+    /// Flush the appended samples to the disk.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn sync(&self) -> Result<(), Error> {
+        let synced = self.file.sync_data();
+        synced.map_err(|error| Error::file("write", &self.path, error))
     }
 
     /// Append a sample.

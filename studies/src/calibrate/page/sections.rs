@@ -5,6 +5,7 @@ use crate::calibrate::calibration::Calibration;
 use crate::calibrate::identify::{DROPS, profile_interval};
 use crate::calibrate::likelihood::RULED_OUT;
 use crate::calibrate::outcome::{Answer, Outcome};
+use crate::words::{counted, duration};
 use gouge_page::table;
 use maud::{Markup, html};
 
@@ -222,9 +223,9 @@ pub fn runs(calibration: &Calibration, outcome: &Outcome) -> Markup {
         "plausible after it",
         "smallest implausibility",
     ];
-    let hours = results.core_hours() + outcome.predictive.core_hours();
+    let seconds = results.seconds() + outcome.predictive.seconds();
     html! {
-        p { (results.runs.len()) " runs for the emulators and " (outcome.predictive.runs.len()) " at points of the posterior took " (format!("{hours:.4}")) " core-hours." }
+        p { (counted(results.runs.len(), "run")) " for the emulators and " (outcome.predictive.runs.len()) " at points of the posterior took " (duration(seconds)) " on one core." }
         (table(&format!("A point is plausible if no target is more than {RULED_OUT} standard deviations away."), &columns(&names), &waves))
         @if failed.is_empty() {
             p { "No run failed." }
@@ -233,8 +234,10 @@ pub fn runs(calibration: &Calibration, outcome: &Outcome) -> Markup {
                 "At " (failed.len()) " of " (results.points.len()) " points ("
                 (format!("{:.0} %", 100.0 * failed.len() as f64 / results.points.len() as f64))
                 ") a run failed. The emulators know nothing of these runs. "
+                (format!("{:.1} %", 100.0 * outcome.failed_range()))
+                " of the ranges and "
                 (format!("{:.1} %", 100.0 * outcome.failed_share()))
-                " of the posterior is closer to such a point than to any other."
+                " of the posterior are closer to such a point than to any other: there nothing was measured, and all values are about as likely as before."
             }
             (failures(calibration, outcome))
         }
