@@ -356,3 +356,93 @@ fn mistakes_in_a_sweep_are_named() {
         assert!(!folder.path("out/runs").exists());
     }
 }
+
+/// A bonded pair whose bond is stretched or shortened at 1 m/s until it breaks.
+const PAIR: &str = r#"
+[time]
+step = 1e-7
+end = 120e-6
+integrator = "velocity-verlet"
+[box]
+width = 0.1
+height = 0.1
+boundary = "open"
+[material]
+density = 2700.0
+[bond.normal]
+stiffness = 1e7
+damping = 0.0
+[bond.yielding]
+law = "zhang-eckert"
+normal_strength = 280e6
+tangential_strength = 280e6
+unbreakable_edges = false
+[driving]
+controller = "steady"
+velocity = [1.0, 0.0]
+[output]
+interval = 1e-7
+[[particles]]
+position = [0.05, 0.05]
+radius = 1e-3
+role = "fixed"
+[[particles]]
+position = [0.052, 0.05]
+radius = 1e-3
+role = "driven"
+[[bonds]]
+between = [0, 1]
+"#;
+
+const BREAKS: &str = r#"
+scene = "pair.toml"
+[[axis]]
+key = "driving.velocity"
+values = [[1.0, 0.0], [-1.0, 0.0]]
+labels = ["stretched", "shortened"]
+[[observe]]
+name = "strength"
+column = "drive_force_x"
+statistic = "at-change"
+against = "bonds"
+[[observe]]
+name = "time of the largest force"
+column = "time"
+statistic = "at-peak"
+against = "drive_force_x"
+[[observe]]
+name = "time of the smallest force"
+column = "time"
+statistic = "at-trough"
+against = "drive_force_x"
+[[observe]]
+name = "force at 33.35 us"
+column = "drive_force_x"
+statistic = "at-level"
+against = "time"
+level = 33.35e-6
+"#;
+
+/// The force grows by the stiffness times the velocity, to the strength times the section of the bond.
+#[test]
+fn a_column_is_observed_where_another_one_peaks_reaches_a_level_or_changes() {
+    let folder = Folder::new(BREAKS);
+    fs::write(folder.path("pair.toml"), PAIR).expect("a file");
+    let (status, _, errors) = folder.sweep("out", &["--quiet"]);
+    assert_eq!(status, Some(0), "{errors}");
+    let strength = 280e6 * std::f64::consts::PI * 1e-6;
+    let (rate, interval) = (1e7, 1e-7);
+    for row in folder.rows("out") {
+        let number = |name: &str| row[name].parse::<f64>().expect("a number");
+        let (sign, extreme) = match row["driving.velocity"].as_str() {
+            "stretched" => (1.0, "time of the largest force"),
+            _ => (-1.0, "time of the smallest force"),
+        };
+        let missing = strength - sign * number("strength");
+        assert!((0.0..=1.01 * rate * interval).contains(&missing), "{row:?}");
+        let early = strength / rate - number(extreme);
+        assert!((0.0..=1.01 * interval).contains(&early), "{row:?}");
+        let force = sign * number("force at 33.35 us");
+        assert!((force / (rate * 33.35e-6) - 1.0).abs() < 1e-6, "{row:?}");
+    }
+}

@@ -248,7 +248,7 @@ fn failed_runs_are_counted_and_name_their_causes() {
 }
 
 /// Mistakes: what is replaced by what, and what the error says.
-const MISTAKES: [[&str; 3]; 16] = [
+const MISTAKES: [[&str; 3]; 17] = [
     [
         "[0.05, 20.0]",
         "[20.0, 0.05]",
@@ -296,6 +296,11 @@ const MISTAKES: [[&str; 3]; 16] = [
         "quantity = \"restitution\"\n\n",
         "quantity = \"restitution\"\nclosed_form = \"hexagonal-modulus\"\n\n",
         "closed form",
+    ],
+    [
+        "quantity = \"restitution\"\n\n",
+        "column = \"time\"\nstatistic = \"at-level\"\nagainst = \"kinetic\"\n\n",
+        "need each other",
     ],
 ];
 
@@ -358,4 +363,18 @@ fn built_in_calibrations_are_listed_and_recover_known_truths() {
         said.contains("pass") && said.contains("60 repetitions (0 more failed)"),
         "{said}"
     );
+}
+
+#[test]
+fn the_printed_file_of_a_built_in_calibration_is_one_to_copy() {
+    let printed = run(&["calibrate", "rebound", "--print"]);
+    assert_eq!(printed.status.code(), Some(0), "{}", stderr(&printed));
+    let folder = Folder::new(&stdout(&printed));
+    let (status, said, errors) = folder.calibrate("out", &[]);
+    assert_eq!(status, Some(0), "{errors}");
+    assert!(said.contains("answer          determined"), "{said}");
+    let unknown = run(&["calibrate", "granite", "--print"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    let said = stderr(&unknown);
+    assert!(said.contains("granite") && said.contains("rebound-ice"), "{said}");
 }
