@@ -85,7 +85,9 @@ impl Observation {
             _ if !of_two && self.against.is_some() => {
                 "against is for the statistics slope, at-peak, at-trough, at-level and at-change"
             }
-            _ if at_level != self.level.is_some() => "level and the statistic at-level need each other",
+            _ if at_level != self.level.is_some() => {
+                "level and the statistic at-level need each other"
+            }
             _ if self.range.is_some() && self.against.is_none() => {
                 "range is one of the column against"
             }
@@ -164,11 +166,14 @@ impl Observation {
 
 /// The second numbers where the first ones reach a level, on the line between two pairs.
 fn at_level(pairs: &[[f64; 2]], level: f64) -> Option<f64> {
-    let is_crossed =
-        |two: &&[[f64; 2]]| (two[0][0] - level) * (two[1][0] - level) <= 0.0;
+    let is_crossed = |two: &&[[f64; 2]]| (two[0][0] - level) * (two[1][0] - level) <= 0.0;
     let crossing = pairs.windows(2).find(is_crossed)?;
     let [[x, a], [y, b]] = [crossing[0], crossing[1]];
-    let part = if x == level { 0.0 } else { (level - x) / (y - x) };
+    let part = if x == level {
+        0.0
+    } else {
+        (level - x) / (y - x)
+    };
     Some(a + part * (b - a))
 }
 
