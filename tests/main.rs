@@ -28,6 +28,7 @@ mod machine;
 mod measurements;
 mod measures;
 mod nothing_lost;
+mod observations;
 mod original_program;
 mod overrides;
 mod page;

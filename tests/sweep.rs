@@ -1,9 +1,6 @@
 //! `gouge sweep`: many runs of one scene.
 
 use crate::program::{gouge, run, stderr, stdout};
-use approx::assert_relative_eq;
-use gouge_runner::run::Summary;
-use gouge_studies::sweep::{Finished, Observation};
 use gouge_studies::words::duration;
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// A folder with a sweep over two steps and three dampings of two grains that collide, one of them refused.
-struct Folder(tempfile::TempDir);
+pub struct Folder(tempfile::TempDir);
 
 const SWEEP: &str = r#"
 scene = "head-on"
@@ -38,13 +35,13 @@ after = 1e-6
 "#;
 
 impl Folder {
-    fn new(sweep: &str) -> Self {
+    pub fn new(sweep: &str) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         fs::write(folder.path().join("sweep.toml"), sweep).expect("a file");
         Self(folder)
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
@@ -64,7 +61,7 @@ impl Folder {
     }
 
     /// Status, standard output and standard error of a sweep.
-    fn sweep(&self, out: &str, options: &[&str]) -> (Option<i32>, String, String) {
+    pub fn sweep(&self, out: &str, options: &[&str]) -> (Option<i32>, String, String) {
         let arguments = self.arguments(out, options);
         let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
         let output = run(&arguments);
@@ -72,7 +69,7 @@ impl Folder {
     }
 
     /// The rows of the table by the names of their columns.
-    fn rows(&self, out: &str) -> Vec<BTreeMap<String, String>> {
+    pub fn rows(&self, out: &str) -> Vec<BTreeMap<String, String>> {
         let reader = csv::Reader::from_path(self.path(out).join("runs.csv"));
         let rows = reader.expect("a table").into_deserialize();
         rows.map(|row| row.expect("a row")).collect()
@@ -410,55 +407,6 @@ fn mistakes_in_a_sweep_are_named() {
         assert_eq!(status, Some(2), "{words}: {said}");
         assert!(said.contains(words), "{words}: {said}");
         assert!(!folder.path("out/runs").exists());
-    }
-}
-
-#[test]
-fn an_observation_that_some_runs_can_have_is_accepted() {
-    let folder = Folder::new(
-        r#"
-scene = "head-on"
-set = ["time.end=1e-6"]
-[[axis]]
-name = "measured"
-key = "output.measure"
-values = [[], ["coordination"]]
-[[observe]]
-column = "coordination"
-statistic = "last"
-"#,
-    );
-    let (status, _, said) = folder.sweep("out", &[]);
-    assert_eq!(status, Some(0), "{said}");
-    let rows = folder.rows("out");
-    assert!(rows[0]["cause"].contains("the run has no coordination_last"));
-    assert!(!rows[1]["coordination_last"].is_empty());
-}
-
-/// The summary of a run, with the keys that have no default.
-const SUMMARY: &str = r#"{"status": "done", "steps": 3, "time": 3.0, "particles": 9, "bonds_initial": 20,
-"bonds_broken": 2, "wall_seconds": 1.0, "particle_steps_per_second": 1.0, "link_steps_per_second": 1.0,
-"version": "", "scene_sha256": "", "series_columns": []}"#;
-
-#[test]
-fn elastic_constants_are_those_of_the_whole_specimen() {
-    // E = 70 GPa, nu = 0.25 under s_y = 70 MPa; then bonds break.
-    let series = "time,bonds,stress_xx,stress_yy,strain_xx,strain_yy\n\
-                  0.0,20,0.0,0.0,0.0,0.0\n1.0,20,0.0,70e6,-0.25e-3,1e-3\n2.0,18,0.0,9e6,-0.1,0.3\n";
-    let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("series.csv"), series).expect("a file");
-    fs::write(folder.path().join("summary.json"), SUMMARY).expect("a file");
-    let summary = Summary::read(folder.path()).expect("a summary");
-    let run = Finished {
-        folder: folder.path(),
-        summary: &summary,
-        scene: &|| None,
-    };
-    for (name, expected) in [("youngs-modulus", 70e9), ("poissons-ratio", 0.25)] {
-        let text = format!("quantity = {name:?}");
-        let observation: Observation = toml::from_str(&text).expect("an observation");
-        let found = observation.value(&run).expect("a value");
-        assert_relative_eq!(found, expected, max_relative = 1e-12);
     }
 }
 

@@ -6,7 +6,7 @@ use crate::terminal::{say, stopped_by_signals};
 use clap::Args;
 use gouge_runner::error::Error;
 use gouge_studies::calibrate::{
-    Answer, Runner, account, account_of_trial, calibrate, load, names, recover,
+    Answer, Runner, account, account_of_trial, calibrate, load, names, recover, text,
 };
 use gouge_studies::sweep::Planned;
 use std::path::{Path, PathBuf};
@@ -18,11 +18,14 @@ pub struct CalibrateArguments {
     #[arg(required_unless_present = "list")]
     file: Option<PathBuf>,
     /// Folder of the calibration
-    #[arg(long, value_name = "DIR", required_unless_present = "list")]
+    #[arg(long, value_name = "DIR", required_unless_present_any = ["list", "print"])]
     out: Option<PathBuf>,
     /// List the built-in calibrations
     #[arg(long)]
     list: bool,
+    /// Print the file of a built-in calibration, as a start for one of your own
+    #[arg(long, conflicts_with = "list")]
+    print: bool,
     /// Recover known truths with synthetic measurements instead of calibrating
     #[arg(long)]
     recover: bool,
@@ -43,6 +46,9 @@ const ALL: &str = "all";
 /// A calibration that cannot be used, failures of the file system, an interruption, a model that is refuted, a recovery
 /// that failed.
 pub fn launch(arguments: &CalibrateArguments) -> Result<(), Error> {
+    if let (true, Some(file)) = (arguments.print, &arguments.file) {
+        return print_builtin(file);
+    }
     let (Some(file), Some(out)) = (&arguments.file, &arguments.out) else {
         return list();
     };
@@ -89,6 +95,18 @@ fn recover_all(files: impl Iterator<Item = PathBuf>, runner: Runner) -> Result<(
         0 => Ok(()),
         _ => Err(Error::Recoveries(failed, all)),
     }
+}
+
+fn print_builtin(name: &Path) -> Result<(), Error> {
+    let text = name.to_str().and_then(text).ok_or_else(|| {
+        let known: Vec<&str> = names().collect();
+        let name = name.display();
+        Error::Argument(format!(
+            "{name}: no built-in calibration has this name; those are {}",
+            known.join(", ")
+        ))
+    })?;
+    print(text)
 }
 
 fn list() -> Result<(), Error> {

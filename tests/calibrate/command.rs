@@ -302,11 +302,35 @@ predictive = 1
 fn built_in_calibrations_are_listed_and_recover_known_truths() {
     let output = run(&["calibrate", "--list"]);
     assert!(stdout(&output).contains("rebound  "), "{}", stdout(&output));
-    let folder = Folder::new(&STUDY.replace("predictive = 2", "repetitions = 60"));
+    // The first test has no target: it is not run.
+    let other = "[[test]]\nname = \"other\"\nscene = \"head-on\"\n\
+                 [[test.observe]]\nquantity = \"contact-duration\"\n\n[[test]]\nname = \"rebound\"";
+    let study = STUDY
+        .replace("predictive = 2", "repetitions = 60")
+        .replace("[[test]]\nname = \"rebound\"", other)
+        .replace("[[target]]", "[[target]]\ntest = \"rebound\"");
+    let folder = Folder::new(&study);
     let (status, said, errors) = folder.calibrate("out", &["--recover"]);
     assert_eq!(status, Some(0), "{errors}");
     assert!(
-        said.contains("pass") && said.contains("60 repetitions (0 more failed)"),
+        said.contains("pass") && said.contains("60 repetitions (0 more failed), 76 runs"),
+        "{said}"
+    );
+}
+
+#[test]
+fn the_printed_file_of_a_built_in_calibration_is_one_to_copy() {
+    let printed = run(&["calibrate", "rebound", "--print"]);
+    assert_eq!(printed.status.code(), Some(0), "{}", stderr(&printed));
+    let folder = Folder::new(&stdout(&printed));
+    let (status, said, errors) = folder.calibrate("out", &[]);
+    assert_eq!(status, Some(0), "{errors}");
+    assert!(said.contains("answer          determined"), "{said}");
+    let unknown = run(&["calibrate", "granite", "--print"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    let said = stderr(&unknown);
+    assert!(
+        said.contains("granite") && said.contains("rebound-ice"),
         "{said}"
     );
 }

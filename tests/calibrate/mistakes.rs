@@ -137,7 +137,7 @@ const SOURCES: [Mistake; 10] = [
     ],
 ];
 
-const SCENES: [Mistake; 12] = [
+const SCENES: [Mistake; 13] = [
     [
         "head-on",
         "no-such-scene",
@@ -182,6 +182,11 @@ const SCENES: [Mistake; 12] = [
         "quantity = \"restitution\"\n\n",
         "quantity = \"restitution\"\n[[test.observe]]\ncolumn = \"kinetic\"\n\n",
         "study.toml:12: test.observe.statistic: a column needs one of mean, deviation",
+    ],
+    [
+        "quantity = \"restitution\"\n\n",
+        "column = \"time\"\nstatistic = \"at-level\"\nagainst = \"kinetic\"\n\n",
+        "test.observe.level: belongs to the statistic at-level, which needs it",
     ],
     [
         "quantity = \"restitution\"\n\n",

@@ -5,7 +5,7 @@ use gouge_runner::error::{Error, SceneError};
 use std::path::Path;
 
 /// Name and text of every built-in calibration.
-const CALIBRATIONS: [(&str, &str); 6] = [
+const CALIBRATIONS: [(&str, &str); 11] = [
     ("rebound", include_str!("../calibrations/rebound.toml")),
     (
         "rebound-stiffness",
@@ -21,6 +21,17 @@ const CALIBRATIONS: [(&str, &str); 6] = [
     ),
     ("elastic", include_str!("../calibrations/elastic.toml")),
     ("repose", include_str!("../calibrations/repose.toml")),
+    ("strength", include_str!("../calibrations/strength.toml")),
+    (
+        "strength-tension",
+        include_str!("../calibrations/strength-tension.toml"),
+    ),
+    ("rock", include_str!("../calibrations/rock.toml")),
+    (
+        "stress-strain",
+        include_str!("../calibrations/stress-strain.toml"),
+    ),
+    ("fault", include_str!("../calibrations/fault.toml")),
 ];
 
 /// Names of all built-in calibrations.
@@ -28,13 +39,18 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     CALIBRATIONS.iter().map(|(name, _)| *name)
 }
 
+/// The text of a built-in calibration; none of another name.
+pub fn text(name: &str) -> Option<&'static str> {
+    let found = CALIBRATIONS.iter().find(|(other, _)| *other == name);
+    found.map(|(_, text)| *text)
+}
+
 /// A built-in calibration; none of another name.
 ///
 /// # Errors
 /// A mistake in its text.
 pub fn builtin(name: &str) -> Option<Result<Calibration, SceneError>> {
-    let (name, text) = CALIBRATIONS.iter().find(|(other, _)| *other == name)?;
-    Some(Calibration::parse(name, text))
+    text(name).map(|text| Calibration::parse(name, text))
 }
 
 /// The calibration of a file or, if there is no such file, the built-in one of this name.

@@ -120,6 +120,24 @@ impl Calibration {
         self.targets.iter().map(one).collect()
     }
 
+    /// The calibration without the tests that only predict.
+    pub fn with_targets_only(&self) -> Self {
+        let is_measured = |place: &usize| self.targets.iter().any(|target| target.test == *place);
+        let kept: Vec<usize> = (0..self.tests.len()).filter(is_measured).collect();
+        let targets = self.targets.iter().map(|target| Target {
+            test: kept.partition_point(|&place| place < target.test),
+            ..target.clone()
+        });
+        Self {
+            targets: targets.collect(),
+            tests: kept
+                .iter()
+                .map(|&place| self.tests[place].clone())
+                .collect(),
+            ..self.clone()
+        }
+    }
+
     /// The point whose values are those written into scenes.
     pub fn rounded(&self, point: &[f64]) -> Vec<f64> {
         let pairs = self.parameters.iter().zip(point);

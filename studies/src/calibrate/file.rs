@@ -234,6 +234,7 @@ impl Place<'_> {
             statistic: keys.statistic,
             against: keys.against.clone(),
             range: keys.range,
+            level: keys.level,
             after: keys.after,
             times: keys.times,
         };

@@ -84,6 +84,7 @@ pub struct ObserveKeys {
     pub statistic: Option<Statistic>,
     pub against: Option<String>,
     pub range: Option<[f64; 2]>,
+    pub level: Option<f64>,
     #[serde(default)]
     pub after: f64,
     pub times: Option<f64>,

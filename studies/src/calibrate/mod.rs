@@ -29,7 +29,7 @@ mod truths;
 mod waves;
 
 pub use account::{account, account_of_trial};
-pub use builtin::{load, names};
+pub use builtin::{load, names, text};
 pub use calibration::Calibration;
 pub use emulator::{Emulator, Form, Prediction, Sample};
 pub use gaussian_process::{GaussianProcess, Normal, Observed};

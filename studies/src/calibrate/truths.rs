@@ -33,6 +33,7 @@ pub struct Trial {
 /// # Errors
 /// A run that cannot be executed, an interruption, too few successful runs.
 pub fn recover(calibration: &Calibration, runner: Runner) -> Result<Trial, Error> {
+    let calibration = &calibration.with_targets_only();
     let dimensions = calibration.parameters.len();
     let number = calibration.design.points * calibration.design.waves as u32;
     let mut design = Results::default();

@@ -23,6 +23,8 @@ pub struct Observation {
     pub against: Option<String>,
     /// The range of values of the other column that count; all if absent.
     pub range: Option<[f64; 2]>,
+    /// The level that the other column must reach.
+    pub level: Option<f64>,
     /// Time in s from which on the column counts.
     #[serde(default)]
     pub after: f64,
@@ -51,6 +53,22 @@ pub enum Statistic {
     Slope,
     /// The value where the other column is largest.
     AtPeak,
+    /// The value where the other column is smallest.
+    AtTrough,
+    /// The value where the other column first reaches a level, on the line between two samples.
+    AtLevel,
+    /// The value in the last sample before the other column first changes.
+    AtChange,
+}
+
+impl Statistic {
+    /// Whether it needs another column.
+    fn is_of_two(self) -> bool {
+        matches!(
+            self,
+            Self::Slope | Self::AtPeak | Self::AtTrough | Self::AtLevel | Self::AtChange
+        )
+    }
 }
 
 impl Observation {
@@ -59,13 +77,14 @@ impl Observation {
     /// # Errors
     /// The key at fault and what is accepted.
     pub fn check(&self) -> Result<(), Mistake> {
-        let of_two = matches!(self.statistic, Some(Statistic::Slope | Statistic::AtPeak));
+        let of_two = self.statistic.is_some_and(Statistic::is_of_two);
+        let at_level = matches!(self.statistic, Some(Statistic::AtLevel));
         let is_finite = |number: Option<f64>| number.is_none_or(f64::is_finite);
         let [low, high] = self.range.unwrap_or([0.0, 1.0]);
         let (key, accepted) = match (&self.quantity, &self.column, &self.statistic) {
             (None, Some(_), None) => (
                 "statistic",
-                "a column needs one of mean, deviation, minimum, maximum, last, slope and at-peak",
+                "a column needs one of mean, deviation, minimum, maximum, last, slope, at-peak, at-trough, at-level and at-change",
             ),
             (Some(_), Some(_), _) => ("column", "must not be given beside quantity"),
             (None, None, _) => (
@@ -74,8 +93,13 @@ impl Observation {
             ),
             (Some(_), None, Some(_)) => ("statistic", "is for a column, not for a quantity"),
             _ if of_two && self.against.is_none() => ("against", "must name another column"),
-            _ if !of_two && self.against.is_some() => {
-                ("against", "is for the statistics slope and at-peak")
+            _ if !of_two && self.against.is_some() => (
+                "against",
+                "is for the statistics slope, at-peak, at-trough, at-level and at-change",
+            ),
+            _ if !is_finite(self.level) => ("level", "must be a finite number"),
+            _ if at_level != self.level.is_some() => {
+                ("level", "belongs to the statistic at-level, which needs it")
             }
             _ if self.range.is_some() && self.against.is_none() => {
                 ("range", "is one of the column against, which is missing")
@@ -176,6 +200,28 @@ impl Observation {
             Statistic::Last => last[1],
             Statistic::Slope => moment(0, 1) / moment(0, 0),
             Statistic::AtPeak => pairs.iter().max_by(|a, b| a[0].total_cmp(&b[0]))?[1],
+            Statistic::AtTrough => pairs.iter().min_by(|a, b| a[0].total_cmp(&b[0]))?[1],
+            Statistic::AtLevel => at_level(&pairs, self.level?)?,
+            Statistic::AtChange => before_change(&pairs)?,
         })
     }
+}
+
+/// The second numbers where the first ones reach a level, on the line between two pairs.
+fn at_level(pairs: &[[f64; 2]], level: f64) -> Option<f64> {
+    let is_crossed = |two: &&[[f64; 2]]| (two[0][0] - level) * (two[1][0] - level) <= 0.0;
+    let crossing = pairs.windows(2).find(is_crossed)?;
+    let [[x, a], [y, b]] = [crossing[0], crossing[1]];
+    let part = if x == level {
+        0.0
+    } else {
+        (level - x) / (y - x)
+    };
+    Some(a + part * (b - a))
+}
+
+/// The second number of the last pair before the first numbers change.
+fn before_change(pairs: &[[f64; 2]]) -> Option<f64> {
+    let changed = pairs.windows(2).find(|two| two[0][0] != two[1][0])?;
+    Some(changed[0][1])
 }
