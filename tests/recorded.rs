@@ -26,10 +26,10 @@ fn seen(output: &Output) -> String {
     )
 }
 
-/// The lines of a summary that do not depend on the machine.
+/// The lines of a summary that depend neither on the machine nor on the build.
 fn machine_independent(summary: &str) -> String {
-    let timed = ["wall_seconds", "_per_second"];
-    let is_steady = |line: &&str| !timed.iter().any(|word| line.contains(word));
+    let varying = ["wall_seconds", "_per_second", "\"commit\""];
+    let is_steady = |line: &&str| !varying.iter().any(|word| line.contains(word));
     let lines: Vec<&str> = summary.lines().filter(is_steady).collect();
     lines.join("\n")
 }
