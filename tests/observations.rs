@@ -42,11 +42,7 @@ fn elastic_constants_are_those_of_the_whole_specimen() {
     fs::write(folder.path().join("series.csv"), series).expect("a file");
     fs::write(folder.path().join("summary.json"), SUMMARY).expect("a file");
     let summary = Summary::read(folder.path()).expect("a summary");
-    let run = Finished {
-        folder: folder.path(),
-        summary: &summary,
-        scene: &|| None,
-    };
+    let run = Finished::new(folder.path(), &summary, &|| None);
     for (name, expected) in [("youngs-modulus", 70e9), ("poissons-ratio", 0.25)] {
         let text = format!("quantity = {name:?}");
         let observation: Observation = toml::from_str(&text).expect("an observation");

@@ -1,11 +1,10 @@
 //! What is observed in a run.
 
-use super::quantity::{Finished, Quantity};
-use crate::columns::Columns;
+use super::finished::Finished;
+use super::quantity::Quantity;
 use gouge_runner::run::series_columns;
 use gouge_runner::scene::Scene;
 use serde::Deserialize;
-use std::path::Path;
 
 /// A number taken from a finished run.
 #[derive(Clone, Debug, Deserialize)]
@@ -158,7 +157,7 @@ impl Observation {
     pub fn value(&self, run: &Finished) -> Result<f64, String> {
         let value = match (self.quantity, &self.column, self.statistic) {
             (Some(quantity), ..) => quantity.value(run),
-            (None, Some(column), Some(statistic)) => self.statistic(run.folder, column, statistic),
+            (None, Some(column), Some(statistic)) => self.statistic(run, column, statistic),
             _ => None,
         };
         let value = value.map(|value| self.times.unwrap_or(1.0) * value);
@@ -171,8 +170,8 @@ impl Observation {
         })
     }
 
-    fn statistic(&self, folder: &Path, name: &str, statistic: Statistic) -> Option<f64> {
-        let series = Columns::of_series(folder)?;
+    fn statistic(&self, run: &Finished, name: &str, statistic: Statistic) -> Option<f64> {
+        let series = run.series()?;
         let values = series.after(name, self.after)?;
         let others = series.after(self.against.as_deref().unwrap_or("time"), self.after)?;
         let [low, high] = self.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);

@@ -1,25 +1,14 @@
 //! Quantities of finished runs.
 
+use super::finished::Finished;
 use super::specimen::{contact_duration, isotropic, repose_angle, restitution};
 use crate::columns::Columns;
 use crate::decay::Decay;
 use crate::final_state::FinalState;
 use gouge_dem::laws::characteristic_length;
 use gouge_dem::particles::Role;
-use gouge_runner::run::Summary;
 use gouge_runner::scene::{Measure, Scene};
 use serde::Deserialize;
-use std::path::Path;
-
-/// A finished run.
-pub struct Finished<'a> {
-    /// Its folder.
-    pub folder: &'a Path,
-    /// Its summary.
-    pub summary: &'a Summary,
-    /// Reads its scene.
-    pub scene: &'a dyn Fn() -> Option<Scene>,
-}
 
 /// Quantities of a run.
 #[derive(Clone, Copy, Debug, Deserialize)]
@@ -148,20 +137,17 @@ impl Quantity {
             Self::Friction => friction.map(|one| one.coefficient),
             Self::FrictionMargin => friction.map(|one| 0.5 * (one.interval[1] - one.interval[0])),
             Self::BondsBroken => Some(run.summary.bonds_broken as f64),
-            Self::Restitution => restitution(run.folder),
-            Self::ContactDuration => contact_duration(run.folder),
-            Self::YoungsModulus => Some(isotropic(run.folder)?[0]),
-            Self::PoissonsRatio => Some(isotropic(run.folder)?[1]),
+            Self::Restitution => restitution(run.series()?),
+            Self::ContactDuration => contact_duration(run.series()?),
+            Self::YoungsModulus => Some(isotropic(run.series()?)?[0]),
+            Self::PoissonsRatio => Some(isotropic(run.series()?)?[1]),
             Self::ReposeAngle => repose_angle(run.folder),
             Self::DebrisFragments
             | Self::DebrisDepth
             | Self::LongestCrack
             | Self::CrackGap
-            | Self::EdgeDebris => {
-                let width = (run.scene)()?.domain.period()?;
-                Some(self.of_state(&FinalState::read(run.folder, width)?))
-            }
-            _ => self.of_decay(run.folder),
+            | Self::EdgeDebris => Some(self.of_state(run.final_state()?)),
+            _ => Some(self.of_decay(run.decay()?)),
         }
     }
 
@@ -175,10 +161,8 @@ impl Quantity {
         }
     }
 
-    fn of_decay(self, folder: &Path) -> Option<f64> {
-        let series = Columns::of_series(folder)?;
-        let decay = Decay::fit(series.get("time")?, series.get("friction_load")?)?;
-        Some(match self {
+    fn of_decay(self, decay: &Decay) -> f64 {
+        match self {
             Self::DecayLimitMargin => decay.limit_margin(),
             Self::DecayLimit => decay.limit,
             Self::DecayRate => decay.rate,
@@ -186,7 +170,7 @@ impl Quantity {
             Self::DecayPeakTime => decay.peak_time,
             Self::DecayDeviation => decay.deviation(),
             _ => decay.correlation(),
-        })
+        }
     }
 }
 
@@ -199,15 +183,16 @@ fn has_floor(scene: &Scene) -> bool {
 }
 
 fn load_held(run: &Finished) -> Option<f64> {
-    let scene = (run.scene)()?;
+    let scene = run.scene()?;
     let particles = Columns::read(&run.folder.join("particles.csv"))?;
     let driving = scene.driving?;
     let law = driving.law(
         scene.domain.width?,
         characteristic_length(particles.get("radius")?),
     );
-    let series = Columns::of_series(run.folder)?;
-    let force = series.after("drive_force_y", 0.5 * run.summary.time)?;
+    let force = run
+        .series()?
+        .after("drive_force_y", 0.5 * run.summary.time)?;
     let load = -force.iter().sum::<f64>() / force.len() as f64;
     Some(load / (law.pressure * law.area))
 }

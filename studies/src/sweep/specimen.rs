@@ -5,8 +5,7 @@ use serde::Deserialize;
 use std::path::Path;
 
 /// Root of the ratio of the last to the first kinetic energy; none if the grains still touch.
-pub fn restitution(folder: &Path) -> Option<f64> {
-    let series = Columns::of_series(folder)?;
+pub fn restitution(series: &Columns) -> Option<f64> {
     let kinetic = series.get("kinetic")?;
     let is_over = *series.get("contact")?.last()? == 0.0;
     is_over.then_some((kinetic.last()? / kinetic.first()?).sqrt())
@@ -14,8 +13,7 @@ pub fn restitution(folder: &Path) -> Option<f64> {
 
 /// Time in s in which the grains touch, from halfway before the first sample with contact energy to halfway after the
 /// last one; none if they never touch or still do.
-pub fn contact_duration(folder: &Path) -> Option<f64> {
-    let series = Columns::of_series(folder)?;
+pub fn contact_duration(series: &Columns) -> Option<f64> {
     let (time, contact) = (series.get("time")?, series.get("contact")?);
     let first = contact.iter().position(|&energy| energy > 0.0)?;
     let last = contact.iter().rposition(|&energy| energy > 0.0)?;
@@ -26,8 +24,7 @@ pub fn contact_duration(folder: &Path) -> Option<f64> {
 /// Young's modulus in Pa and Poisson's ratio of the isotropic plane solid, free to expand out of the plane, that has the
 /// stress and strain of the specimen along the axes in the last sample before a bond breaks:
 /// E e_x = s_x - nu s_y, E e_y = s_y - nu s_x.
-pub fn isotropic(folder: &Path) -> Option<[f64; 2]> {
-    let series = Columns::of_series(folder)?;
+pub fn isotropic(series: &Columns) -> Option<[f64; 2]> {
     let time = series.get("time")?;
     let whole = match series.get("bonds") {
         Some(bonds) => bonds

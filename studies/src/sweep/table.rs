@@ -1,14 +1,15 @@
 //! The results of a sweep as a table in long form.
 
 use super::file::{Axis, Sweep};
+use super::finished::Finished;
 use super::observe::Observation;
 use super::page::{Outcome, page_of};
 use super::plan::Planned;
-use super::quantity::Finished;
 use super::state::{State, Status};
 use crate::csv_table::csv_table;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -39,20 +40,20 @@ pub fn collect(sweep: &Sweep, runs: &[Planned], out: &Path) -> Result<PathBuf, E
     header.extend(sweep.observations.iter().map(|one| one.get_ref().name()));
     header.extend(COST.map(str::to_owned));
     let first = 1 + axes.len();
-    let mut outcomes = Vec::with_capacity(runs.len());
-    let mut rows = vec![header];
-    for run in runs {
-        let row = row(sweep, &axes, run, out);
+    let all = runs.par_iter().map(|run| row(sweep, &axes, run, out));
+    let rows: Vec<Vec<String>> = all.collect();
+    let outcome = |row: &Vec<String>| {
         let observed = row[first + 2..].iter().take(sweep.observations.len());
-        outcomes.push(Outcome {
+        Outcome {
             status: row[first].clone(),
             observed: observed
                 .map(|cell| cell.parse().unwrap_or(f64::NAN))
                 .collect(),
-        });
-        rows.push(row);
-    }
-    write_whole(&path, &csv_table(&path, rows)?)?;
+        }
+    };
+    let outcomes: Vec<Outcome> = rows.iter().map(outcome).collect();
+    let table = csv_table(&path, [header].into_iter().chain(rows))?;
+    write_whole(&path, &table)?;
     let page = page_of(sweep, runs, &outcomes).into_string();
     write_whole(&out.join("sweep.html"), page.as_bytes())?;
     Ok(path)
@@ -68,11 +69,8 @@ fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> 
     };
     let summary = state.summary.as_ref();
     let scene = || run.load().ok();
-    let finished = summary.filter(|_| is_observed).map(|summary| Finished {
-        folder: &folder,
-        summary,
-        scene: &scene,
-    });
+    let summary_of_observed = summary.filter(|_| is_observed);
+    let finished = summary_of_observed.map(|summary| Finished::new(&folder, summary, &scene));
     let observe = |one: &Observation| finished.as_ref().map(|run| one.value(run));
     let observations = sweep.observations.iter().map(Spanned::get_ref);
     let observed: Vec<_> = observations.map(observe).collect();
