@@ -12,8 +12,12 @@ use gouge_studies::words::{counted, duration};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
+
+/// Least time between lines of progress.
+const BETWEEN_LINES: Duration = Duration::from_secs(60);
 
 /// A sweep and what is done with it.
 #[derive(Args)]
@@ -283,11 +287,16 @@ pub fn run(
         false => bar(steps.values().sum()),
     };
     let ended = AtomicUsize::new(0);
+    let latest_line = Mutex::new(Instant::now());
     let report = |progress: Progress| {
         let number = 1 + ended.fetch_add(1, Ordering::Relaxed);
-        bar.set_message(format!("{number} of {}", counted(runs.len(), "run")));
+        let message = format!("{number} of {}", counted(runs.len(), "run"));
+        bar.set_message(message.clone());
         bar.inc(steps.get(&progress.name).copied().unwrap_or(0));
         bar.suspend(|| tell(progress));
+        if !quiet && bar.is_hidden() {
+            say_at_times(&latest_line, &message, bar.eta());
+        }
     };
     let execution = Execution {
         program: &program,
@@ -298,6 +307,18 @@ pub fn run(
     let outcome = execute(runs, execution, &report);
     bar.finish_and_clear();
     outcome
+}
+
+/// Say how far a sweep is, at most once a minute: for files, in which a bar cannot be drawn.
+fn say_at_times(latest: &Mutex<Instant>, message: &str, left: Duration) {
+    let Ok(mut latest) = latest.lock() else {
+        return;
+    };
+    if latest.elapsed() >= BETWEEN_LINES {
+        *latest = Instant::now();
+        let left = duration(left.as_secs_f64());
+        say(&format!("{message} done, about {left} remaining"));
+    }
 }
 
 /// Progress over a number of steps.
