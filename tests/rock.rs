@@ -6,7 +6,7 @@ use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::laws::{AdjustedKelvinVoigt, Controller};
 use gouge_dem::particles::Role;
-use gouge_runner::run::run_setup;
+use gouge_runner::run::{Columns, run_setup, stress_strain};
 use gouge_runner::scene::DrivingTable;
 use gouge_validation::scenes::{Bond, Draft, Grain};
 use std::f64::consts::PI;
@@ -377,4 +377,23 @@ fn a_region_whose_strain_cannot_be_measured_is_refused_at_the_beginning() {
             "{found}"
         );
     }
+}
+
+#[test]
+fn stress_over_strain_ends_where_the_specimen_fails() {
+    let rows = [
+        "0,0.0,0,0.0,0",
+        "1,0.1,1,-0.2,-50",
+        "2,0.2,2,-0.4,-90",
+        "3,0.2,40,-0.5,-60",
+        "4,9.0,3,-7.0,-30",
+        "5,9.0,3,-8.0,-80",
+    ];
+    let header = "time,strain_xx,stress_xx,strain_yy,stress_yy";
+    let series = format!("{header}\n{}\n", rows.join("\n"));
+    let figure = stress_strain(&Columns::of(series.as_bytes())).expect("a figure");
+    let points = |curve: usize| &figure.curves[curve].points;
+    let along = [[0.0, 0.0], [-0.2, -50.0], [-0.4, -90.0], [-0.5, -60.0]];
+    assert_eq!(points(1)[..], along);
+    assert_eq!(points(0).len(), along.len());
 }

@@ -35,6 +35,7 @@ mod warning;
 
 pub use bytes::words_of_bytes;
 pub use checkpoint::{world_of_checkpoint, world_of_record};
+pub use columns::Columns;
 pub use dem::series_columns;
 pub use folder::write_whole;
 pub use friction::{DriveSample, Friction};
@@ -44,6 +45,7 @@ pub use outcome::{Summary, UNTRUSTED};
 pub use phases::{Phase, PhaseKind, phases};
 pub use picture::draw_picture;
 pub use sampling::sample_of;
+pub use stress_strain::stress_strain;
 pub use trajectory::Frames;
 pub use transitions::{advance, begin_phase, run_setup, run_setup_with};
 pub use warning::Warning;

@@ -21,7 +21,7 @@ const FAILED: f64 = 0.5;
 /// Failures of the file system.
 pub fn write(folder: &Path) -> Result<(), Error> {
     let path = folder.join(SERIES);
-    let Some(figure) = figure(&Columns::read(&path)) else {
+    let Some(figure) = stress_strain(&Columns::read(&path)) else {
         return Ok(());
     };
     let text = figure
@@ -32,7 +32,7 @@ pub fn write(folder: &Path) -> Result<(), Error> {
 
 /// Each component of the mean stress over the same component of the strain, until the specimen fails: the strain of
 /// what is left afterwards says nothing.
-pub fn figure(series: &Columns) -> Option<Figure> {
+pub fn stress_strain(series: &Columns) -> Option<Figure> {
     let curve = |columns: [&str; 2]| {
         let mut curve = series.curve(&columns[1].replace('_', " "), columns)?;
         curve.points.truncate(failure(series));
@@ -66,36 +66,4 @@ fn failure(series: &Columns) -> usize {
         let fallen = later.take_while(|value| value.abs() >= FAILED * peak);
         place + fallen.count()
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Columns, figure};
-
-    #[test]
-    fn curves_end_where_the_specimen_fails() {
-        let rows = [
-            "0,0.0,0,0.0,0",
-            "1,0.1,1,-0.2,-50",
-            "2,0.2,2,-0.4,-90",
-            "3,0.2,40,-0.5,-60",
-            "4,9.0,3,-7.0,-30",
-            "5,9.0,3,-8.0,-80",
-        ];
-        let text = format!(
-            "time,strain_xx,stress_xx,strain_yy,stress_yy\n{}\n",
-            rows.join("\n")
-        );
-        let figure = figure(&Columns::of(text.as_bytes())).expect("a figure");
-        let points: Vec<&[[f64; 2]]> = figure
-            .curves
-            .iter()
-            .map(|curve| &curve.points[..])
-            .collect();
-        assert_eq!(
-            points[1],
-            [[0.0, 0.0], [-0.2, -50.0], [-0.4, -90.0], [-0.5, -60.0]]
-        );
-        assert_eq!(points[0].len(), 4);
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::run::columns::Columns;
 use crate::run::outcome::Summary;
-use crate::run::stress_strain;
+use crate::run::stress_strain::stress_strain;
 use crate::scene::Scene;
 use gouge_page::{Axis, Curve, Figure, Guide};
 use maud::{Markup, html};
@@ -115,7 +115,7 @@ pub fn chapter(scene: &Scene, summary: &Summary, series: &Columns) -> Markup {
         .iter()
         .filter(|(_, [quantity, _], _)| slides || *quantity != FRICTION);
     let over_time = plans.filter_map(|plan| figure(plan, series));
-    let figures: Vec<Figure> = over_time.chain(stress_strain::figure(series)).collect();
+    let figures: Vec<Figure> = over_time.chain(stress_strain(series)).collect();
     html! {
         @if !figures.is_empty() {
             h2 { "Series" }
