@@ -3,7 +3,6 @@
 use crate::statistics::{Mean, holm, rising, slope};
 use crate::study::claim::{Finding, Rule, Verdict, within_or_beyond};
 use crate::study::sample::Sample;
-use crate::study::thesis::printed::LAWS;
 use std::collections::BTreeMap;
 
 /// The laws with friction.
@@ -41,7 +40,7 @@ pub(super) static RULES: [Rule; 6] = [
     },
     Rule {
         statement: "Internal friction makes fragments roll past each other instead of sliding.",
-        rule: "The ratio of rolling to slip in the debris is larger for both laws than without friction: paired by seed, averaged over pressures, in logarithms, p < 0.01.",
+        rule: "The ratio of rolling to slip in the debris is larger for both laws than without friction: paired by seed, averaged over the pressures with debris, in logarithms, p < 0.01.",
         test: rolls,
     },
 ];
@@ -68,12 +67,11 @@ fn decay(sample: &Sample) -> Option<Finding> {
 
 fn raises(sample: &Sample) -> Option<Finding> {
     let pressures = sample.middle();
-    let (mut shown, mut opposed, mut gains) = (usize::MAX, 0, Vec::new());
+    let (mut shown, mut opposed, mut said) = (usize::MAX, 0, Vec::new());
     for law in RUBBING {
         let means: Vec<Mean> = pressures
             .iter()
-            .map(|&p| sample.differences([law, "none"], p, "friction"))
-            .filter_map(|differences| Mean::of(&differences.into_values().collect::<Vec<_>>()))
+            .filter_map(|&p| over_seeds(&sample.differences([law, "none"], p, "friction")))
             .filter(|mean| mean.number > 1)
             .collect();
         let significant = |sign: f64| {
@@ -87,64 +85,61 @@ fn raises(sample: &Sample) -> Option<Finding> {
                 .filter(|p| *p < LEVEL)
                 .count()
         };
-        shown = shown.min(significant(1.0));
+        let shown_here = significant(1.0);
+        shown = shown.min(shown_here);
         opposed = opposed.max(significant(-1.0));
-        gains.extend(means.iter().map(|mean| mean.mean));
+        let gains: Vec<f64> = means.iter().map(|mean| mean.mean).collect();
+        let [least, most] = ends(&gains)?;
+        said.push(format!(
+            "{law}: shown at {shown_here} of {} pressures, mean gains from {least:.2} to {most:.2}",
+            pressures.len()
+        ));
     }
-    let [least, most] = ends(&gains)?;
-    let numbers = format!(
-        "Shown at {shown} of {} pressures; mean gains from {least:.2} to {most:.2}, over {} seeds.",
-        pressures.len(),
-        sample.seeds().len()
-    );
+    let numbers = format!("{}; over {} seeds.", said.join("; "), sample.seeds().len());
     let is_met = 6 * shown >= 5 * pressures.len();
     Some(Finding::new(Verdict::of(is_met, opposed > 0), numbers))
 }
 
-/// The mean over pressures of a number for each seed that has it at all of them.
-fn seeds_means(
-    sample: &Sample,
+/// The mean over pressures of a number for each seed that has it at most of them.
+fn seeds_means<'a>(
     pressures: &[f64],
-    of: impl Fn(f64) -> BTreeMap<String, f64>,
-) -> Vec<f64> {
-    let tables: Vec<_> = pressures.iter().map(|&p| of(p)).collect();
-    let mean = |seed: &&str| -> Option<f64> {
-        let values: Option<Vec<f64>> = tables
-            .iter()
-            .map(|table| table.get(*seed).copied())
-            .collect();
-        values.map(|values| values.iter().sum::<f64>() / values.len() as f64)
+    of: impl Fn(f64) -> BTreeMap<&'a str, f64>,
+) -> BTreeMap<&'a str, f64> {
+    let mut values: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+    for (seed, value) in pressures.iter().flat_map(|&p| of(p)) {
+        values.entry(seed).or_default().push(value);
+    }
+    let has_most = |values: &Vec<f64>| 2 * values.len() > pressures.len();
+    let mean = |(seed, values): (_, Vec<f64>)| {
+        let mean = Mean::of(&values).filter(|_| has_most(&values))?;
+        Some((seed, mean.mean))
     };
-    sample.seeds().iter().filter_map(mean).collect()
+    values.into_iter().filter_map(mean).collect()
 }
 
-fn owned(table: BTreeMap<&str, f64>) -> BTreeMap<String, f64> {
-    table
-        .into_iter()
-        .map(|(seed, value)| (seed.to_owned(), value))
-        .collect()
+/// The mean over the seeds.
+fn over_seeds(by_seed: &BTreeMap<&str, f64>) -> Option<Mean> {
+    Mean::of(&by_seed.values().copied().collect::<Vec<f64>>())
+}
+
+/// What the first table has more than the second one, for each seed in both.
+fn less<'a>(
+    ones: &BTreeMap<&'a str, f64>,
+    others: &BTreeMap<&'a str, f64>,
+) -> BTreeMap<&'a str, f64> {
+    let pair = |(seed, one): (&&'a str, &f64)| Some((*seed, one - others.get(seed)?));
+    ones.iter().filter_map(pair).collect()
 }
 
 fn alike(sample: &Sample) -> Option<Finding> {
     let pressures = sample.pressures();
-    let differences = seeds_means(sample, &pressures, |p| {
-        owned(sample.differences(RUBBING, p, "friction"))
-    });
-    let mean = Mean::of(&differences).filter(|mean| mean.number > 1)?;
+    let differences = |p: f64| sample.differences(RUBBING, p, "friction");
+    let mean = over_seeds(&seeds_means(&pressures, differences)).filter(|mean| mean.number > 1)?;
     let [low, high] = mean.interval(0.9);
-    let of_pressure = |&p: &f64| {
-        Mean::of(
-            &sample
-                .differences(RUBBING, p, "friction")
-                .into_values()
-                .collect::<Vec<_>>(),
-        )
-    };
-    let each: Vec<f64> = pressures
+    let each = pressures
         .iter()
-        .filter_map(of_pressure)
-        .map(|mean| mean.mean)
-        .collect();
+        .filter_map(|&p| over_seeds(&differences(p)));
+    let each: Vec<f64> = each.map(|mean| mean.mean).collect();
     let [least, most] = ends(&each)?;
     let numbers = format!(
         "HW less CS: {:.3}, 90 % [{low:.3}, {high:.3}]; at single pressures from {least:.2} to {most:.2}.",
@@ -178,7 +173,7 @@ fn falls(sample: &Sample) -> Option<Finding> {
     let slopes = RUBBING.map(|law| slope_over_logarithm(sample, law, &pressures));
     let numbers = format!(
         "p = {:.1e} (HW), {:.1e} (CS); slope over ln p {:.3}, {:.3}.",
-        falling[0], falling[1], slopes[0].mean, slopes[1].mean
+        falling[0], falling[1], slopes[0], slopes[1]
     );
     let is_met = falling.iter().all(|p| *p < LEVEL);
     Some(Finding::new(
@@ -188,22 +183,17 @@ fn falls(sample: &Sample) -> Option<Finding> {
 }
 
 /// Slopes of friction over ln p, one for each seed that has all pressures.
-fn slopes(sample: &Sample, law: &str, pressures: &[f64]) -> Vec<f64> {
-    let of_seed = |seed: &&str| -> Option<f64> {
+fn slopes<'a>(sample: &Sample<'a>, law: &str, pressures: &[f64]) -> BTreeMap<&'a str, f64> {
+    let of_seed = |seed: &'a str| {
         let point = |&p: &f64| Some([p.ln(), *sample.by_seed(law, p, "friction").get(seed)?]);
         let points: Option<Vec<[f64; 2]>> = pressures.iter().map(point).collect();
-        points.map(|points| slope(&points))
+        Some((seed, slope(&points?)))
     };
-    sample.seeds().iter().filter_map(of_seed).collect()
+    sample.seeds().into_iter().filter_map(of_seed).collect()
 }
 
-fn slope_over_logarithm(sample: &Sample, law: &str, pressures: &[f64]) -> Mean {
-    let nothing = Mean {
-        number: 0,
-        mean: f64::NAN,
-        deviation: f64::NAN,
-    };
-    Mean::of(&slopes(sample, law, pressures)).unwrap_or(nothing)
+fn slope_over_logarithm(sample: &Sample, law: &str, pressures: &[f64]) -> f64 {
+    over_seeds(&slopes(sample, law, pressures)).map_or(f64::NAN, |mean| mean.mean)
 }
 
 fn extremes(sample: &Sample) -> Option<Finding> {
@@ -213,13 +203,13 @@ fn extremes(sample: &Sample) -> Option<Finding> {
         let between = slopes(sample, law, &middle);
         for (name, pressures) in ["low", "high"].iter().zip(sample.extremes()) {
             let here = slopes(sample, law, &pressures);
-            if pressures.len() < 3 || here.len() < 2 || here.len() != between.len() {
+            let change = less(&here, &between);
+            if pressures.len() < 3 || change.len() < 2 {
                 return None;
             }
-            let change: Vec<f64> = here.iter().zip(&between).map(|(a, b)| a - b).collect();
             let [here, change] = [
-                Mean::of(&here)?.interval(0.95),
-                Mean::of(&change)?.interval(0.95),
+                over_seeds(&here)?.interval(0.95),
+                over_seeds(&change)?.interval(0.95),
             ];
             let holds_zero = |[low, high]: [f64; 2]| low <= 0.0 && high >= 0.0;
             is_met &= holds_zero(here) && !holds_zero(change);
@@ -236,21 +226,20 @@ fn extremes(sample: &Sample) -> Option<Finding> {
 
 fn rolls(sample: &Sample) -> Option<Finding> {
     let pressures = sample.middle();
-    let ratio = |law: &str, p: f64| -> BTreeMap<String, f64> {
+    let ratios = |law: &str, p: f64| {
         let slip = sample.by_seed(law, p, "slip_speed_mean");
         let rolling = sample.by_seed(law, p, "rolling_speed_mean").into_iter();
-        let ratio = |(seed, rolling): (&str, f64)| {
-            let slip = slip.get(seed)?;
-            (rolling > 0.0 && *slip > 0.0).then(|| (seed.to_owned(), (rolling / slip).ln()))
+        let ratio = |(seed, rolling): (_, f64)| {
+            let ratio = rolling / slip.get(seed)?;
+            (ratio > 0.0 && ratio.is_finite()).then(|| (seed, ratio.ln()))
         };
-        rolling.filter_map(ratio).collect()
+        rolling.filter_map(ratio).collect::<BTreeMap<&str, f64>>()
     };
-    let [without, hw, cs] = LAWS.map(|law| seeds_means(sample, &pressures, |p| ratio(law, p)));
-    let gain = |with: &[f64]| -> Option<Mean> {
-        let differences: Vec<f64> = with.iter().zip(&without).map(|(a, b)| a - b).collect();
-        Mean::of(&differences).filter(|mean| mean.number > 1 && with.len() == without.len())
+    let gain = |law: &str| {
+        let gains = seeds_means(&pressures, |p| less(&ratios(law, p), &ratios("none", p)));
+        over_seeds(&gains).filter(|mean| mean.number > 1)
     };
-    let (hw, cs) = (gain(&hw)?, gain(&cs)?);
+    let (hw, cs) = (gain("HW")?, gain("CS")?);
     let numbers = format!(
         "Rolling over slip grows by a factor of {:.2} (HW, p = {:.1e}) and {:.2} (CS, p = {:.1e}).",
         hw.mean.exp(),
