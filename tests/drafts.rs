@@ -6,7 +6,7 @@ use gouge_dem::laws::{
     AdjustedKelvinVoigt, CundallStrackTruncated, EulerBernoulli, KelvinVoigt, ZhangEckert,
 };
 use gouge_dem::model::Yielding;
-use gouge_runner::scene::{Scene, builtin};
+use gouge_runner::scene::{Output, Scene, builtin};
 use gouge_validation::scenes::{Bond, Draft, Grain};
 use proptest::prelude::*;
 use std::path::Path;
@@ -19,8 +19,13 @@ fn parsed(text: &str) -> Scene {
 fn meaning(scene: &Scene) -> String {
     let bonds: Vec<_> = scene.bonds.iter().map(|(bond, _)| bond).collect();
     let contacts: Vec<_> = scene.contacts.iter().map(|(contact, _)| contact).collect();
+    let output = Output {
+        // It knows the line of the file.
+        region_refusal: None,
+        ..scene.output.clone()
+    };
     format!(
-        "{} {:?} {:?} {} {} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {bonds:?} {contacts:?} {:?} {:?}",
+        "{} {:?} {:?} {} {} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {bonds:?} {contacts:?} {:?} {output:?}",
         scene.title,
         scene.reading,
         scene.integrator,
@@ -35,7 +40,6 @@ fn meaning(scene: &Scene) -> String {
         scene.driving,
         scene.particles,
         scene.setup,
-        scene.output,
     )
 }
 
