@@ -33,9 +33,10 @@ pub fn write(folder: &Path) -> Result<(), Error> {
 /// Each component of the mean stress over the same component of the strain, until the specimen fails: the strain of
 /// what is left afterwards says nothing.
 pub fn stress_strain(series: &Columns) -> Option<Figure> {
+    let samples = failure(series);
     let curve = |columns: [&str; 2]| {
         let mut curve = series.curve(&columns[1].replace('_', " "), columns)?;
-        curve.points.truncate(failure(series));
+        curve.points.truncate(samples);
         Some(curve)
     };
     let curves: Vec<Curve> = COMPONENTS.into_iter().filter_map(curve).collect();
