@@ -186,6 +186,10 @@ fn rocks_are_compared_on_the_same_packings_and_pressures() {
     for seed in 0..6 {
         for p in [0.05, 0.4] {
             for (rock, more) in raised {
+                // A lost run costs its packing, not the claim.
+                if (rock, seed, p) == ("model-granite", 5, 0.4) {
+                    continue;
+                }
                 // What packings and pressures do to friction is far larger than the difference between rocks.
                 let mu = 0.5 * f64::from(seed) - p + more;
                 runs += &format!("{rock}-fault,{rock}-{p}-{seed},{p},{seed},done,{mu},\n");

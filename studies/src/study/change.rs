@@ -23,8 +23,12 @@ impl Change {
         [base, value]: [&'static str; 2],
         number: impl Fn(&Run) -> Option<f64>,
     ) -> Option<Self> {
-        let changes = sample.changes(axis, [value, base], number);
-        let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
+        Self::of_seeds(value, &sample.changes(axis, [value, base], number))
+    }
+
+    /// The change to a value, from that of each seed; none with fewer than two seeds.
+    pub fn of_seeds(value: &'static str, changes: &[f64]) -> Option<Self> {
+        let mean = Mean::of(changes).filter(|mean| mean.number > 1)?;
         Some(Self {
             value,
             mean,

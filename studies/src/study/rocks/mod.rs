@@ -1,14 +1,14 @@
 //! An open question of the thesis: do other brittle materials shear like its granite?
 
+use super::change::Change;
 use super::claim::{Finding, Rule, Verdict, within_or_beyond};
 use super::curves::Curves;
-use super::results::{Results, Run};
+use super::results::Results;
 use super::sample::Sample;
 use super::{Part, Scale, Study};
 use crate::statistics::Mean;
 use gouge_page::{Axis, Figure, table};
 use maud::{Markup, html};
-use std::collections::BTreeMap;
 
 /// The study.
 pub static STUDY: Study = Study {
@@ -189,36 +189,24 @@ fn parts(scale: Scale) -> Vec<Part> {
     STUDY.order.iter().filter_map(part).collect()
 }
 
-/// Friction of a material less that of the thesis, averaged over the pressures of each seed.
+/// Friction of a material less that of the thesis, averaged over the pressures of each seed that has them all.
 fn friction(sample: &Sample) -> Option<Finding> {
-    let material = sample.part.strip_suffix("-fault")?;
-    let by_run = |part: &str| -> BTreeMap<(String, String), f64> {
-        let runs = sample.results.of(part);
-        let number = |run: &Run| {
-            let key = (run.seed().to_owned(), run.text("pressure").to_owned());
-            Some((key, run.number("friction")?))
-        };
-        runs.filter_map(number).collect()
-    };
+    let material = Material::of(sample.part.strip_suffix("-fault")?)?;
     let base_part = format!("{BASE}-fault");
-    let (own, base) = (by_run(sample.part), by_run(&base_part));
-    let mut by_seed: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
-    for (key, value) in &own {
-        by_seed
-            .entry(&key.0)
-            .or_default()
-            .push(value - base.get(key)?);
-    }
-    let means = by_seed.values().filter_map(|all| Mean::of(all));
-    let means: Vec<f64> = means.map(|mean| mean.mean).collect();
-    let mean = Mean::of(&means).filter(|mean| material != BASE && mean.number > 1)?;
-    let [low, high] = mean.interval(0.9);
-    let [is_met, is_opposed] = within_or_beyond([low, high], COLLAPSED);
-    let numbers = format!(
-        "{material}: {:+.3}, 90 % [{low:.3}, {high:.3}], over {} seeds.",
-        mean.mean, mean.number
-    );
-    Some(Finding::new(Verdict::of(is_met, is_opposed), numbers))
+    let base = Sample {
+        part: &base_part,
+        ..*sample
+    };
+    let pressures = sample.pressures();
+    let of_seed = |seed: &&str| -> Option<f64> {
+        let at = |sample: Sample, p: f64| sample.by_seed("", p, "friction").get(seed).copied();
+        let less = |&p: &f64| Some(at(*sample, p)? - at(base, p)?);
+        let changes: Option<Vec<f64>> = pressures.iter().map(less).collect();
+        Mean::of(&changes?).map(|mean| mean.mean)
+    };
+    let changes: Vec<f64> = sample.seeds().iter().filter_map(of_seed).collect();
+    let change = Change::of_seeds(material.name, &changes).filter(|one| one.value != BASE)?;
+    Some(Change::judged(&[change], COLLAPSED, |_| String::new()))
 }
 
 /// Predicted strength in direct tension of a rock, over packings.
