@@ -102,6 +102,12 @@ impl Calibration {
         }
     }
 
+    /// Unit of a target on figures; empty if there is none.
+    pub fn target_unit(&self, target: &Target) -> &str {
+        let test = &self.tests[target.test];
+        test.observed[target.quantity].observation.unit()
+    }
+
     /// The measurements.
     ///
     /// # Errors

@@ -193,6 +193,7 @@ impl Place<'_> {
             name: keys.name.clone().unwrap_or_else(|| last_name.to_owned()),
             range: keys.range,
             scale,
+            unit: keys.unit.clone().unwrap_or_default(),
             keys: keys_of,
         })
     }
@@ -237,6 +238,7 @@ impl Place<'_> {
             level: keys.level,
             after: keys.after,
             times: keys.times,
+            unit: keys.unit.clone(),
         };
         match observation.check() {
             Ok(()) => Ok(Observed {

@@ -33,6 +33,7 @@ pub struct ParameterKeys {
     pub key: KeysValue,
     pub range: [f64; 2],
     pub scale: Option<ScaleName>,
+    pub unit: Option<String>,
 }
 
 /// A key, a list of keys, or a table from tests to either.
@@ -88,6 +89,7 @@ pub struct ObserveKeys {
     #[serde(default)]
     pub after: f64,
     pub times: Option<f64>,
+    pub unit: Option<String>,
     #[serde(default)]
     pub form: Form,
     pub closed_form: Option<ClosedForm>,

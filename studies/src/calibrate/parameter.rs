@@ -22,6 +22,8 @@ pub struct Parameter {
     pub range: [f64; 2],
     /// How it fills the range.
     pub scale: Scale,
+    /// Its unit on figures and in tables; empty if there is none.
+    pub unit: String,
 }
 
 /// Which keys take the value of a parameter.
@@ -34,6 +36,14 @@ pub enum Keys {
 }
 
 impl Parameter {
+    /// Its name, with its unit if there is one.
+    pub fn name_with_unit(&self) -> String {
+        match self.unit.is_empty() {
+            true => self.name.clone(),
+            false => format!("{} in {}", self.name, self.unit),
+        }
+    }
+
     /// The value at a place of the range, from 0 to 1.
     pub fn value(&self, place: f64) -> f64 {
         let [low, high] = self.range;

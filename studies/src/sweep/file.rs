@@ -43,6 +43,8 @@ pub struct Axis {
     pub values: Vec<Vec<String>>,
     /// Names of the places in tables.
     pub labels: Vec<String>,
+    /// Unit of the labels on figures; empty if there is none.
+    pub unit: String,
 }
 
 impl Axis {
@@ -82,6 +84,7 @@ struct AxisKeys {
     values: Vec<Value>,
     labels: Option<Vec<String>>,
     times: Option<f64>,
+    unit: Option<String>,
 }
 
 /// `[budget]`.
@@ -242,6 +245,7 @@ impl Place<'_> {
             keys,
             values: values.iter().map(scaled).collect::<Result<_, _>>()?,
             labels,
+            unit: table.unit.clone().unwrap_or_default(),
         })
     }
 
@@ -258,6 +262,7 @@ impl Place<'_> {
             keys: vec![key.to_owned()],
             values: labels.iter().map(|label| vec![label.clone()]).collect(),
             labels,
+            unit: String::new(),
         })
     }
 }

@@ -29,6 +29,8 @@ pub struct Observation {
     pub after: f64,
     /// Factor of the value.
     pub times: Option<f64>,
+    /// Unit of the value on figures; by default that of the quantity.
+    pub unit: Option<String>,
 }
 
 /// A key with a mistake, and what is accepted.
@@ -148,6 +150,13 @@ impl Observation {
             _ => String::new(),
         };
         self.name.clone().unwrap_or_else(default)
+    }
+
+    /// The unit on figures; empty if there is none, or if it is not known.
+    pub fn unit(&self) -> &str {
+        let own = self.quantity.filter(|_| self.times.is_none());
+        let default = own.map_or("", Quantity::unit);
+        self.unit.as_deref().unwrap_or(default)
     }
 
     /// The value in a finished run.

@@ -1,6 +1,7 @@
 //! The page of a sweep: how its runs ended, and each observation over each axis.
 
 use super::file::{Axis, Sweep};
+use super::observe::Observation;
 use super::plan::Planned;
 use crate::statistics::Mean;
 use gouge_page::{Axis as Scale, Curve, Figure, page, table};
@@ -31,7 +32,7 @@ pub fn page_of(sweep: &Sweep, runs: &[Planned], outcomes: &[Outcome]) -> Markup 
         (statuses(outcomes))
         @for (place, observation) in sweep.observations.iter().enumerate() {
             h2 { (observation.get_ref().name()) }
-            (observed(sweep, &observation.get_ref().name(), &groups(sweep, runs, outcomes, place)))
+            (observed(sweep, observation.get_ref(), &groups(sweep, runs, outcomes, place)))
         }
     };
     page(&sweep.file, body)
@@ -65,13 +66,14 @@ fn groups(sweep: &Sweep, runs: &[Planned], outcomes: &[Outcome], observation: us
 }
 
 /// Figures over all axes of numbers, and a table over all others.
-fn observed(sweep: &Sweep, name: &str, groups: &Groups) -> Markup {
-    let figures = (0..sweep.axes.len()).filter_map(|along| figure(sweep, name, along, groups));
+fn observed(sweep: &Sweep, observation: &Observation, groups: &Groups) -> Markup {
+    let along = 0..sweep.axes.len();
+    let figures = along.filter_map(|along| figure(sweep, observation, along, groups));
     let figures: Vec<Figure> = figures.collect();
     html! {
         @if groups.is_empty() { p { "No run has this observation yet." } }
         @for figure in &figures { (figure.html()) }
-        @if figures.is_empty() && !groups.is_empty() { (means(sweep, name, groups)) }
+        @if figures.is_empty() && !groups.is_empty() { (means(sweep, observation, groups)) }
     }
 }
 
@@ -82,7 +84,13 @@ fn numbers(axis: &Axis) -> Option<Vec<f64>> {
 }
 
 /// An observation over one axis, with a curve per combination of the others.
-fn figure(sweep: &Sweep, name: &str, along: usize, groups: &Groups) -> Option<Figure> {
+fn figure(
+    sweep: &Sweep,
+    observation: &Observation,
+    along: usize,
+    groups: &Groups,
+) -> Option<Figure> {
+    let name = observation.name();
     let (axis, numbers) = (&sweep.axes[along], numbers(&sweep.axes[along])?);
     let mut curves: BTreeMap<Vec<usize>, Vec<(f64, Mean)>> = BTreeMap::new();
     for (places, values) in groups {
@@ -105,7 +113,8 @@ fn figure(sweep: &Sweep, name: &str, along: usize, groups: &Groups) -> Option<Fi
         title += &format!("; {left_out} more combinations are in runs.csv");
     }
     title.push('.');
-    let (x, y) = (Scale::linear(&axis.name, ""), Scale::linear(name, ""));
+    let x = Scale::linear(&axis.name, &axis.unit);
+    let y = Scale::linear(&name, observation.unit());
     let figure = Figure::new(title, x, y, shown.collect());
     (!figure.curves.is_empty()).then_some(figure)
 }
@@ -148,7 +157,7 @@ fn curve(label: &str, mut points: Vec<(f64, Mean)>) -> Curve {
 }
 
 /// A row per combination.
-fn means(sweep: &Sweep, name: &str, groups: &Groups) -> Markup {
+fn means(sweep: &Sweep, observation: &Observation, groups: &Groups) -> Markup {
     let mut columns: Vec<String> = sweep.axes.iter().map(|axis| axis.name.clone()).collect();
     columns.extend(["runs", "mean", "95 % interval of the mean"].map(str::to_owned));
     let row = |(places, values): (&Vec<usize>, &Vec<f64>)| {
@@ -172,5 +181,13 @@ fn means(sweep: &Sweep, name: &str, groups: &Groups) -> Markup {
         Some(row)
     };
     let rows: Vec<Vec<String>> = groups.iter().take(1000).filter_map(row).collect();
-    table(name, &columns, &rows)
+    table(&titled(observation), &columns, &rows)
+}
+
+/// Name and unit.
+fn titled(observation: &Observation) -> String {
+    match observation.unit() {
+        "" => observation.name(),
+        unit => format!("{} in {unit}", observation.name()),
+    }
 }

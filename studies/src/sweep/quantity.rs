@@ -90,6 +90,18 @@ impl Quantity {
         }
     }
 
+    /// Its unit; empty if it is a number.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Self::Slip => "m",
+            Self::DecayRate => "1/s",
+            Self::DecayPeakTime | Self::ContactDuration => "s",
+            Self::YoungsModulus => "Pa",
+            Self::ReposeAngle => "rad",
+            _ => "",
+        }
+    }
+
     /// What a scene needs for it and does not have; none if runs of the scene can have a value.
     pub(super) fn lacks(self, scene: &Scene) -> Option<&'static str> {
         let (driving, energy) = (scene.driving, scene.output.energy);

@@ -15,8 +15,8 @@ const BARS: usize = 40;
 /// The axis of a parameter.
 fn axis(parameter: &Parameter) -> Axis {
     match parameter.scale {
-        Scale::Log => Axis::logarithmic(&parameter.name, ""),
-        Scale::Linear => Axis::linear(&parameter.name, ""),
+        Scale::Log => Axis::logarithmic(&parameter.name, &parameter.unit),
+        Scale::Linear => Axis::linear(&parameter.name, &parameter.unit),
     }
 }
 
@@ -42,7 +42,9 @@ pub fn figures(calibration: &Calibration, outcome: &Outcome) -> Vec<(String, Fig
     all.push(("predictive".to_owned(), predictive(calibration, outcome)));
     for (place, target) in calibration.targets.iter().enumerate() {
         let name = calibration.target_name(target);
-        all.push((format!("left-out-{place}"), left_out(&name, outcome, place)));
+        let unit = calibration.target_unit(target);
+        let figure = left_out(&name, unit, outcome, place);
+        all.push((format!("left-out-{place}"), figure));
         for (k, parameter) in calibration.parameters.iter().enumerate() {
             let file = format!("residuals-{place}-{}", parameter.name);
             all.push((file, residuals(&name, parameter, outcome, [place, k])));
@@ -151,7 +153,7 @@ fn predictive(calibration: &Calibration, outcome: &Outcome) -> Figure {
 }
 
 /// What the emulator expected of each point without having seen it.
-fn left_out(name: &str, outcome: &Outcome, place: usize) -> Figure {
+fn left_out(name: &str, unit: &str, outcome: &Outcome, place: usize) -> Figure {
     let left_out = outcome.emulators.0[place].leave_one_out();
     let points = left_out.iter().map(|one| [one.value, one.expected]);
     let intervals = left_out
@@ -164,8 +166,8 @@ fn left_out(name: &str, outcome: &Outcome, place: usize) -> Figure {
     ];
     Figure::new(
         format!("{name} of each point as the emulator expects it without having seen it."),
-        Axis::linear("value of the runs", ""),
-        Axis::linear("expected", ""),
+        Axis::linear("value of the runs", unit),
+        Axis::linear("expected", unit),
         vec![
             Curve::marks("points, with 90 % intervals", points).with_intervals(intervals),
             Curve::dashed("equal", ends.map(|end| [end, end])),

@@ -125,7 +125,7 @@ pub fn parameters(calibration: &Calibration, outcome: &Outcome) -> Markup {
             };
             let [first, last] = parameter.range;
             vec![
-                parameter.name.clone(),
+                parameter.name_with_unit(),
                 range(first, last),
                 shown(value(one.best)),
                 shown(middle),

@@ -73,7 +73,7 @@ fn introduction() -> Markup {
 }
 
 /// Change of friction in a medium.
-fn change(sample: Sample, medium: &'static str) -> Option<Change> {
+fn change(sample: Sample, medium: &'static str) -> Option<Change<'static>> {
     Change::of(sample, "medium", [NOTHING, medium], |run| {
         run.number("friction")
     })

@@ -70,7 +70,7 @@ fn introduction() -> Markup {
     }
 }
 
-fn changes(sample: Sample, of: fn(&Run) -> Option<f64>) -> Option<Vec<Change>> {
+fn changes(sample: Sample, of: fn(&Run) -> Option<f64>) -> Option<Vec<Change<'static>>> {
     let change = |other| Change::of(sample, AXIS, [BASE, other], of);
     OTHERS.into_iter().map(change).collect()
 }

@@ -1,9 +1,11 @@
 //! Claims about what does not matter.
 
 use crate::statistics::Mean;
-use crate::study::claim::{Finding, Rule, Verdict, within_or_beyond};
+use crate::study::change::Change;
+use crate::study::claim::{Finding, Rule};
 use crate::study::results::Run;
 use crate::study::sample::Sample;
+use std::collections::BTreeSet;
 
 /// Change of friction below which a parameter counts as immaterial.
 const IMMATERIAL: f64 = 0.05;
@@ -20,38 +22,34 @@ fn immaterial(sample: &Sample) -> Option<Finding> {
     if sample.is_arm() {
         return None;
     }
+    let variants: BTreeSet<&str> = sample.runs().map(|run| run.text("variant")).collect();
+    let changes = variants.iter().map(|variant| change(sample, variant));
+    let changes: Vec<Change> = changes.collect::<Option<_>>()?;
+    let is_tried = |change: &Change| change.value.starts_with("friction");
+    let (tried, judged): (Vec<_>, Vec<_>) = changes.into_iter().partition(is_tried);
+    let mut finding = Change::judged(&judged, IMMATERIAL, |_| String::new());
+    for change in &tried {
+        finding.numbers += &format!(" Tried: {}.", change.said());
+    }
+    (!judged.is_empty()).then_some(finding)
+}
+
+/// The change of friction from the base to a variant, averaged over the pressures of each seed.
+fn change<'a>(sample: &Sample, variant: &'a str) -> Option<Change<'a>> {
     let base = Sample {
         part: BASE.0,
         ..*sample
     };
-    let mut variants: Vec<&str> = sample.runs().map(|run| run.text("variant")).collect();
-    variants.sort_unstable();
-    variants.dedup();
-    let (mut is_met, mut is_opposed, mut said) = (!variants.is_empty(), false, Vec::new());
-    for variant in variants {
-        let change = |run: &Run| -> Option<f64> {
-            let other = base.by_seed(BASE.1, run.pressure(), "friction");
-            Some(run.number("friction")? - other.get(run.seed())?)
-        };
-        let of_seed = |seed: &&str| -> Option<f64> {
-            let runs = sample.runs();
-            let runs = runs.filter(|run| run.text("variant") == variant && run.seed() == *seed);
-            let changes: Vec<f64> = runs.filter_map(change).collect();
-            Mean::of(&changes).map(|mean| mean.mean)
-        };
-        let changes: Vec<f64> = sample.seeds().iter().filter_map(of_seed).collect();
-        let mean = Mean::of(&changes).filter(|mean| mean.number > 1)?;
-        let [low, high] = mean.interval(0.9);
-        if !variant.starts_with("friction") {
-            let [is_within, is_beyond] = within_or_beyond([low, high], IMMATERIAL);
-            is_met &= is_within;
-            is_opposed |= is_beyond;
-        }
-        said.push(format!(
-            "{variant}: {:+.3} [{low:.3}, {high:.3}]",
-            mean.mean
-        ));
-    }
-    let numbers = format!("{} (90 %).", said.join("; "));
-    (!said.is_empty()).then(|| Finding::new(Verdict::of(is_met, is_opposed), numbers))
+    let of_run = |run: &Run| -> Option<f64> {
+        let others = base.by_seed(BASE.1, run.pressure(), "friction");
+        Some(run.number("friction")? - others.get(run.seed())?)
+    };
+    let of_seed = |seed: &&str| -> Option<f64> {
+        let runs = sample.runs();
+        let runs = runs.filter(|run| run.text("variant") == variant && run.seed() == *seed);
+        let changes: Vec<f64> = runs.filter_map(of_run).collect();
+        Mean::of(&changes).map(|mean| mean.mean)
+    };
+    let changes: Vec<f64> = sample.seeds().iter().filter_map(of_seed).collect();
+    Change::of_seeds(variant, &changes)
 }
