@@ -16,6 +16,7 @@ scene = "head-on"
 [[axis]]
 key = "time.step"
 values = [1e-8, 2e-8]
+unit = "s"
 
 [[axis]]
 key = "contact.normal.damping"
@@ -26,6 +27,7 @@ labels = ["elastic", "damped", "nonsense"]
 [[observe]]
 column = "kinetic"
 statistic = "last"
+unit = "J"
 
 [[observe]]
 name = "most"
@@ -140,6 +142,8 @@ fn the_page_of_a_sweep_shows_how_its_runs_ended_and_what_was_observed() {
         ("<figure>", 2),
         ("</svg> contact.normal.damping elastic", 2),
         ("</svg> contact.normal.damping nonsense", 0),
+        ("time.step (10⁻⁹ s)", 2),
+        ("kinetic_last (10⁻⁶ J)", 1),
     ] {
         assert_eq!(page.matches(text).count(), number, "{text}");
     }
@@ -320,17 +324,17 @@ const MISTAKES: [[&str; 3]; 16] = [
     [
         "times = 10.0",
         "time = 10.0",
-        "sweep.toml:10: axis.time = 10.0: unknown key",
+        "sweep.toml:11: axis.time = 10.0: unknown key",
     ],
     [
         "\"nonsense\"]",
         "]",
-        "sweep.toml:12: axis.labels = [\"elastic\", \"damped\", ]: must hold one name for each of the 3 values",
+        "sweep.toml:13: axis.labels = [\"elastic\", \"damped\", ]: must hold one name for each of the 3 values",
     ],
     [
         "\"nonsense\"]",
         "\"damped\"]",
-        "sweep.toml:12: axis.labels = [\"elastic\", \"damped\", \"damped\"]: must be unique",
+        "sweep.toml:13: axis.labels = [\"elastic\", \"damped\", \"damped\"]: must be unique",
     ],
     [
         "[1e-8, 2e-8]",
@@ -342,47 +346,47 @@ const MISTAKES: [[&str; 3]; 16] = [
     [
         "statistic = \"last\"",
         "",
-        "sweep.toml:14: observe.statistic: a column needs one of mean",
+        "sweep.toml:15: observe.statistic: a column needs one of mean",
     ],
     [
         "[[axis]]\nkey = \"contact.normal.damping\"",
         "[[axis]]\nname = \"time.step\"\nkey = \"contact.normal.damping\"",
-        "sweep.toml:9: axis.name = \"time.step\": must be unique",
+        "sweep.toml:10: axis.name = \"time.step\": must be unique",
     ],
     [
         "name = \"most\"",
         "name = \"kinetic_last\"",
-        "sweep.toml:19: observe.name = \"kinetic_last\": must be unique",
+        "sweep.toml:21: observe.name = \"kinetic_last\": must be unique",
     ],
     [
         "name = \"most\"",
         "name = \"steps\"",
-        "sweep.toml:19: observe.name = \"steps\": must be unique",
+        "sweep.toml:21: observe.name = \"steps\": must be unique",
     ],
     [
         "column = \"kinetic\"",
         "column = \"friction_load\"",
-        "sweep.toml:15: observe.column = \"friction_load\": must be a column of the series: time, kinetic",
+        "sweep.toml:16: observe.column = \"friction_load\": must be a column of the series: time, kinetic",
     ],
     [
         "column = \"kinetic\"\nstatistic = \"last\"",
         "quantity = \"friction\"",
-        "sweep.toml:15: observe.quantity = \"friction\": needs a scene with [driving]",
+        "sweep.toml:16: observe.quantity = \"friction\": needs a scene with [driving]",
     ],
     [
         "after = 1e-6",
         "after = 1.0",
-        "sweep.toml:22: observe.after = 1.0: must not be above time.end",
+        "sweep.toml:24: observe.after = 1.0: must not be above time.end",
     ],
     [
         "column = \"kinetic\"",
         "column = 7",
-        "sweep.toml:15: observe.column = 7: must be a string",
+        "sweep.toml:16: observe.column = 7: must be a string",
     ],
     [
         "after = 1e-6",
         "after = nan",
-        "sweep.toml:22: observe.after = nan: must be a finite",
+        "sweep.toml:24: observe.after = nan: must be a finite",
     ],
 ];
 

@@ -3,6 +3,7 @@
 mod account;
 mod calibrate;
 mod compare;
+mod progress;
 mod study;
 mod sweep;
 mod terminal;

@@ -1,23 +1,17 @@
 //! `gouge sweep`: runs of a scene with every combination of some values.
 
 use crate::print;
-use crate::terminal::{say, stopped_by_signals};
+use crate::progress::{RunProgress, tell};
+use crate::terminal::stopped_by_signals;
 use clap::{Args, Subcommand, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::sweep::{
-    Chunks, Cost, Execution, Planned, Progress, Script, Status, Sweep, collect, estimate, execute,
-    plan, retry, status,
+    Chunks, Cost, Execution, Planned, Script, Status, Sweep, collect, estimate, execute, plan,
+    retry, status,
 };
 use gouge_studies::words::{counted, duration};
-use indicatif::{ProgressBar, ProgressStyle};
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
-
-/// Least time between lines of progress.
-const BETWEEN_LINES: Duration = Duration::from_secs(60);
+use std::sync::atomic::AtomicBool;
 
 /// A sweep and what is done with it.
 #[derive(Args)]
@@ -188,14 +182,6 @@ fn work(runs: &[Planned], out: &Path, chunk: usize, chunks: usize) -> Result<(),
     execute(own, execution, &tell)
 }
 
-/// Tell of a run that is not done.
-fn tell(progress: Progress) {
-    let Progress { name, state } = progress;
-    if !matches!(state.status, Status::Done | Status::Begun) {
-        say(&format!("{name}: {}: {}", state.status.name(), state.cause));
-    }
-}
-
 fn own_program() -> Result<PathBuf, Error> {
     let program = std::env::current_exe();
     program.map_err(|error| Error::file("find", Path::new("gouge"), error))
@@ -277,59 +263,16 @@ pub fn run(
     quiet: bool,
 ) -> Result<(), Error> {
     let program = own_program()?;
-    let steps = |run: &Planned| (run.name.clone(), run.steps());
-    let steps: HashMap<String, u64> = match quiet {
-        true => HashMap::new(),
-        false => runs.iter().map(steps).collect(),
-    };
-    let bar = match quiet {
-        true => ProgressBar::hidden(),
-        false => bar(steps.values().sum()),
-    };
-    let ended = AtomicUsize::new(0);
-    let latest_line = Mutex::new(Instant::now());
-    let report = |progress: Progress| {
-        let number = 1 + ended.fetch_add(1, Ordering::Relaxed);
-        let message = format!("{number} of {}", counted(runs.len(), "run"));
-        bar.set_message(message.clone());
-        bar.inc(steps.get(&progress.name).copied().unwrap_or(0));
-        bar.suspend(|| tell(progress));
-        if !quiet && bar.is_hidden() {
-            say_at_times(&latest_line, &message, bar.eta());
-        }
-    };
+    let progress = RunProgress::new(runs, quiet);
     let execution = Execution {
         program: &program,
         out,
         jobs,
         stop,
     };
-    let outcome = execute(runs, execution, &report);
-    bar.finish_and_clear();
+    let outcome = execute(runs, execution, &|ended| progress.report(ended));
+    progress.finish();
     outcome
-}
-
-/// Say how far a sweep is, at most once a minute: for files, in which a bar cannot be drawn.
-fn say_at_times(latest: &Mutex<Instant>, message: &str, left: Duration) {
-    let Ok(mut latest) = latest.lock() else {
-        return;
-    };
-    if latest.elapsed() >= BETWEEN_LINES {
-        *latest = Instant::now();
-        let left = duration(left.as_secs_f64());
-        say(&format!("{message} done, about {left} remaining"));
-    }
-}
-
-/// Progress over a number of steps.
-fn bar(steps: u64) -> ProgressBar {
-    let bar = ProgressBar::new(steps);
-    let style = "{wide_bar} {percent} % of all steps, {msg}  {elapsed} elapsed, {eta} remaining";
-    if let Ok(style) = ProgressStyle::with_template(style) {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_secs(1));
-    bar
 }
 
 /// How many runs are in which state, one line each.

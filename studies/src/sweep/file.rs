@@ -225,21 +225,8 @@ impl Place<'_> {
                 .map(|value| Ok(inline(&scaled(value)?)))
                 .collect()
         };
-        let labels = match &table.labels {
-            Some(labels) if labels.len() != values.len() => {
-                let accepted =
-                    format!("must hold one name for each of the {} values", values.len());
-                return Err(refusal("labels", &accepted));
-            }
-            Some(labels) => match twin(labels) {
-                Some(label) => {
-                    let accepted = format!("must be unique, but {label:?} is there twice");
-                    return Err(refusal("labels", &accepted));
-                }
-                None => labels.clone(),
-            },
-            None => table.values.iter().map(inline).collect(),
-        };
+        let labels =
+            labels(table, values.len()).map_err(|accepted| refusal("labels", &accepted))?;
         Ok(Axis {
             name: table.name.as_ref().unwrap_or(name).clone(),
             keys,
@@ -264,6 +251,25 @@ impl Place<'_> {
             labels,
             unit: String::new(),
         })
+    }
+}
+
+/// The names of the places of an axis.
+///
+/// # Errors
+/// What is accepted.
+fn labels(axis: &AxisKeys, number: usize) -> Result<Vec<String>, String> {
+    let Some(labels) = &axis.labels else {
+        return Ok(axis.values.iter().map(inline).collect());
+    };
+    if labels.len() != number {
+        return Err(format!(
+            "must hold one name for each of the {number} values"
+        ));
+    }
+    match twin(labels) {
+        Some(label) => Err(format!("must be unique, but {label:?} is there twice")),
+        None => Ok(labels.clone()),
     }
 }
 
