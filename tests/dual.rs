@@ -9,7 +9,7 @@ use gouge_dem::laws::{
     AdjustedKelvinVoigt, BeamLaw, Bshp, CundallStrack, CundallStrackTruncated, EulerBernoulli,
     ExternalLaw, Gravity, HarmonicWell, KelvinVoigt, NormalLaw, TangentialLaw, TangentialMotion,
 };
-use gouge_validation::scalars::Dual;
+use gouge_scalars::Dual;
 use proptest::prelude::*;
 
 /// Whether a force equals minus a slope, up to a few rounding errors.

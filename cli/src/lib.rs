@@ -17,11 +17,11 @@
 //! | neighbour search | [`common::neighbors`](../gouge_common/neighbors/index.html) | (98)-(99), (134)-(137) |
 //!
 //! A [`World`] is a [`model`] (laws and parameters) with a state; [`World::step`] advances it by a time step.
+//! The front page of [`gouge_dem`] has a complete program.
 //! `docs/thesis/equations.md` lists every equation with its function and its test.
 //! Scene files become worlds, and runs write outputs, in [`runner`](../gouge_runner/index.html).
 
 #[doc(inline)]
 pub use gouge_dem::*;
 
-pub use gouge_common as common;
 pub use gouge_runner as runner;

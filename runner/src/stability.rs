@@ -150,7 +150,9 @@ fn pair_bound(world: &World, name: &'static str, meaning: &'static str, [k, c]: 
 /// Bounds from a contact of two particles, whether they touch now or not.
 fn contact_bounds(world: &World, laws: ContactLaws, pair: &Lightest) -> Vec<Bound> {
     let per_mass = |constants: [f64; 2], inverse: f64| constants.map(|one| one * inverse);
-    let normal = laws.normal.constants([pair.radius; 2], pair.reduced_mass());
+    let normal = laws
+        .normal
+        .linearised([pair.radius; 2], pair.reduced_mass());
     let mut bounds = vec![pair_bound(
         world,
         "contact normal",

@@ -6,6 +6,5 @@ pub mod measurements;
 pub mod oracles;
 pub mod references;
 pub mod report;
-pub mod scalars;
 pub mod scenes;
 pub mod verify;

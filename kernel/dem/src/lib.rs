@@ -5,6 +5,11 @@
 //! uses only modules listed above it. All quantities are in SI units.
 //!
 //! *Contact* and *bond* are the weak and the strong link of the thesis; *interaction* means either.
+//!
+//! A complete program, `examples/collision.rs`; the folder has others, among them one with a normal law of its own:
+//! ```
+#![doc = include_str!("../../../examples/collision.rs")]
+//! ```
 
 mod error;
 pub mod geometry;
@@ -25,7 +30,8 @@ pub mod distributions;
 pub mod calibration;
 
 pub use error::{ModelError, StepError};
+pub use gouge_common as common;
 pub use world::{
-    Break, Continuation, Drive, Number, Start, State, World, is_surely_stable, network_step,
-    stable_step_estimate,
+    Break, Continuation, Drive, NormalChoice, Number, Start, State, World, is_surely_stable,
+    network_step, stable_step_estimate,
 };

@@ -54,39 +54,16 @@ pub enum ContactTangential {
     CundallStrackTruncated(CundallStrackTruncated),
 }
 
-/// Overlap at which the stiffness of a nonlinear normal law is taken, in units of the smaller radius.
-const TYPICAL_OVERLAP: f64 = 0.1;
-
 impl ContactNormal {
-    /// Stiffness in kg/s^2 and damping in kg/s of the linearised law, for a pair with radii in m and its reduced mass in
-    /// kg.
-    ///
-    /// BSHP is linearised at an overlap of a tenth of the smaller radius.
-    pub fn constants(&self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
-        let scaled = |[stiffness, damping]: [f64; 2], factor: f64| [stiffness, damping * factor];
+    /// Stiffness in kg/s^2 and damping in kg/s, see [`NormalLaw::linearised`].
+    pub fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
         match self {
-            Self::KelvinVoigt(law) => linear(*law),
-            Self::Bshp(law) => linearised(*law, radii),
-            Self::ReboundingKelvinVoigt(law) => {
-                let factor = law.damping_factor(radii, reduced_mass);
-                scaled(linear(law.of_unit_mass), factor)
-            }
-            Self::ReboundingBshp(law) => {
-                let factor = law.damping_factor(radii, reduced_mass);
-                scaled(linearised(law.of_unit_pair, radii), factor)
-            }
+            Self::KelvinVoigt(law) => law.linearised(radii, reduced_mass),
+            Self::Bshp(law) => law.linearised(radii, reduced_mass),
+            Self::ReboundingKelvinVoigt(law) => law.linearised(radii, reduced_mass),
+            Self::ReboundingBshp(law) => law.linearised(radii, reduced_mass),
         }
     }
-}
-
-fn linear(law: KelvinVoigt) -> [f64; 2] {
-    [law.stiffness, law.damping]
-}
-
-fn linearised(law: Bshp, radii: [f64; 2]) -> [f64; 2] {
-    let xi = TYPICAL_OVERLAP * radii[0].min(radii[1]);
-    let slope = 1.5 * law.prefactor(radii) * xi.sqrt();
-    [slope, slope / 1.5 * law.dissipative_constant]
 }
 
 impl ContactTangential {
@@ -102,16 +79,16 @@ impl ContactTangential {
 
 /// Laws of contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactLaws {
+pub struct ContactLaws<N = ContactNormal> {
     /// Choice of the lever arms.
     pub distance: ContactDistance,
     /// Normal law.
-    pub normal: ContactNormal,
+    pub normal: N,
     /// Tangential law; `None` for frictionless contacts.
     pub tangential: Option<ContactTangential>,
 }
 
-impl ContactLaws {
+impl<N> ContactLaws<N> {
     /// Whether contacts have memory.
     pub fn remembers(&self) -> bool {
         matches!(
@@ -179,8 +156,10 @@ pub enum External {
 }
 
 /// All choices of a scene, except its particles. Whatever is `None` costs nothing: no array, no pass.
+///
+/// `N` is the choice of a normal law, or a [`NormalLaw`] of your own.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Model {
+pub struct Model<N = ContactNormal> {
     /// Which form of the equations is used.
     pub reading: Reading,
     /// Integration method.
@@ -190,7 +169,7 @@ pub struct Model {
     /// The box.
     pub domain: Domain,
     /// Laws of contacts.
-    pub contact: Option<ContactLaws>,
+    pub contact: Option<ContactLaws<N>>,
     /// Laws of bonds.
     pub bond: Option<BondLaws>,
     /// Drag of the surrounding medium.
@@ -203,7 +182,28 @@ pub struct Model {
     pub ledger: bool,
 }
 
-impl Model {
+impl<N> Model<N> {
+    /// A model in an open box, with the corrected equations and without contacts, bonds, fields, driving and ledger.
+    /// The time step is in s.
+    pub fn new(integrator: Integrator, time_step: f64) -> Self {
+        Self {
+            reading: Reading::Corrected,
+            integrator,
+            time_step,
+            domain: Domain {
+                width: None,
+                height: None,
+                periodic: false,
+            },
+            contact: None,
+            bond: None,
+            ambient: None,
+            external: None,
+            driving: None,
+            ledger: false,
+        }
+    }
+
     /// Period in x in m, if x is periodic.
     pub fn period(&self) -> Option<f64> {
         self.domain.period()

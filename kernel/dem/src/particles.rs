@@ -76,6 +76,22 @@ pub struct Particle {
     pub role: Role,
 }
 
+impl Particle {
+    /// A free homogeneous sphere at rest, from its position and radius in m and its density in kg/m^3.
+    pub fn sphere(position: Vec2, radius: f64, density: f64) -> Self {
+        Self {
+            position,
+            velocity: Vec2::zero(),
+            angle: 0.0,
+            angular_velocity: 0.0,
+            radius,
+            density,
+            inertia_factor: SPHERE_INERTIA_FACTOR,
+            role: Role::Free,
+        }
+    }
+}
+
 impl<S: Real> Particles<S> {
     /// Number of particles.
     pub fn len(&self) -> usize {

@@ -4,7 +4,7 @@ use super::debris;
 use crate::forces::{Interaction, InteractionKind};
 use crate::geometry::{Arm, PairFrame, PairMotion, RadiusArm};
 use crate::particles::Particles;
-use crate::world::World;
+use crate::world::{NormalChoice, World};
 use gouge_common::pair::map_ends;
 use gouge_equations::rendered;
 
@@ -21,7 +21,7 @@ use gouge_equations::rendered;
 /// The sums are over contacts of pairs that are not bonded, of which at least one particle belongs to the
 /// [`debris`]. The result is `[u, w]`; it is zero without debris.
 #[rendered]
-pub fn rolling_and_slip(world: &World) -> [f64; 2] {
+pub fn rolling_and_slip<N: NormalChoice<f64>>(world: &World<f64, N>) -> [f64; 2] {
     let is_debris = debris(world.state());
     if !is_debris.contains(&true) {
         return [0.0; 2];

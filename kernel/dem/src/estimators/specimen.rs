@@ -2,14 +2,14 @@
 
 use crate::forces::{Forces, Interaction, InteractionKind};
 use crate::particles::{Particles, Role};
-use crate::world::World;
+use crate::world::{NormalChoice, World};
 use gouge_common::estimators::{ContactNetwork, NetworkContact, packing_fraction};
 use gouge_equations::rendered;
 
 /// Width and height in m of the specimen: of the smallest upright rectangle around the discs of all free particles. In
 /// a periodic box it is as wide as the period, unless a strip without discs is left that is wider than the largest of
 /// them; then it ends there. Not finite without free particles.
-pub fn specimen_size(world: &World) -> [f64; 2] {
+pub fn specimen_size<N: NormalChoice<f64>>(world: &World<f64, N>) -> [f64; 2] {
     let p = world.particles();
     let spans = |at: fn(&Particles, usize) -> f64| {
         let free = p.with_role(Role::Free);
@@ -70,8 +70,8 @@ fn extent_on_circle(intervals: Vec<[f64; 2]>, circumference: f64) -> f64 {
 /// specimen is at rest and nothing else acts on it. V in m^3 is the area of the rectangle of [`specimen_size`] times
 /// `thickness`. NaN without free particles.
 #[rendered]
-pub fn specimen_stress(
-    world: &World,
+pub fn specimen_stress<N: NormalChoice<f64>>(
+    world: &World<f64, N>,
     interactions: &[Interaction],
     thickness: f64,
 ) -> [[f64; 2]; 2] {
@@ -103,7 +103,7 @@ pub fn specimen_stress(
 
 /// Packing fraction of the specimen, dimensionless: [`packing_fraction`] of the free particles in the rectangle of
 /// [`specimen_size`].
-pub fn specimen_packing(world: &World) -> f64 {
+pub fn specimen_packing<N: NormalChoice<f64>>(world: &World<f64, N>) -> f64 {
     let p = world.particles();
     let radii: Vec<f64> = p.with_role(Role::Free).map(|i| p.radius[i]).collect();
     let [width, height] = specimen_size(world);
@@ -135,7 +135,10 @@ fn mean(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The largest overlap of a contact over the smaller radius of its two particles, dimensionless; zero without contacts.
-pub fn largest_overlap(world: &World, interactions: &[Interaction]) -> f64 {
+pub fn largest_overlap<N: NormalChoice<f64>>(
+    world: &World<f64, N>,
+    interactions: &[Interaction],
+) -> f64 {
     let radius = &world.particles().radius;
     let relative = |one: &Interaction| {
         let (i, j) = one.pair.indices();

@@ -24,6 +24,25 @@ pub trait NormalLaw: Copy + Send + Sync {
     fn elastic_force<S: Real>(self, radii: [S; 2], xi: S) -> S;
     /// Stored energy in J; zero without overlap.
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S;
+    /// Stiffness in kg/s^2 and damping in kg/s of the linearised law, from which bounds of the time step follow, for a
+    /// pair with radii in m and its reduced mass in kg.
+    ///
+    /// A nonlinear law is linearised at an overlap of a tenth of the smaller radius; by default with differences.
+    fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
+        let (xi, step) = (typical_overlap(radii), 1e-3 * typical_overlap(radii));
+        let rise = self.elastic_force(radii, xi - step) - self.elastic_force(radii, xi + step);
+        let viscous = self.elastic_force(radii, xi) - self.force(radii, xi, SLOW);
+        let factor = self.damping_factor(radii, reduced_mass);
+        [rise / (2.0 * step), viscous / SLOW * factor]
+    }
+}
+
+/// Rate in m/s at which the damping of a law is taken.
+const SLOW: f64 = 1e-3;
+
+/// Overlap in m at which a nonlinear law is linearised.
+fn typical_overlap(radii: [f64; 2]) -> f64 {
+    0.1 * radii[0].min(radii[1])
 }
 
 /// Truncated Kelvin-Voigt normal force of a contact.
@@ -78,6 +97,9 @@ impl NormalLaw for KelvinVoigt {
     fn stored_energy<S: Real>(self, _: [S; 2], xi: S) -> S {
         let xi = xi.max(S::zero());
         xi * xi * (0.5 * self.stiffness)
+    }
+    fn linearised(self, _: [f64; 2], _: f64) -> [f64; 2] {
+        [self.stiffness, self.damping]
     }
 }
 
@@ -160,6 +182,10 @@ impl NormalLaw for Bshp {
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S {
         let xi = xi.max(S::zero());
         self.prefactor(radii) * xi * xi * xi.sqrt() * 0.4
+    }
+    fn linearised(self, radii: [f64; 2], _: f64) -> [f64; 2] {
+        let slope = 1.5 * self.prefactor(radii) * typical_overlap(radii).sqrt();
+        [slope, slope / 1.5 * self.dissipative_constant]
     }
 }
 

@@ -43,6 +43,13 @@ impl NormalLaw for ReboundingKelvinVoigt {
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S {
         self.of_unit_mass.stored_energy(radii, xi)
     }
+    fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
+        let [stiffness, damping] = self.of_unit_mass.linearised(radii, reduced_mass);
+        [
+            stiffness,
+            damping * self.damping_factor(radii, reduced_mass),
+        ]
+    }
 }
 
 /// Normal force of viscoelastic spheres with the same coefficient of restitution for every pair, at one relative speed.
@@ -84,5 +91,12 @@ impl NormalLaw for ReboundingBshp {
     #[inline(always)]
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S {
         self.of_unit_pair.stored_energy(radii, xi)
+    }
+    fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
+        let [stiffness, damping] = self.of_unit_pair.linearised(radii, reduced_mass);
+        [
+            stiffness,
+            damping * self.damping_factor(radii, reduced_mass),
+        ]
     }
 }

@@ -1,5 +1,6 @@
 //! How a world advances by one step.
 
+use super::choice::NormalChoice;
 use super::dispatch::{WithMethod, with_method};
 use super::simulation::{Number, World};
 use crate::error::StepError;
@@ -8,17 +9,19 @@ use core::marker::PhantomData;
 use gouge_common::geometry::{Metric, WithMetric};
 use gouge_common::neighbors::Staleness;
 
-impl<S: Number> World<S> {
+impl<S: Number, N: NormalChoice<S>> World<S, N> {
     /// Advance by one time step.
     ///
     /// # Errors
     /// If a state is no longer finite, or if a particle moves too far for contacts to be found, see
     /// [`check`](Self::check). The world is then left in the failed state, not in that before the step.
     pub fn step(&mut self) -> Result<(), StepError> {
-        S::step(self)
+        N::step(self)
     }
 
-    pub(super) fn take_step(&mut self) -> Result<(), StepError> {
+    /// Implementation of [`Number::step`].
+    #[doc(hidden)]
+    pub fn take_step(&mut self) -> Result<(), StepError> {
         self.evaluate_if_pending()?;
         let before = self.state.bookings;
         with_method(self.model.integrator, MoveParticles { world: self })?;
@@ -67,11 +70,11 @@ impl<S: Number> World<S> {
 }
 
 /// Moves the particles of a world by one step of its method.
-struct MoveParticles<'a, S: Number> {
-    world: &'a mut World<S>,
+struct MoveParticles<'a, S: Number, N> {
+    world: &'a mut World<S, N>,
 }
 
-impl<S: Number> WithMethod for MoveParticles<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithMethod for MoveParticles<'_, S, N> {
     type Output = Result<(), StepError>;
 
     fn one_stage<T: Stage>(self) -> Self::Output {
@@ -97,12 +100,12 @@ impl<S: Number> WithMethod for MoveParticles<'_, S> {
 }
 
 /// Advances all particles by one stage.
-struct AdvanceAll<'a, S: Number, T> {
-    world: &'a mut World<S>,
+struct AdvanceAll<'a, S: Number, N, T> {
+    world: &'a mut World<S, N>,
     stage: PhantomData<fn() -> T>,
 }
 
-impl<S: Number, T: Stage> WithMetric for AdvanceAll<'_, S, T> {
+impl<S: Number, N: NormalChoice<S>, T: Stage> WithMetric for AdvanceAll<'_, S, N, T> {
     type Output = ();
 
     fn call<M: Metric>(self, metric: M) {

@@ -1,5 +1,6 @@
 //! The initial state of a world.
 
+use super::choice::NormalChoice;
 use super::execution::Execution;
 use super::simulation::{Number, World};
 use super::state::{Drive, State};
@@ -26,13 +27,17 @@ pub struct Start {
     pub drive_force: Vec2,
 }
 
-impl<S: Number> World<S> {
+impl<S: Number, N: NormalChoice<S>> World<S, N> {
     /// A world with its particles, contacts and bonds at t = 0.
     ///
     /// # Errors
     /// If a contact or bond is impossible, a periodic box is narrower than two cells, a driving law has no driven
     /// particle, or a mass or moment of inertia is not finite or has no finite inverse.
-    pub fn new(model: Model, particles: Particles<S>, start: &Start) -> Result<Self, ModelError> {
+    pub fn new(
+        model: Model<N>,
+        particles: Particles<S>,
+        start: &Start,
+    ) -> Result<Self, ModelError> {
         check_width(&model, &particles)?;
         check_inertia(&particles)?;
         let particles = with_prescribed_motion(&model, particles);
@@ -58,13 +63,16 @@ impl<S: Number> World<S> {
     /// Start the energy balance at the present state, if the model has a ledger.
     pub(super) fn begin_ledger(&mut self) {
         if self.model.ledger {
-            self.state.ledger = Some(Ledger::starting_from(&S::state_energy(self)));
+            self.state.ledger = Some(Ledger::starting_from(&N::state_energy(self)));
         }
     }
 }
 
 /// The particles with the velocity of the driven ones, if the model prescribes it.
-fn with_prescribed_motion<S: Real>(model: &Model, mut particles: Particles<S>) -> Particles<S> {
+fn with_prescribed_motion<S: Real, N>(
+    model: &Model<N>,
+    mut particles: Particles<S>,
+) -> Particles<S> {
     if let Some(velocity) = model.driving.and_then(|law| law.prescribed_velocity()) {
         let driven: Vec<usize> = particles.with_role(Role::Driven).collect();
         for i in driven {
@@ -76,8 +84,8 @@ fn with_prescribed_motion<S: Real>(model: &Model, mut particles: Particles<S>) -
 }
 
 /// A state without contacts and bonds.
-fn without_interactions<S: Number>(
-    model: &Model,
+fn without_interactions<S: Number, N>(
+    model: &Model<N>,
     particles: Particles<S>,
     drive_force: Vec2<S>,
 ) -> State<S> {
@@ -100,12 +108,12 @@ fn without_interactions<S: Number>(
 }
 
 /// Creates the bonds and searches the contacts of a new world.
-struct MakeInteractions<'a, S: Number> {
-    world: &'a mut World<S>,
+struct MakeInteractions<'a, S: Number, N> {
+    world: &'a mut World<S, N>,
     start: &'a Start,
 }
 
-impl<S: Number> WithMetric for MakeInteractions<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithMetric for MakeInteractions<'_, S, N> {
     type Output = Result<(), ModelError>;
 
     fn call<M: Metric>(self, metric: M) -> Self::Output {
@@ -157,7 +165,7 @@ fn check_inertia<S: Real>(particles: &Particles<S>) -> Result<(), ModelError> {
 }
 
 /// Check that a periodic box is at least two cells wide, so that a pair does not meet across both sides.
-fn check_width<S: Real>(model: &Model, particles: &Particles<S>) -> Result<(), ModelError> {
+fn check_width<S: Real, N>(model: &Model<N>, particles: &Particles<S>) -> Result<(), ModelError> {
     let cell = 2.0 * particles.largest_radius();
     match model.period() {
         Some(width) if width < 2.0 * cell => Err(ModelError::NarrowBox { width, cell }),

@@ -1,5 +1,6 @@
 //! What is kept of the bonds that broke.
 
+use super::choice::NormalChoice;
 use super::dispatch::{WithBondPass, with_bond_pass};
 use super::simulation::{Number, World};
 use crate::forces::{Bodies, BondPass};
@@ -26,7 +27,7 @@ pub struct Break {
     pub normal_share: f64,
 }
 
-impl<S: Number> World<S> {
+impl<S: Number, N: NormalChoice<S>> World<S, N> {
     /// The bonds that broke since the breaks were last forgotten, in the order of their breaking.
     pub fn breaks(&self) -> &[Break] {
         &self.workspace.breaks
@@ -47,12 +48,12 @@ impl<S: Number> World<S> {
     }
 }
 
-struct KeepBreaks<'a, S: Number> {
-    world: &'a mut World<S>,
+struct KeepBreaks<'a, S: Number, N> {
+    world: &'a mut World<S, N>,
     steps: u64,
 }
 
-impl<S: Number> WithBondPass for KeepBreaks<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithBondPass for KeepBreaks<'_, S, N> {
     type Output = ();
     fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) {
         let World {

@@ -1,6 +1,7 @@
 //! Continuing from one phase of a scene to the next, and returning to an earlier state.
 
 use super::begin::Start;
+use super::choice::NormalChoice;
 use super::simulation::World;
 use super::state::State;
 use super::workspace::Workspace;
@@ -38,7 +39,7 @@ impl Continuation {
     ///
     /// # Errors
     /// As for [`World::new`].
-    pub fn begin(self, model: Model) -> Result<World, ModelError> {
+    pub fn begin<N: NormalChoice<f64>>(self, model: Model<N>) -> Result<World<f64, N>, ModelError> {
         let start = Start {
             drive_force: self.drive_force,
             ..Start::default()
@@ -51,18 +52,18 @@ impl Continuation {
     }
 }
 
-impl World {
+impl<N: NormalChoice<f64>> World<f64, N> {
     /// Continue from the present state, at t = 0, with another model and, if given, other roles.
     ///
     /// Bonds, contact memories and the driving force are kept; the ledger starts again.
     ///
     /// # Errors
     /// As for [`World::new`].
-    pub fn continue_with(
+    pub fn continue_with<L: NormalChoice<f64>>(
         mut self,
-        model: Model,
+        model: Model<L>,
         roles: Option<Vec<Role>>,
-    ) -> Result<Self, ModelError> {
+    ) -> Result<World<f64, L>, ModelError> {
         let state = &mut self.state;
         if let Some(roles) = roles {
             state.particles.assign(roles);

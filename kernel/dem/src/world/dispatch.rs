@@ -3,6 +3,8 @@
 //! Each function calls an operation with the types that the model selects. The operation is compiled for each of
 //! them.
 
+use super::choice::{NormalChoice, WithNormalLaw};
+use super::simulation::Number;
 use crate::forces::{BondPass, ContactPass};
 use crate::geometry::{Arm, ContactDistance, FocalArm, MeanArm, RadiusArm};
 use crate::integrators::{
@@ -14,10 +16,9 @@ use crate::laws::{
     Unbreakable, YieldLaw, ZhangEckertTensile,
 };
 use crate::model::{
-    Ambient, BondLaws, ContactLaws, ContactNormal, ContactTangential, External, Model, Reading,
-    Yielding,
+    Ambient, BondLaws, ContactLaws, ContactTangential, External, Model, Reading, Yielding,
 };
-use gouge_common::geometry::{Metric, WithMetric};
+use gouge_common::geometry::{Domain, Metric, WithMetric};
 
 /// An operation on contacts.
 pub(super) trait WithContactPass {
@@ -57,58 +58,75 @@ pub(super) trait WithMethod: Sized {
 }
 
 /// Call an operation with the laws of contacts; `elapsed` is the time since the previous evaluation in s.
-pub(super) fn with_contact_pass<V: WithContactPass>(
-    model: &Model,
-    laws: ContactLaws,
+pub(super) fn with_contact_pass<S: Number, N: NormalChoice<S>, V: WithContactPass>(
+    model: &Model<N>,
+    laws: ContactLaws<N>,
     elapsed: f64,
     action: V,
 ) -> V::Output {
-    model.domain.with_metric(ChooseContactLaws {
-        laws,
-        reading: model.reading,
-        elapsed,
-        action,
+    laws.normal.with_law(ChooseMetric {
+        domain: model.domain,
+        others: ChooseContactLaws {
+            distance: laws.distance,
+            tangential: laws.tangential,
+            reading: model.reading,
+            elapsed,
+            action,
+        },
     })
 }
 
+/// Takes the normal law, and chooses the metric.
+struct ChooseMetric<V> {
+    domain: Domain,
+    others: ChooseContactLaws<V>,
+}
+
+impl<V: WithContactPass> WithNormalLaw for ChooseMetric<V> {
+    type Output = V::Output;
+    fn call<N: NormalLaw>(self, normal: N) -> V::Output {
+        let others = self.others;
+        self.domain.with_metric(ChooseTangential { normal, others })
+    }
+}
+
+/// Takes the metric, and chooses the tangential law.
+struct ChooseTangential<N, V> {
+    normal: N,
+    others: ChooseContactLaws<V>,
+}
+
+impl<N: NormalLaw, V: WithContactPass> WithMetric for ChooseTangential<N, V> {
+    type Output = V::Output;
+    fn call<M: Metric>(self, metric: M) -> V::Output {
+        let Self { normal, others } = self;
+        match others.tangential {
+            None => others.call(metric, RadiusArm, normal, Frictionless),
+            Some(ContactTangential::HaffWerner(law)) => others.choose_arm(metric, normal, law),
+            Some(ContactTangential::CundallStrack(law)) => others.choose_arm(metric, normal, law),
+            Some(ContactTangential::CundallStrackTruncated(law)) => {
+                others.choose_arm(metric, normal, law)
+            }
+        }
+    }
+}
+
 struct ChooseContactLaws<V> {
-    laws: ContactLaws,
+    distance: ContactDistance,
+    tangential: Option<ContactTangential>,
     reading: Reading,
     elapsed: f64,
     action: V,
 }
 
-impl<V: WithContactPass> WithMetric for ChooseContactLaws<V> {
-    type Output = V::Output;
-    fn call<M: Metric>(self, metric: M) -> V::Output {
-        match self.laws.normal {
-            ContactNormal::KelvinVoigt(normal) => self.choose_tangential(metric, normal),
-            ContactNormal::Bshp(normal) => self.choose_tangential(metric, normal),
-            ContactNormal::ReboundingKelvinVoigt(normal) => self.choose_tangential(metric, normal),
-            ContactNormal::ReboundingBshp(normal) => self.choose_tangential(metric, normal),
-        }
-    }
-}
-
 impl<V: WithContactPass> ChooseContactLaws<V> {
-    fn choose_tangential<M: Metric, N: NormalLaw>(self, metric: M, normal: N) -> V::Output {
-        match self.laws.tangential {
-            None => self.call(metric, RadiusArm, normal, Frictionless),
-            Some(ContactTangential::HaffWerner(law)) => self.choose_arm(metric, normal, law),
-            Some(ContactTangential::CundallStrack(law)) => self.choose_arm(metric, normal, law),
-            Some(ContactTangential::CundallStrackTruncated(law)) => {
-                self.choose_arm(metric, normal, law)
-            }
-        }
-    }
-
     fn choose_arm<M: Metric, N: NormalLaw, T: TangentialLaw>(
         self,
         metric: M,
         normal: N,
         tangential: T,
     ) -> V::Output {
-        match self.laws.distance {
+        match self.distance {
             ContactDistance::Radius => self.call(metric, RadiusArm, normal, tangential),
             ContactDistance::Focal => self.call(metric, FocalArm, normal, tangential),
             ContactDistance::Mean => self.call(metric, MeanArm, normal, tangential),
@@ -135,8 +153,8 @@ impl<V: WithContactPass> ChooseContactLaws<V> {
 }
 
 /// Call an operation with the laws of bonds.
-pub(super) fn with_bond_pass<V: WithBondPass>(
-    model: &Model,
+pub(super) fn with_bond_pass<N, V: WithBondPass>(
+    model: &Model<N>,
     laws: BondLaws,
     action: V,
 ) -> V::Output {

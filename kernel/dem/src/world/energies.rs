@@ -1,5 +1,6 @@
 //! The energies of a world.
 
+use super::choice::NormalChoice;
 use super::dispatch::{
     WithBondPass, WithContactPass, WithExternalLaw, with_bond_pass, with_contact_pass,
     with_external_law,
@@ -12,10 +13,10 @@ use crate::geometry::Arm;
 use crate::laws::{BeamLaw, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::geometry::Metric;
 
-impl<S: Number> World<S> {
+impl<S: Number, N: NormalChoice<S>> World<S, N> {
     /// All terms of the energy balance in J, thesis (72). Without a ledger, heat, work and residual are zero.
     pub fn energy(&self) -> Energy<S> {
-        let energy = S::state_energy(self);
+        let energy = N::state_energy(self);
         match &self.state.ledger {
             Some(ledger) => ledger.balance(energy),
             None => energy,
@@ -29,8 +30,9 @@ impl<S: Number> World<S> {
         ledger.map(|ledger| [ledger.shearing, ledger.sliding])
     }
 
-    /// The energies that are functions of state, in J.
-    pub(super) fn sum_state_energy(&self) -> Energy<S> {
+    /// Implementation of [`Number::state_energy`].
+    #[doc(hidden)]
+    pub fn sum_state_energy(&self) -> Energy<S> {
         let (model, state) = (&self.model, &self.state);
         let bodies = self.bodies();
         let stored = || Stored { state, bodies };

@@ -1,5 +1,6 @@
 //! One evaluation: contacts, bonds, forces, heat and work at the present positions and velocities.
 
+use super::choice::NormalChoice;
 use super::dispatch::{
     WithAmbientLaw, WithBondPass, WithContactPass, WithExternalLaw, with_ambient_law,
     with_bond_pass, with_contact_pass, with_external_law,
@@ -14,7 +15,7 @@ use crate::geometry::Arm;
 use crate::laws::{AmbientLaw, BeamLaw, Driven, ExternalLaw, NormalLaw, TangentialLaw, YieldLaw};
 use gouge_common::geometry::{Metric, WithMetric};
 
-impl<S: Number> World<S> {
+impl<S: Number, N: NormalChoice<S>> World<S, N> {
     /// Evaluate forces, contacts and bonds at the present positions, unless they are up to date. The next step
     /// would do so, too.
     ///
@@ -22,7 +23,7 @@ impl<S: Number> World<S> {
     /// As for [`step`](Self::step).
     pub fn evaluate_if_pending(&mut self) -> Result<(), StepError> {
         if self.is_pending() {
-            return S::evaluate(self);
+            return N::evaluate(self);
         }
         Ok(())
     }
@@ -32,7 +33,9 @@ impl<S: Number> World<S> {
         !self.state.is_evaluated
     }
 
-    pub(super) fn evaluate_first(&mut self) -> Result<(), StepError> {
+    /// Implementation of [`Number::evaluate`].
+    #[doc(hidden)]
+    pub fn evaluate_first(&mut self) -> Result<(), StepError> {
         self.store_drive_velocity();
         self.evaluate(self.model.integrator.evaluates_first(), false)?;
         self.state.is_evaluated = true;
@@ -159,11 +162,11 @@ impl<S: Number> World<S> {
     }
 }
 
-struct AreStale<'a, S: Number> {
-    world: &'a World<S>,
+struct AreStale<'a, S: Number, N> {
+    world: &'a World<S, N>,
 }
 
-impl<S: Number> WithMetric for AreStale<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithMetric for AreStale<'_, S, N> {
     type Output = bool;
     fn call<M: Metric>(self, metric: M) -> bool {
         let neighbors = self.world.workspace.neighbors.as_ref();
@@ -172,11 +175,11 @@ impl<S: Number> WithMetric for AreStale<'_, S> {
     }
 }
 
-struct FindNeighbors<'a, S: Number> {
-    world: &'a mut World<S>,
+struct FindNeighbors<'a, S: Number, N> {
+    world: &'a mut World<S, N>,
 }
 
-impl<S: Number> WithMetric for FindNeighbors<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithMetric for FindNeighbors<'_, S, N> {
     type Output = ();
     fn call<M: Metric>(self, metric: M) {
         let (state, workspace) = (&mut self.world.state, &mut self.world.workspace);
@@ -188,11 +191,11 @@ impl<S: Number> WithMetric for FindNeighbors<'_, S> {
 }
 
 /// Adds the forces of a pass, and records their heat and work.
-struct AddForces<'a, S: Number> {
-    world: &'a mut World<S>,
+struct AddForces<'a, S: Number, N> {
+    world: &'a mut World<S, N>,
 }
 
-impl<S: Number> WithBondPass for AddForces<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithBondPass for AddForces<'_, S, N> {
     type Output = ();
     fn call<M: Metric, B: BeamLaw, Y: YieldLaw>(self, pass: BondPass<M, B, Y>) {
         if self.world.model.ledger {
@@ -203,7 +206,7 @@ impl<S: Number> WithBondPass for AddForces<'_, S> {
     }
 }
 
-impl<S: Number> AddForces<'_, S> {
+impl<S: Number, N: NormalChoice<S>> AddForces<'_, S, N> {
     /// Add the forces of bonds, and list the bonds that break.
     fn add_bonds<M: Metric, B: BeamLaw, Y: YieldLaw, const LEDGER: bool>(
         self,
@@ -240,11 +243,11 @@ impl<S: Number> AddForces<'_, S> {
     }
 }
 
-impl<S: Number> WithContactPass for AddForces<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithContactPass for AddForces<'_, S, N> {
     type Output = ();
-    fn call<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw>(
+    fn call<M: Metric, A: Arm, L: NormalLaw, T: TangentialLaw>(
         self,
-        pass: ContactPass<M, A, N, T>,
+        pass: ContactPass<M, A, L, T>,
     ) {
         if self.world.model.ledger {
             self.add_contacts::<_, _, _, _, true>(pass);
@@ -254,11 +257,11 @@ impl<S: Number> WithContactPass for AddForces<'_, S> {
     }
 }
 
-impl<S: Number> AddForces<'_, S> {
+impl<S: Number, N: NormalChoice<S>> AddForces<'_, S, N> {
     /// Add the forces of contacts, and begin and end contact memories.
-    fn add_contacts<M: Metric, A: Arm, N: NormalLaw, T: TangentialLaw, const LEDGER: bool>(
+    fn add_contacts<M: Metric, A: Arm, L: NormalLaw, T: TangentialLaw, const LEDGER: bool>(
         self,
-        pass: ContactPass<M, A, N, T>,
+        pass: ContactPass<M, A, L, T>,
     ) {
         let World {
             state,
@@ -291,7 +294,7 @@ impl<S: Number> AddForces<'_, S> {
     }
 }
 
-impl<S: Number> WithAmbientLaw for AddForces<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithAmbientLaw for AddForces<'_, S, N> {
     fn call<L: AmbientLaw>(self, law: L) {
         let state = &mut self.world.state;
         let (particles, sums, bookings) =
@@ -304,7 +307,7 @@ impl<S: Number> WithAmbientLaw for AddForces<'_, S> {
     }
 }
 
-impl<S: Number> WithExternalLaw for AddForces<'_, S> {
+impl<S: Number, N: NormalChoice<S>> WithExternalLaw for AddForces<'_, S, N> {
     type Output = ();
     fn call<L: ExternalLaw>(self, law: L) {
         let state = &mut self.world.state;

@@ -1,5 +1,6 @@
 //! Stops a run whose state is no longer physical and reports the likely cause.
 
+use super::choice::NormalChoice;
 use super::simulation::{Number, World};
 use crate::error::StepError;
 use crate::forces::reduced_mass;
@@ -9,7 +10,7 @@ use crate::model::{ContactLaws, Model};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 
-impl<S: Number> World<S> {
+impl<S: Number, N: NormalChoice<S>> World<S, N> {
     /// Check that the state is finite and that no particle moves so far per step that it may miss a contact.
     ///
     /// Two particles that meet head-on overlap along 2 (r_i + r_j) of their relative way, and miss each other only if
@@ -23,7 +24,7 @@ impl<S: Number> World<S> {
     }
 }
 
-fn check<S: Number>(world: &World<S>) -> Result<(), StepError> {
+fn check<S: Number, N: NormalChoice<S>>(world: &World<S, N>) -> Result<(), StepError> {
     let p = &world.state.particles;
     let step = world.model.time_step;
     let is_finite = |i: &usize| {
@@ -74,7 +75,7 @@ struct Limits<S> {
 impl<S: Number> Limits<S> {
     /// With contacts, each particle may move by its diameter; with bonds only by the largest one, since no bond
     /// survives that; without interactions by any distance.
-    fn new(world: &World<S>) -> Self {
+    fn new<N>(world: &World<S, N>) -> Self {
         let particles = &world.state.particles;
         if world.state.contacts.is_some() {
             let share = S::from_f64(1.0 / particles.len().max(1) as f64);
@@ -98,7 +99,10 @@ impl<S: Number> Limits<S> {
 }
 
 /// Pair of the contact or bond of a particle with the largest force; forces that are not finite count as infinite.
-fn most_strained_interaction<S: Number>(world: &World<S>, particle: usize) -> Option<[usize; 2]> {
+fn most_strained_interaction<S: Number, N: NormalChoice<S>>(
+    world: &World<S, N>,
+    particle: usize,
+) -> Option<[usize; 2]> {
     let strain = |interaction: &crate::forces::Interaction| {
         let force = interaction.normal_force.abs() + interaction.tangential_force.abs();
         if force.is_finite() {
@@ -126,26 +130,26 @@ fn most_strained_interaction<S: Number>(world: &World<S>, particle: usize) -> Op
 /// By Gershgorin's theorem, the squared frequency of a mode is at most twice the sum of the stiffnesses acting on
 /// a particle divided by its inertia. The same holds for damping. The maxima of both are combined. Contacts that begin
 /// later are not in it.
-pub fn stable_step_estimate<S: Number>(world: &World<S>) -> f64 {
+pub fn stable_step_estimate<S: Number, N: NormalChoice<S>>(world: &World<S, N>) -> f64 {
     let stiffest = stiffest(world, &world.touching_pairs());
     critical_step(world.model.integrator, stiffest)
 }
 
 /// Whether the time step of a world is surely stable: below [`stable_step_estimate`], but found much faster.
-pub fn is_surely_stable<S: Number>(world: &World<S>) -> bool {
+pub fn is_surely_stable<S: Number, N: NormalChoice<S>>(world: &World<S, N>) -> bool {
     let stiffest = stiffest(world, &world.touching_pairs());
     is_stable_below(world.model.integrator, stiffest, world.model.time_step)
 }
 
 /// The same if all near pairs touched, as they may have done before they flew apart.
-fn lowest_estimate<S: Number>(world: &World<S>) -> f64 {
+fn lowest_estimate<S: Number, N: NormalChoice<S>>(world: &World<S, N>) -> f64 {
     let contacts = world.state.contacts.as_ref();
     let stiffest = stiffest(world, contacts.map_or(&[], |contacts| &contacts.pairs));
     critical_step(world.model.integrator, stiffest)
 }
 
 /// An oscillator at least as stiff and as damped as every mode.
-fn stiffest<S: Number>(world: &World<S>, touching: &[Pair]) -> Oscillator {
+fn stiffest<S: Number, N: NormalChoice<S>>(world: &World<S, N>, touching: &[Pair]) -> Oscillator {
     let number = world.state.particles.len();
     let mut stiffness = vec![0.0; number];
     let mut damping = vec![0.0; number];
@@ -172,7 +176,7 @@ fn stiffest<S: Number>(world: &World<S>, touching: &[Pair]) -> Oscillator {
             let masses = [i, j].map(|end| world.workspace.inverse_mass[end].to_f64());
             add(
                 (i, j),
-                contact_constants(&laws, radii, reduced_mass(masses)),
+                contact_constants::<S, N>(&laws, radii, reduced_mass(masses)),
             );
         }
     }
@@ -213,7 +217,7 @@ impl PairConstants {
 }
 
 /// The constants of a bond.
-pub(super) fn bond_constants(model: &Model) -> Option<PairConstants> {
+pub(super) fn bond_constants<N>(model: &Model<N>) -> Option<PairConstants> {
     let bond = model.bond?;
     let beam = |law: EulerBernoulli| [law.stiffness, law.damping];
     Some(PairConstants {
@@ -224,13 +228,13 @@ pub(super) fn bond_constants(model: &Model) -> Option<PairConstants> {
 }
 
 /// The constants of a contact.
-pub(super) fn contact_constants(
-    laws: &ContactLaws,
+pub(super) fn contact_constants<S: Number, N: NormalChoice<S>>(
+    laws: &ContactLaws<N>,
     radii: [f64; 2],
     reduced_mass: f64,
 ) -> PairConstants {
     PairConstants {
-        normal: laws.normal.constants(radii, reduced_mass),
+        normal: laws.normal.linearised(radii, reduced_mass),
         tangential: laws.tangential.map_or([0.0; 2], |law| law.constants()),
         shared: 1.0,
     }

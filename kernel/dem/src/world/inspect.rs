@@ -1,5 +1,6 @@
 //! The contacts and bonds of a world, for inspection and for estimators.
 
+use super::choice::NormalChoice;
 use super::dispatch::{WithBondPass, WithContactPass, with_bond_pass, with_contact_pass};
 use super::simulation::{Number, World};
 use super::state::State;
@@ -10,13 +11,15 @@ use gouge_common::estimators::ContactNetwork;
 use gouge_common::geometry::{Metric, WithMetric};
 use gouge_common::pair::Pair;
 
-impl<S: Number> World<S> {
+impl<S: Number, N: NormalChoice<S>> World<S, N> {
     /// All contacts and bonds of the present state, contacts first; each sorted by pair.
     pub fn interactions(&self) -> Vec<Interaction> {
-        S::interactions(self)
+        N::interactions(self)
     }
 
-    pub(super) fn find_interactions(&self) -> Vec<Interaction> {
+    /// Implementation of [`Number::interactions`].
+    #[doc(hidden)]
+    pub fn find_interactions(&self) -> Vec<Interaction> {
         let (model, state) = (&self.model, &self.state);
         let bodies = self.bodies();
         let mut all = Vec::new();

@@ -3,6 +3,7 @@
 mod advance;
 mod begin;
 mod breaks;
+mod choice;
 mod continuation;
 mod dispatch;
 mod energies;
@@ -18,6 +19,7 @@ mod workspace;
 
 pub use begin::Start;
 pub use breaks::Break;
+pub use choice::NormalChoice;
 pub use continuation::Continuation;
 pub use guard::{is_surely_stable, stable_step_estimate};
 pub use network::network_step;

@@ -56,7 +56,7 @@ fn links(world: &World) -> Vec<Link> {
             InteractionKind::Contact => {
                 let laws = model.contact?;
                 let masses = [i, j].map(|end| world.inverse_mass(end));
-                contact_constants(&laws, radii, reduced_mass(masses))
+                contact_constants::<f64, _>(&laws, radii, reduced_mass(masses))
             }
         };
         Some(Link {

@@ -1,6 +1,7 @@
 //! The whole state of a world as named columns, for checkpoints.
 
 use super::begin::Start;
+use super::choice::NormalChoice;
 use super::continuation::Continuation;
 use super::simulation::World;
 use super::state::{Drive, State};
@@ -66,7 +67,7 @@ fn columns_of<'a>(record: &'a Record, layout: &[(&str, Shape)]) -> Option<Vec<&'
     is_ours.then(|| columns.iter().map(|one| &one.words[..]).collect())
 }
 
-impl World {
+impl<N: NormalChoice<f64>> World<f64, N> {
     /// The whole state as a record; [`from_record`](Self::from_record) continues from it bit by bit.
     pub fn record(&self) -> Record {
         let columns = layout(self.model.integrator);
@@ -82,25 +83,13 @@ impl World {
     }
 
     /// The world of a model in a recorded state; `None` if the record does not fit the model.
-    pub fn from_record(model: Model, record: &Record) -> Option<Self> {
+    pub fn from_record(model: Model<N>, record: &Record) -> Option<Self> {
         let layout = layout(model.integrator);
         let columns = columns_of(record, &layout)?;
         if columns.len() < record.columns.len() {
             return None;
         }
         restore(model, &columns)
-    }
-
-    /// What a record holds of a state from which a run of another model may begin; `None` if it is damaged.
-    pub fn continuation_of_record(record: &Record) -> Option<Continuation> {
-        let columns = columns_of(record, &COLUMNS)?;
-        let parts = read_parts(&columns)?;
-        Some(Continuation {
-            particles: parts.particles,
-            bonds: parts.bonds,
-            contacts: parts.contacts,
-            drive_force: parts.drive.force,
-        })
     }
 
     /// The words of the record in sequence.
@@ -110,14 +99,9 @@ impl World {
 
     /// The world of a model in the state that [`to_words`](Self::to_words) wrote; `None` if the words do not fit
     /// the model.
-    pub fn from_words(model: Model, words: &[u64]) -> Option<Self> {
-        let record = Self::record_of_words(model.integrator, words)?;
+    pub fn from_words(model: Model<N>, words: &[u64]) -> Option<Self> {
+        let record = World::record_of_words(model.integrator, words)?;
         Self::from_record(model, &record)
-    }
-
-    /// The record of such words, for a world with the given method; `None` if they do not fill its columns.
-    pub fn record_of_words(integrator: Integrator, words: &[u64]) -> Option<Record> {
-        Record::from_words(NAME, &layout(integrator), words)
     }
 
     /// Replace all bonds and all contact memories.
@@ -134,6 +118,25 @@ impl World {
         }
         self.reserve();
         self.find_neighbors();
+    }
+}
+
+impl World {
+    /// What a record holds of a state from which a run of another model may begin; `None` if it is damaged.
+    pub fn continuation_of_record(record: &Record) -> Option<Continuation> {
+        let columns = columns_of(record, &COLUMNS)?;
+        let parts = read_parts(&columns)?;
+        Some(Continuation {
+            particles: parts.particles,
+            bonds: parts.bonds,
+            contacts: parts.contacts,
+            drive_force: parts.drive.force,
+        })
+    }
+
+    /// The record of such words, for a world with the given method; `None` if they do not fill its columns.
+    pub fn record_of_words(integrator: Integrator, words: &[u64]) -> Option<Record> {
+        Record::from_words(NAME, &layout(integrator), words)
     }
 }
 
@@ -273,7 +276,7 @@ fn read_parts(columns: &[&[u64]]) -> Option<Parts> {
 }
 
 /// The world of a model from columns of the right shapes; `None` if their contents are inconsistent.
-fn restore(model: Model, columns: &[&[u64]]) -> Option<World> {
+fn restore<N: NormalChoice<f64>>(model: Model<N>, columns: &[&[u64]]) -> Option<World<f64, N>> {
     let (common, previous) = columns.split_at_checked(COLUMNS.len())?;
     let parts = read_parts(common)?;
     let mut world = World::new(model, parts.particles, &Start::default()).ok()?;

@@ -8,7 +8,7 @@ use crate::bonds::Bonds;
 use crate::contacts::Contacts;
 use crate::error::StepError;
 use crate::forces::{Bodies, Forces, Interaction, PartWorkspace};
-use crate::model::Model;
+use crate::model::{ContactNormal, Model};
 use crate::particles::Particles;
 use gouge_common::instructions::Instructions;
 use gouge_common::lanes::Lanes;
@@ -17,16 +17,17 @@ use gouge_common::parts::Parts;
 
 /// A model, its state, the buffers of a step, and how steps are executed.
 ///
+/// `S` is the type of its numbers, `N` the choice of the normal law of contacts, or such a law.
 /// Checkpoints hold only the state; the rest follows from the model, the state and the machine.
 #[derive(Clone, Debug)]
-pub struct World<S: Number = f64> {
-    pub(super) model: Model,
+pub struct World<S: Number = f64, N = ContactNormal> {
+    pub(super) model: Model<N>,
     pub(super) state: State<S>,
     pub(super) workspace: Workspace<S>,
     pub(super) execution: Execution,
 }
 
-impl<S: Number> World<S> {
+impl<S: Number, N> World<S, N> {
     /// The same world with another instruction set; the bits of the results do not depend on it.
     pub fn with_instructions(mut self, instructions: Instructions) -> Self {
         self.execution.instructions = instructions;
@@ -61,7 +62,7 @@ impl<S: Number> World<S> {
     }
 
     /// The model.
-    pub fn model(&self) -> &Model {
+    pub fn model(&self) -> &Model<N> {
         &self.model
     }
     /// The state.
@@ -116,47 +117,47 @@ impl<S: Number> World<S> {
     }
 }
 
-/// A number type for which worlds exist.
+/// A number type for which worlds exist; [`worlds_of!`](crate::worlds_of) implements it.
 ///
 /// Generic functions are compiled in each crate that calls them, and those of a world contain every pass for every
-/// choice of laws. They are therefore methods of the number type: for `f64`, which all crates use, they are
-/// compiled only once, with this crate. Other number types use the default methods.
+/// choice of laws. They are therefore methods of the number type, so that they are compiled only once, with the crate
+/// that implements it.
 pub trait Number: Lanes {
     /// Implementation of [`World::step`].
     ///
     /// # Errors
     /// As for [`World::step`].
-    fn step(world: &mut World<Self>) -> Result<(), StepError> {
-        world.take_step()
-    }
+    fn step(world: &mut World<Self>) -> Result<(), StepError>;
     /// Implementation of [`World::evaluate_if_pending`] when an evaluation is pending.
     ///
     /// # Errors
     /// As for [`World::step`].
-    fn evaluate(world: &mut World<Self>) -> Result<(), StepError> {
-        world.evaluate_first()
-    }
+    fn evaluate(world: &mut World<Self>) -> Result<(), StepError>;
     /// Implementation of [`World::interactions`].
-    fn interactions(world: &World<Self>) -> Vec<Interaction> {
-        world.find_interactions()
-    }
+    fn interactions(world: &World<Self>) -> Vec<Interaction>;
     /// The energies of [`World::energy`] that are functions of state, in J.
-    fn state_energy(world: &World<Self>) -> Energy<Self> {
-        world.sum_state_energy()
-    }
+    fn state_energy(world: &World<Self>) -> Energy<Self>;
 }
 
-impl Number for f64 {
-    fn step(world: &mut World) -> Result<(), StepError> {
-        world.take_step()
-    }
-    fn evaluate(world: &mut World) -> Result<(), StepError> {
-        world.evaluate_first()
-    }
-    fn interactions(world: &World) -> Vec<Interaction> {
-        world.find_interactions()
-    }
-    fn state_energy(world: &World) -> Energy<f64> {
-        world.sum_state_energy()
-    }
+/// Implements [`Number`] for a type, and compiles all that its worlds do.
+#[macro_export]
+macro_rules! worlds_of {
+    ($number:ty) => {
+        impl $crate::Number for $number {
+            fn step(world: &mut $crate::World<Self>) -> Result<(), $crate::StepError> {
+                world.take_step()
+            }
+            fn evaluate(world: &mut $crate::World<Self>) -> Result<(), $crate::StepError> {
+                world.evaluate_first()
+            }
+            fn interactions(world: &$crate::World<Self>) -> Vec<$crate::forces::Interaction> {
+                world.find_interactions()
+            }
+            fn state_energy(world: &$crate::World<Self>) -> $crate::estimators::Energy<Self> {
+                world.sum_state_energy()
+            }
+        }
+    };
 }
+
+worlds_of!(f64);

@@ -33,7 +33,7 @@ pub(super) struct Workspace<S: Lanes> {
 
 impl<S: Lanes> Workspace<S> {
     /// The workspace for a single part.
-    pub fn new(model: &Model, particles: &Particles<S>) -> Self {
+    pub fn new<N>(model: &Model<N>, particles: &Particles<S>) -> Self {
         let neighbors = || Neighbors::new(particles.search_spheres(), &model.domain);
         let driven = particles.with_role(Role::Driven).map(|i| i as u32);
         Self {
@@ -41,7 +41,7 @@ impl<S: Lanes> Workspace<S> {
             inverse_inertia: inverse(&particles.moment_of_inertia, model, particles),
             driven: model.driving.map_or_else(Vec::new, |_| driven.collect()),
             has_rotation: has_rotation(model, particles),
-            neighbors: model.contact.map(|_| neighbors()),
+            neighbors: model.contact.as_ref().map(|_| neighbors()),
             is_stale: None,
             parts: vec![PartWorkspace::default()],
             stale_parts: vec![false],
@@ -60,7 +60,7 @@ impl<S: Lanes> Workspace<S> {
 }
 
 /// Inverse masses or moments of inertia; zero for particles that forces cannot move.
-fn inverse<S: Real>(column: &[S], model: &Model, particles: &Particles<S>) -> Vec<S> {
+fn inverse<S: Real, N>(column: &[S], model: &Model<N>, particles: &Particles<S>) -> Vec<S> {
     let prescribed = model.driving.and_then(|law| law.prescribed_velocity());
     let of = |(i, &x): (usize, &S)| match particles.role[i] {
         Role::Fixed => S::zero(),
@@ -71,9 +71,10 @@ fn inverse<S: Real>(column: &[S], model: &Model, particles: &Particles<S>) -> Ve
 }
 
 /// Whether anything rotates: a law exerts torques, or a particle spins initially.
-fn has_rotation<S: Real>(model: &Model, particles: &Particles<S>) -> bool {
+fn has_rotation<S: Real, N>(model: &Model<N>, particles: &Particles<S>) -> bool {
     let mut spins = particles.angular_velocity.iter();
-    let has_friction = model.contact.is_some_and(|laws| laws.tangential.is_some());
+    let contact = model.contact.as_ref();
+    let has_friction = contact.is_some_and(|laws| laws.tangential.is_some());
     let has_beams = model.bond.is_some_and(|laws| laws.tangential.is_some());
     has_friction || has_beams || spins.any(|spin| *spin != S::zero())
 }

@@ -1,10 +1,7 @@
 //! Worlds of checks, and models without a scene.
 
 use crate::checks::Failure;
-use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
-use gouge_dem::integrators::Integrator;
-use gouge_dem::model::{Model, Reading};
 use gouge_dem::particles::{Particle, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::{Number, World};
 
@@ -29,26 +26,6 @@ pub fn bits(world: &World) -> Vec<u64> {
         .flat_map(|v| [v.x, v.y]);
     let numbers = p.angle.iter().chain(&p.angular_velocity).copied();
     vectors.chain(numbers).map(f64::to_bits).collect()
-}
-
-/// An empty model: an open box without contacts, bonds, fields and ledger.
-pub fn empty_model(integrator: Integrator, time_step: f64) -> Model {
-    Model {
-        reading: Reading::Corrected,
-        integrator,
-        time_step,
-        domain: Domain {
-            width: None,
-            height: None,
-            periodic: false,
-        },
-        contact: None,
-        bond: None,
-        ambient: None,
-        external: None,
-        driving: None,
-        ledger: false,
-    }
 }
 
 /// A free sphere of density 2700 kg/m^3.

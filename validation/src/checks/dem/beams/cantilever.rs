@@ -7,11 +7,11 @@ use crate::checks::{
 };
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::cantilever::{Chain, Tip};
-use crate::scalars::DoubleDouble;
 use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::particles::sphere_mass;
+use gouge_scalars::DoubleDouble;
 use nalgebra::DVector;
 use std::f64::consts::PI;
 

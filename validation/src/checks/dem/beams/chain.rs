@@ -8,9 +8,9 @@ use crate::checks::{
 };
 use crate::oracles::beams::waves::{Lattice, Wave};
 use crate::oracles::beams::{Sphere, Springs};
-use crate::scalars::Dual;
 use crate::scenes::{Draft, Grain};
 use gouge_dem::integrators::Integrator;
+use gouge_scalars::Dual;
 use std::f64::consts::TAU;
 
 /// The checks.

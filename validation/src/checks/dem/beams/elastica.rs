@@ -7,8 +7,8 @@ use crate::checks::{
 };
 use crate::oracles::beams::Springs;
 use crate::oracles::beams::cantilever::{Chain, ELASTICA};
-use crate::scalars::DoubleDouble;
 use gouge_common::scalar::Real;
+use gouge_scalars::DoubleDouble;
 
 /// The checks.
 pub fn checks() -> Vec<Check> {

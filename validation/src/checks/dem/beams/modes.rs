@@ -5,10 +5,10 @@ use super::stiffness::{Rest, coordinates, modes};
 use crate::checks::extrapolation::to_no_step;
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::{Sphere, Springs, pair};
-use crate::scalars::Dual;
 use crate::scenes::{Draft, Grain};
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{AdjustedKelvinVoigt, EulerBernoulli};
+use gouge_scalars::Dual;
 use std::f64::consts::TAU;
 
 /// The checks.

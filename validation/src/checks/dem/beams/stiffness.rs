@@ -5,7 +5,6 @@
 //! a power of two, so that this is exact, and so short that accelerations are negligible.
 
 use crate::checks::Failure;
-use crate::scalars::Dual;
 use crate::scenes::Draft;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
@@ -13,6 +12,7 @@ use gouge_dem::integrators::Integrator;
 use gouge_dem::model::Model;
 use gouge_dem::particles::Particles;
 use gouge_dem::{Number, Start, World};
+use gouge_scalars::Dual;
 use nalgebra::DMatrix;
 
 /// Time step in s: 2^-30.

@@ -5,12 +5,12 @@ use super::stiffness::{Rest, forces, inner};
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::oracles::beams::waves::{Lattice, technical};
 use crate::oracles::beams::{Sphere, Springs};
-use crate::scalars::DoubleDouble;
 use crate::scenes::Draft;
 use gouge_common::scalar::Real;
 use gouge_dem::World;
 use gouge_dem::integrators::Integrator;
 use gouge_runner::run::run_setup;
+use gouge_scalars::DoubleDouble;
 use nalgebra::DVector;
 
 /// The checks.

@@ -5,8 +5,8 @@ use super::stiffness::{Rest, coordinates};
 use super::tension::{hexagonal, thesis_lattice};
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
 use crate::oracles::beams::waves::Lattice;
-use crate::scalars::Dual;
 use gouge_dem::integrators::Integrator;
+use gouge_scalars::Dual;
 use std::f64::consts::{PI, TAU};
 
 /// The checks.

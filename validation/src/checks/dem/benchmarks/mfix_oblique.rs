@@ -10,8 +10,8 @@ use crate::checks::{
     thesis,
 };
 use crate::oracles::impact::{Normal, Tangential};
-use crate::scalars::DoubleDouble;
 use gouge_common::scalar::Real;
+use gouge_scalars::DoubleDouble;
 use std::f64::consts::PI;
 
 /// The checks.

@@ -7,11 +7,11 @@ use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
     thesis,
 };
-use crate::scalars::DoubleDouble;
 use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
 use gouge_dem::World;
 use gouge_dem::integrators::Integrator;
+use gouge_scalars::DoubleDouble;
 use std::f64::consts::PI;
 
 /// The checks.

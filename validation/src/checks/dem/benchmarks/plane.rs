@@ -2,12 +2,12 @@
 
 use crate::checks::Failure;
 use crate::oracles::impact::{Impact, Motion, Normal, Tangential};
-use crate::scalars::DoubleDouble;
 use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
 use gouge_dem::World;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{Bshp, KelvinVoigt};
+use gouge_scalars::DoubleDouble;
 use std::f64::consts::PI;
 
 /// An isotropic solid of a benchmark.

@@ -1,12 +1,11 @@
 //! Pairs of particles, built without a scene.
 
 use crate::checks::Failure;
-use gouge_common::geometry::Domain;
 use gouge_common::geometry::Vec2;
 use gouge_dem::geometry::ContactDistance;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::KelvinVoigt;
-use gouge_dem::model::{ContactLaws, ContactNormal, ContactTangential, Model, Reading};
+use gouge_dem::model::{ContactLaws, ContactNormal, ContactTangential, Model};
 use gouge_dem::particles::{Particle, Particles, Role, SPHERE_INERTIA_FACTOR};
 use gouge_dem::{Start, World};
 use std::f64::consts::PI;
@@ -50,20 +49,8 @@ pub fn kelvin_voigt(
 /// A model with contacts only, in an open box, with velocity Verlet.
 pub fn model(contact: ContactLaws, step: f64) -> Model {
     Model {
-        reading: Reading::Corrected,
-        integrator: Integrator::VelocityVerlet,
-        time_step: step,
-        domain: Domain {
-            width: None,
-            height: None,
-            periodic: false,
-        },
         contact: Some(contact),
-        bond: None,
-        ambient: None,
-        external: None,
-        driving: None,
-        ledger: false,
+        ..Model::new(Integrator::VelocityVerlet, step)
     }
 }
 

@@ -1,14 +1,14 @@
 //! Newton's third law and angular momentum of contacts.
 
 use super::{PAIRS, identity};
-use crate::checks::dem::scenes::{empty_model, sphere};
+use crate::checks::dem::scenes::sphere;
 use crate::checks::random::Random;
 use crate::checks::{Check, Effort, Failure, Measurement, Outcome, thesis};
 use gouge_common::geometry::Vec2;
 use gouge_dem::geometry::{Arm, ContactDistance, FocalArm, Lever, MeanArm, MixedArms, Translation};
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::{HaffWerner, KelvinVoigt};
-use gouge_dem::model::{ContactLaws, ContactNormal, ContactTangential, Reading};
+use gouge_dem::model::{ContactLaws, ContactNormal, ContactTangential, Model, Reading};
 use gouge_dem::{Start, World};
 
 const ARMS: [ContactDistance; 4] = [
@@ -76,7 +76,7 @@ fn rubbing(random: &mut Random) -> Result<Rubbing, Failure> {
     let spin = |random: &mut Random| random.signed(1.0, 1e4);
     let particles = [(Vec2::zero(), radii[0]), (at, radii[1])]
         .map(|(position, radius)| sphere(position, speed(random), spin(random), radius));
-    let mut model = empty_model(Integrator::Euler, 1e-9);
+    let mut model = Model::new(Integrator::Euler, 1e-9);
     model.reading = reading;
     model.contact = Some(ContactLaws {
         distance: arm,

@@ -2,7 +2,6 @@
 //! and gravity.
 
 use crate::checks::Failure;
-use crate::checks::dem::scenes::empty_model;
 use gouge_common::geometry::Vec2;
 use gouge_dem::bonds::BondStart;
 use gouge_dem::geometry::ContactDistance;
@@ -52,7 +51,7 @@ impl Cluster {
     pub fn new(rubbing: Rubbing, damped: bool, units: Units) -> Self {
         let Units { length, time, mass } = units;
         let (k, c) = (mass / (time * time), if damped { mass / time } else { 0.0 });
-        let mut model = empty_model(Integrator::VelocityVerlet, 1e-8 * time);
+        let mut model = Model::new(Integrator::VelocityVerlet, 1e-8 * time);
         model.contact = Some(ContactLaws {
             distance: ContactDistance::Radius,
             normal: ContactNormal::KelvinVoigt(KelvinVoigt {

@@ -3,7 +3,6 @@
 use super::cluster::{Cluster, Rubbing, SI};
 use crate::checks::random::Random;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
-use crate::scalars::Dual;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_dem::laws::{
@@ -13,6 +12,7 @@ use gouge_dem::laws::{
 };
 use gouge_dem::particles::Particles;
 use gouge_dem::{Start, World};
+use gouge_scalars::Dual;
 
 pub(super) fn checks() -> Vec<Check> {
     let check = |id, claim, equations| Check {

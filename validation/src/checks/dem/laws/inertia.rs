@@ -1,11 +1,11 @@
 //! The moment of inertia, measured by the spin that friction causes.
 
 use crate::checks::{Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, thesis};
-use crate::scalars::DoubleDouble;
 use crate::scenes::{Draft, Grain};
 use gouge_common::scalar::Real;
 use gouge_dem::integrators::Integrator;
 use gouge_dem::laws::KelvinVoigt;
+use gouge_scalars::DoubleDouble;
 use std::f64::consts::PI;
 
 pub(super) fn checks() -> Vec<Check> {

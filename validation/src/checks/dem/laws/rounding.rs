@@ -3,7 +3,6 @@
 
 use crate::checks::random::Random;
 use crate::checks::{Check, Effort, Measurement, Origin, Outcome, thesis};
-use crate::scalars::DoubleDouble;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_dem::laws::{
@@ -11,6 +10,7 @@ use gouge_dem::laws::{
     CundallStrackTruncated, EulerBernoulli, HaffWerner, KelvinVoigt, NormalLaw, TangentialLaw,
     TangentialMotion,
 };
+use gouge_scalars::DoubleDouble;
 
 pub(super) fn checks() -> Vec<Check> {
     vec![Check {

@@ -3,11 +3,11 @@
 use super::cluster::{Cluster, Rubbing, SI, Units};
 use crate::checks::dem::scenes::advance;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
-use crate::scalars::DoubleDouble;
 use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_dem::particles::Particles;
 use gouge_dem::{Start, World};
+use gouge_scalars::DoubleDouble;
 
 pub(super) fn checks() -> Vec<Check> {
     let scene = "Eight grains, six of them bonded, two thrown at the others: contacts with friction, breaking bonds, drag and gravity, 3000 steps";

@@ -1,6 +1,6 @@
 //! Thresholds: the state just below and the state just above each.
 
-use crate::checks::dem::scenes::{empty_model, sphere};
+use crate::checks::dem::scenes::sphere;
 use crate::checks::{Check, Effort, Failure, Measurement, Origin, Outcome, thesis};
 use crate::scenes::{Draft, Grain};
 use gouge_common::geometry::Domain;
@@ -103,7 +103,7 @@ fn frictional() -> ContactLaws {
 fn contacts_at_touch() -> Result<usize, Failure> {
     let model = Model {
         contact: Some(frictional()),
-        ..empty_model(Integrator::Euler, 1e-6)
+        ..Model::new(Integrator::Euler, 1e-6)
     };
     let world: World = World::new(model, pair([1.0, 1.5], 2.5), &Start::default())?;
     Ok(world.number_of_contacts())
@@ -120,7 +120,7 @@ fn is_refused_at_touch() -> Result<bool, Failure> {
     };
     let model = Model {
         contact: Some(frictional()),
-        ..empty_model(Integrator::Euler, 1e-6)
+        ..Model::new(Integrator::Euler, 1e-6)
     };
     match World::<f64>::new(model, pair([1.0, 1.5], 2.5), &start) {
         Ok(_) => Ok(false),
@@ -143,7 +143,7 @@ fn slides(radii: [f64; 2], multiple: f64) -> Result<bool, Failure> {
     };
     let model = Model {
         contact: Some(frictional()),
-        ..empty_model(Integrator::Euler, 1e-6)
+        ..Model::new(Integrator::Euler, 1e-6)
     };
     let world: World = World::new(model, pair(radii, radii[0] + radii[1] - 0.5), &start)?;
     let pressed = 0.5 * STIFFNESS * 0.25;
@@ -189,7 +189,7 @@ fn is_wide(multiple: f64) -> Result<bool, Failure> {
             height: None,
             periodic: true,
         },
-        ..empty_model(Integrator::Euler, 1e-6)
+        ..Model::new(Integrator::Euler, 1e-6)
     };
     match World::<f64>::new(model, pair([1.0, 1.5], 2.5), &Start::default()) {
         Ok(_) => Ok(true),
@@ -221,7 +221,7 @@ fn is_long(multiple: f64) -> Result<bool, Failure> {
             height: None,
             periodic: true,
         },
-        ..empty_model(Integrator::Euler, 1e-6)
+        ..Model::new(Integrator::Euler, 1e-6)
     };
     let start = Start {
         bonds: vec![BondStart {
@@ -243,7 +243,7 @@ fn is_long(multiple: f64) -> Result<bool, Failure> {
 fn is_heavy(multiple: f64) -> Result<bool, Failure> {
     let mut particles = pair([1.0, 1.0], 3.0);
     particles.mass[1] = multiple / f64::MAX;
-    let model = empty_model(Integrator::Euler, 1e-6);
+    let model = Model::new(Integrator::Euler, 1e-6);
     match World::<f64>::new(model, particles, &Start::default()) {
         Ok(_) => Ok(true),
         Err(ModelError::Parameter { .. }) => Ok(false),
@@ -277,7 +277,7 @@ fn stops_on_overflow(axis: usize, periodic: bool) -> Result<bool, Failure> {
     rates[axis] = 1e308;
     let [x, y, spin] = rates;
     let grain = sphere(Vec2::zero(), Vec2::new(x, y), spin, 1.0);
-    let mut model = empty_model(Integrator::Euler, 10.0);
+    let mut model = Model::new(Integrator::Euler, 10.0);
     (model.domain.width, model.domain.periodic) = (Some(100.0), periodic);
     let mut world: World = World::new(model, [grain].into_iter().collect(), &Start::default())?;
     match world.step().and_then(|()| world.check()) {

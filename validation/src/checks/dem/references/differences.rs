@@ -383,7 +383,7 @@ impl Collision {
         let contact = world.model().contact;
         let contact = contact.ok_or_else(|| Failure::Oracle("no contacts".to_owned()))?;
         let mass = p.mass[0] * p.mass[1] / (p.mass[0] + p.mass[1]);
-        let [stiffness, damping] = contact.normal.constants([p.radius[0], p.radius[1]], mass);
+        let [stiffness, damping] = contact.normal.linearised([p.radius[0], p.radius[1]], mass);
         let frequency = (stiffness / mass).sqrt();
         Ok(Self {
             mass,

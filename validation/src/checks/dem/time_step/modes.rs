@@ -3,7 +3,6 @@
 
 use crate::checks::Failure;
 use crate::oracles::amplification::Method;
-use crate::scalars::Dual;
 use crate::scenes::{Draft, Grain};
 use gouge_common::geometry::Vec2;
 use gouge_dem::laws::{
@@ -11,6 +10,7 @@ use gouge_dem::laws::{
 };
 use gouge_dem::particles::{Particles, Role};
 use gouge_dem::{Start, World};
+use gouge_scalars::Dual;
 use std::f64::consts::PI;
 
 /// Radius of all particles in m; their density is 2700 kg/m^3.

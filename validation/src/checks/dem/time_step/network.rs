@@ -3,11 +3,11 @@
 use crate::checks::dem::remembered::start;
 use crate::checks::{Failure, largest};
 use crate::oracles::spectrum::{Entry, Network};
-use crate::scalars::Dual;
 use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::model::Model;
 use gouge_dem::particles::Particles;
+use gouge_scalars::Dual;
 
 /// Coordinates per particle: two positions and one angle.
 const COORDINATES: usize = 3;

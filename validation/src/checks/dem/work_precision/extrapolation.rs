@@ -3,9 +3,9 @@
 use super::case::{Case, Origin, Truth, wide};
 use crate::checks::dem::scenes::advance;
 use crate::checks::{Failure, largest};
-use crate::scalars::DoubleDouble;
 use gouge_common::geometry::Vec2;
 use gouge_dem::integrators::Integrator;
+use gouge_scalars::DoubleDouble;
 use std::ops::Range;
 use xprec::Df64;
 

@@ -2,10 +2,10 @@
 
 use super::case::{Case, Origin, Truth};
 use crate::checks::Failure;
-use crate::scalars::{DoubleDouble, Single};
 use gouge_dem::integrators::Integrator;
 use gouge_dem::{Number, StepError, World};
 use gouge_runner::scene::INTEGRATORS;
+use gouge_scalars::{DoubleDouble, Single};
 use std::ops::Range;
 use std::time::Instant;
 

@@ -4,7 +4,7 @@ use super::forward_arithmetic;
 use core::cmp::Ordering;
 use gouge_common::lanes::Lanes;
 use gouge_common::scalar::Real;
-use gouge_dem::Number;
+use gouge_dem::worlds_of;
 use num_dual::{Dual64, DualNum};
 
 /// A number and its derivative: a law evaluated in this type returns its own derivative, exact to
@@ -52,7 +52,7 @@ impl PartialOrd for Dual {
 forward_arithmetic!(Dual, core::convert::identity);
 
 impl Lanes for Dual {}
-impl Number for Dual {}
+worlds_of!(Dual);
 
 impl Real for Dual {
     fn from_f64(value: f64) -> Self {
@@ -94,24 +94,5 @@ impl Real for Dual {
     }
     fn is_finite(self) -> bool {
         self.value().is_finite() && self.slope().is_finite()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::abs_diff_eq;
-
-    #[test]
-    fn an_angle_turns_by_the_cross_product_over_the_square_everywhere() {
-        for (y, x) in [(2.0, 0.0), (-2.0, 0.0), (0.0, -2.0), (1.0, 3.0)] {
-            let moved = Dual::new(y, 0.5).atan2(Dual::new(x, -0.25));
-            let slope = (0.5 * x + 0.25 * y) / (x * x + y * y);
-            assert_eq!(moved.value(), f64::atan2(y, x));
-            assert!(
-                abs_diff_eq!(moved.slope(), slope, epsilon = 1e-15),
-                "{y} {x}"
-            );
-        }
     }
 }

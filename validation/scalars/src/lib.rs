@@ -1,7 +1,7 @@
 //! Number types for the kernel besides `f64`: lower and higher precision, and derivatives.
 //!
 //! Each wraps a type of a library, because the kernel's [`Real`](gouge_common::scalar::Real) can be
-//! implemented only for types of this crate.
+//! implemented only for types of this crate. What worlds do with them is compiled with this crate, once.
 
 mod double_double;
 mod dual;

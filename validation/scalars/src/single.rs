@@ -3,7 +3,7 @@
 use super::forward_arithmetic;
 use gouge_common::lanes::Lanes;
 use gouge_common::scalar::Real;
-use gouge_dem::Number;
+use gouge_dem::worlds_of;
 
 /// A number of 24 bits, with all arithmetic in this precision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -16,7 +16,7 @@ fn narrow(factor: f64) -> f32 {
 forward_arithmetic!(Single, narrow);
 
 impl Lanes for Single {}
-impl Number for Single {}
+worlds_of!(Single);
 
 impl Real for Single {
     #[inline(always)]
