@@ -155,8 +155,7 @@ fn crates_depend_only_on_lower_ones() {
 
 #[test]
 fn the_command_line_only_reads_arguments_and_prints() {
-    for entry in std::fs::read_dir(root().join("cli/src")).expect("a readable folder") {
-        let path = entry.expect("readable").path();
+    for path in rust_files(&root().join("cli/src")) {
         let is_front_page = path.ends_with("lib.rs");
         let kernels = ["gouge_dem", "gouge_common"];
         let text = read(&path);

@@ -7,6 +7,7 @@ mod calibrate;
 mod calibration;
 mod code_size;
 mod collisions;
+mod command_line;
 mod commands;
 mod compare;
 mod distributions;

@@ -25,3 +25,7 @@
 pub use gouge_dem::*;
 
 pub use gouge_runner as runner;
+pub use gouge_studies as studies;
+
+mod command_line;
+pub use command_line::command_line;

@@ -32,6 +32,9 @@ static CHOSEN: LazyLock<Result<Machine, String>> = LazyLock::new(|| {
     })
 });
 
+/// Names of the instructions for which worlds are compiled, the widest last.
+pub const COMPILED_FOR: &[&str] = Instructions::COMPILED_FOR;
+
 /// Names of the instructions that this machine has, the widest last.
 pub fn instruction_names() -> Vec<&'static str> {
     Instructions::available()

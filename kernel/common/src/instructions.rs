@@ -10,6 +10,14 @@ use pulp::{Arch, NullaryFnOnce};
 pub struct Instructions(Arch);
 
 impl Instructions {
+    /// Names of the instruction sets for which loops are compiled, the widest last.
+    pub const COMPILED_FOR: &[&'static str] = if cfg!(target_arch = "x86_64") {
+        &["portable", "avx2", "avx512"]
+    } else if cfg!(target_arch = "aarch64") {
+        &["portable", "neon"]
+    } else {
+        &["portable"]
+    };
     /// The instruction set that every machine of this architecture has.
     pub fn portable() -> Self {
         Self(Arch::Scalar)

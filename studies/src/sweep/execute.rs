@@ -4,6 +4,7 @@ use super::plan::Planned;
 use super::state::{CAUSE, State, Status};
 use gouge_runner::error::Error;
 use rustix::process::{Pid, Signal, kill_process};
+use std::ffi::OsString;
 use std::io::Read;
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
@@ -21,11 +22,30 @@ const SILENCE: Duration = Duration::from_secs(60);
 /// Status of a process that was interrupted.
 const INTERRUPTED: i32 = 130;
 
+/// How the program `gouge` is started.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The file that is started.
+    pub file: PathBuf,
+    /// Its first arguments, before those of the command line.
+    pub arguments: Vec<OsString>,
+}
+
+impl Program {
+    /// The file of this process; if it cannot be found, the program of that name on the path.
+    pub fn of_this_process() -> Self {
+        Self {
+            file: std::env::current_exe().unwrap_or_else(|_| PathBuf::from("gouge")),
+            arguments: Vec::new(),
+        }
+    }
+}
+
 /// How runs are executed.
 #[derive(Clone, Copy, Debug)]
 pub struct Execution<'a> {
     /// The program `gouge`.
-    pub program: &'a Path,
+    pub program: &'a Program,
     /// Folder of the sweep.
     pub out: &'a Path,
     /// Number of runs at a time.
@@ -89,7 +109,7 @@ pub fn execute(
 /// Execute a run. While another process runs it, such as one that a killed sweep left behind, wait for that one.
 fn execute_one(run: &Planned, execution: Execution) -> Result<State, Error> {
     let folder = run.folder(execution.out);
-    let failed = |error| Error::file("run", execution.program, error);
+    let failed = |error| Error::file("run", &execution.program.file, error);
     loop {
         let child = command(run, &folder, execution).spawn().map_err(failed)?;
         let (code, said) = wait(child, execution.stop).map_err(failed)?;
@@ -102,7 +122,8 @@ fn execute_one(run: &Planned, execution: Execution) -> Result<State, Error> {
 }
 
 fn command(run: &Planned, folder: &Path, execution: Execution) -> Command {
-    let mut command = Command::new(execution.program);
+    let mut command = Command::new(&execution.program.file);
+    command.args(&execution.program.arguments);
     command.arg("run").arg(&run.scene).arg("--out").arg(folder);
     command.args(["--resume", "--quiet", "--accept-untrusted", "--data-only"]);
     for one in &run.overrides {

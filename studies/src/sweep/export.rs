@@ -1,6 +1,7 @@
 //! Scripts that run a sweep on a cluster. The cluster's own program schedules; a worker is one command on one chunk.
 
 use super::cost::Cost;
+use super::execute::Program;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -32,7 +33,7 @@ impl Chunks {
 #[derive(Clone, Copy, Debug)]
 pub struct Script<'a> {
     /// The program `gouge`.
-    pub program: &'a Path,
+    pub program: &'a Program,
     /// The sweep file.
     pub file: &'a Path,
     /// Folder of the sweep.
@@ -50,11 +51,13 @@ const NOTICE: u64 = 60;
 
 impl Script<'_> {
     fn command(&self, chunk: &str) -> String {
-        let quoted =
-            |path: &Path| format!("'{}'", path.display().to_string().replace('\'', r"'\''"));
+        let quoted = |path: &Path| shell_quoted(&path.display().to_string());
+        let first = self.program.arguments.iter();
+        let first = first.map(|argument| shell_quoted(&argument.to_string_lossy()) + " ");
         format!(
-            "{} sweep work {} --out {} --chunk \"{chunk}\" --chunks {}",
-            quoted(self.program),
+            "{} {}sweep work {} --out {} --chunk \"{chunk}\" --chunks {}",
+            quoted(&self.program.file),
+            first.collect::<String>(),
             quoted(self.file),
             quoted(self.out),
             self.chunks.number

@@ -17,7 +17,7 @@ mod state;
 mod table;
 
 pub use cost::{Cost, estimate};
-pub use execute::{Execution, Progress, execute, retry};
+pub use execute::{Execution, Program, Progress, execute, retry};
 pub use export::{Chunks, Script};
 pub use file::Sweep;
 pub use finished::Finished;

@@ -1,14 +1,14 @@
 //! `gouge calibrate`: the parameters of scenes that agree with what was measured.
 
-use crate::print;
-use crate::sweep::{cores, run};
-use crate::terminal::{say, stopped_by_signals};
+use super::print;
+use super::sweep::{cores, run};
+use super::terminal::{say, stopped_by_signals};
 use clap::Args;
 use gouge_runner::error::Error;
 use gouge_studies::calibrate::{
     Answer, Runner, account, account_of_trial, calibrate, load, names, recover, text,
 };
-use gouge_studies::sweep::Planned;
+use gouge_studies::sweep::{Execution, Planned, Program};
 use std::path::{Path, PathBuf};
 
 /// A calibration and where it is done.
@@ -45,7 +45,7 @@ const ALL: &str = "all";
 /// # Errors
 /// A calibration that cannot be used, failures of the file system, an interruption, a model that is refuted, a recovery
 /// that failed.
-pub fn launch(arguments: &CalibrateArguments) -> Result<(), Error> {
+pub fn launch(arguments: &CalibrateArguments, program: &Program) -> Result<(), Error> {
     if let (true, Some(file)) = (arguments.print, &arguments.file) {
         return print_builtin(file);
     }
@@ -58,7 +58,13 @@ pub fn launch(arguments: &CalibrateArguments) -> Result<(), Error> {
         if !arguments.quiet {
             say(purpose);
         }
-        run(runs, out, jobs, &stop, arguments.quiet)
+        let execution = Execution {
+            program,
+            out,
+            jobs,
+            stop: &stop,
+        };
+        run(runs, execution, arguments.quiet)
     };
     let runner = Runner {
         out,

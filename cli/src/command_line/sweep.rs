@@ -1,17 +1,16 @@
 //! `gouge sweep`: runs of a scene with every combination of some values.
 
-use crate::print;
-use crate::progress::{RunProgress, tell};
-use crate::terminal::stopped_by_signals;
+use super::print;
+use super::progress::{RunProgress, tell};
+use super::terminal::stopped_by_signals;
 use clap::{Args, Subcommand, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::sweep::{
-    Chunks, Cost, Execution, Planned, Script, Status, Sweep, collect, estimate, execute, plan,
-    retry, status,
+    Chunks, Cost, Execution, Planned, Program, Script, Status, Sweep, collect, estimate, execute,
+    plan, retry, status,
 };
 use gouge_studies::words::{counted, duration};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 /// A sweep and what is done with it.
 #[derive(Args)]
@@ -97,10 +96,10 @@ struct Place {
 ///
 /// # Errors
 /// A sweep that cannot be used, one beyond its budget, failures of the file system, an interruption.
-pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
+pub fn launch(arguments: &SweepArguments, program: &Program) -> Result<(), Error> {
     let (Some(file), Some(out)) = (&arguments.file, &arguments.out) else {
         return match &arguments.command {
-            Some(command) => manage(command),
+            Some(command) => manage(command, program),
             None => Ok(()),
         };
     };
@@ -119,7 +118,13 @@ pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
         within_budget(&sweep, estimate(&open))?;
     }
     let open: Vec<Planned> = open.into_iter().cloned().collect();
-    let outcome = run(&open, out, jobs, &*stopped_by_signals()?, arguments.quiet);
+    let execution = Execution {
+        program,
+        out,
+        jobs,
+        stop: &*stopped_by_signals()?,
+    };
+    let outcome = run(&open, execution, arguments.quiet);
     let path = collect(&sweep, &runs, out)?;
     if !arguments.quiet {
         print(&format!("{}{}\n", states(&runs, out), path.display()))?;
@@ -127,7 +132,7 @@ pub fn launch(arguments: &SweepArguments) -> Result<(), Error> {
     outcome
 }
 
-fn manage(command: &SweepCommand) -> Result<(), Error> {
+fn manage(command: &SweepCommand, program: &Program) -> Result<(), Error> {
     let place = match command {
         SweepCommand::Status(place) | SweepCommand::Retry(place) | SweepCommand::Collect(place) => {
             place
@@ -147,7 +152,13 @@ fn manage(command: &SweepCommand) -> Result<(), Error> {
             print(&format!("{}\n", path.display()))
         }
         SweepCommand::Work { chunk, chunks, .. } => {
-            work(&runs, &place.out, *chunk, *chunks as usize)
+            let execution = Execution {
+                program,
+                out: &place.out,
+                jobs: 1,
+                stop: &*stopped_by_signals()?,
+            };
+            work(&runs, execution, *chunk, *chunks as usize)
         }
         SweepCommand::Export {
             cluster,
@@ -157,13 +168,13 @@ fn manage(command: &SweepCommand) -> Result<(), Error> {
             ..
         } => {
             let limits = [*workers, *minutes, *most_chunks];
-            print(&script(&sweep, &runs, place, *cluster, limits)?)
+            print(&script(program, &sweep, &runs, place, *cluster, limits)?)
         }
     }
 }
 
 /// Run one chunk.
-fn work(runs: &[Planned], out: &Path, chunk: usize, chunks: usize) -> Result<(), Error> {
+fn work(runs: &[Planned], execution: Execution, chunk: usize, chunks: usize) -> Result<(), Error> {
     if chunk >= chunks {
         return Err(Error::Argument(format!(
             "--chunk {chunk}: must be from 0 to {}",
@@ -171,24 +182,12 @@ fn work(runs: &[Planned], out: &Path, chunk: usize, chunks: usize) -> Result<(),
         )));
     }
     let edge = |chunk: usize| chunk * runs.len() / chunks;
-    let own = &runs[edge(chunk)..edge(chunk + 1)];
-    let (stop, program) = (stopped_by_signals()?, own_program()?);
-    let execution = Execution {
-        program: &program,
-        out,
-        jobs: 1,
-        stop: &stop,
-    };
-    execute(own, execution, &tell)
-}
-
-fn own_program() -> Result<PathBuf, Error> {
-    let program = std::env::current_exe();
-    program.map_err(|error| Error::file("find", Path::new("gouge"), error))
+    execute(&runs[edge(chunk)..edge(chunk + 1)], execution, &tell)
 }
 
 /// The script for a cluster.
 fn script(
+    program: &Program,
     sweep: &Sweep,
     runs: &[Planned],
     place: &Place,
@@ -200,13 +199,9 @@ fn script(
     within_budget(sweep, cost)?;
     let absolute =
         |path: &Path| std::path::absolute(path).map_err(|error| Error::file("find", path, error));
-    let (program, file, out) = (
-        own_program()?,
-        absolute(&place.file)?,
-        absolute(&place.out)?,
-    );
+    let (file, out) = (absolute(&place.file)?, absolute(&place.out)?);
     let script = Script {
-        program: &program,
+        program,
         file: &file,
         out: &out,
         chunks: Chunks::of(cost, runs.len(), most as usize),
@@ -255,21 +250,8 @@ fn within_budget(sweep: &Sweep, cost: Cost) -> Result<(), Error> {
 ///
 /// # Errors
 /// Failures of the file system, an interruption.
-pub fn run(
-    runs: &[Planned],
-    out: &Path,
-    jobs: usize,
-    stop: &AtomicBool,
-    quiet: bool,
-) -> Result<(), Error> {
-    let program = own_program()?;
+pub fn run(runs: &[Planned], execution: Execution, quiet: bool) -> Result<(), Error> {
     let progress = RunProgress::new(runs, quiet);
-    let execution = Execution {
-        program: &program,
-        out,
-        jobs,
-        stop,
-    };
     let outcome = execute(runs, execution, &|ended| progress.report(ended));
     progress.finish();
     outcome

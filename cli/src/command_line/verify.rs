@@ -1,7 +1,8 @@
 //! `gouge verify`: starts `gouge-verify`, a separate program, so that scenes run without compiling the checks.
 
-use crate::terminal::say;
+use super::terminal::say;
 use gouge_runner::error::Error;
+use gouge_studies::sweep::Program;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -25,8 +26,8 @@ const PARTS: [&str; 8] = [
 ///
 /// # Errors
 /// `gouge-verify` is missing and cannot be built, or cannot be started.
-pub fn launch(only: Option<&str>, out: &Path) -> Result<(), Error> {
-    let program = program()?;
+pub fn launch(own: &Program, only: Option<&str>, out: &Path) -> Result<(), Error> {
+    let program = program(&own.file)?;
     let mut command = Command::new(&program);
     command.arg("--out").arg(out);
     if let Some(pattern) = only {
@@ -40,12 +41,10 @@ pub fn launch(only: Option<&str>, out: &Path) -> Result<(), Error> {
 
 /// Path of `gouge-verify` beside this program. If it is missing or older than the sources, and these are available, it
 /// is built first.
-fn program() -> Result<PathBuf, Error> {
-    let own =
-        std::env::current_exe().map_err(|error| Error::file("find", Path::new("gouge"), error))?;
+fn program(own: &Path) -> Result<PathBuf, Error> {
     let program = own.with_file_name(format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX));
     if is_stale(&program) {
-        build(&own)?;
+        build(own)?;
     }
     if program.exists() {
         return Ok(program);

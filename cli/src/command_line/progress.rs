@@ -1,6 +1,6 @@
 //! Progress over many runs.
 
-use crate::terminal::say;
+use super::terminal::say;
 use gouge_studies::sweep::{Planned, Progress, Status};
 use gouge_studies::words::{counted, duration};
 use indicatif::{ProgressBar, ProgressStyle};

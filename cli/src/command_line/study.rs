@@ -1,12 +1,12 @@
 //! `gouge study`: a published study, repeated with many seeds.
 
-use crate::print;
-use crate::sweep::{cores, run};
-use crate::terminal::stopped_by_signals;
+use super::print;
+use super::sweep::{cores, run};
+use super::terminal::stopped_by_signals;
 use clap::{Args, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::study::{Prepared, STUDIES, Scale, Study, known};
-use gouge_studies::sweep::{Planned, collect, estimate, plan};
+use gouge_studies::sweep::{Execution, Planned, Program, collect, estimate, plan};
 use gouge_studies::words::{counted, duration};
 use std::path::{Path, PathBuf};
 
@@ -58,7 +58,7 @@ fn study(name: &str) -> Result<&'static Study, String> {
 ///
 /// # Errors
 /// Failures of the file system, an interruption.
-pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
+pub fn launch(arguments: &StudyArguments, program: &Program) -> Result<(), Error> {
     let scale = match arguments.scale {
         Size::Small => Scale::Small,
         Size::Full => Scale::Full,
@@ -83,7 +83,13 @@ pub fn launch(arguments: &StudyArguments) -> Result<(), Error> {
             continue;
         }
         if outcome.is_ok() {
-            outcome = run(&open, &folder, jobs, &stop, arguments.quiet);
+            let execution = Execution {
+                program,
+                out: &folder,
+                jobs,
+                stop: &stop,
+            };
+            outcome = run(&open, execution, arguments.quiet);
         }
         collect(&one.sweep, &all, &folder)?;
     }

@@ -1,7 +1,7 @@
 //! `gouge compare`: a run against data of another program.
 
-use crate::print;
-use crate::terminal::Terminal;
+use super::print;
+use super::terminal::Terminal;
 use clap::Args;
 use gouge_runner::compare::{Options, compare, read};
 use gouge_runner::error::Error;
