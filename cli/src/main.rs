@@ -9,5 +9,6 @@ use std::process::ExitCode;
 static ALLOCATOR: MiMalloc = MiMalloc;
 
 fn main() -> ExitCode {
-    gouge::command_line(&Program::of_this_process(), std::env::args_os())
+    let status = gouge::command_line(&Program::of_this_process(), std::env::args_os());
+    ExitCode::from(status)
 }

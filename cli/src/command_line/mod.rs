@@ -24,7 +24,6 @@ use gouge_studies::sweep::Program;
 use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use std::sync::LazyLock;
 use study::StudyArguments;
 use sweep::SweepArguments;
@@ -270,22 +269,22 @@ fn print(text: &str) -> Result<(), Error> {
     }
 }
 
-/// Do what the arguments of the command `gouge` say, the first of which is its name; `program` starts it for the runs of
-/// sweeps.
-pub fn command_line(program: &Program, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+/// Do what the arguments of the command `gouge` say, the first of which is its name, and return its exit status; `program`
+/// starts it for the runs of sweeps.
+pub fn command_line(program: &Program, arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let outcome = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => execute(arguments.command, program),
         Err(refusal) => {
             // If nobody reads what is said, there is nobody to tell.
             let _ = refusal.print();
-            return ExitCode::from(u8::try_from(refusal.exit_code()).unwrap_or(2));
+            return u8::try_from(refusal.exit_code()).unwrap_or(2);
         }
     };
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(error) => {
             say(&error.to_string());
-            ExitCode::from(error.status())
+            error.status()
         }
     }
 }

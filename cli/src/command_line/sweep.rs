@@ -115,7 +115,7 @@ pub fn launch(arguments: &SweepArguments, program: &Program) -> Result<(), Error
     }
     // Without a budget no pilot runs are needed.
     if sweep.core_hours.is_some() {
-        within_budget(&sweep, estimate(&open))?;
+        sweep.within_budget(estimate(&open))?;
     }
     let open: Vec<Planned> = open.into_iter().cloned().collect();
     let execution = Execution {
@@ -196,7 +196,7 @@ fn script(
 ) -> Result<String, Error> {
     let all: Vec<&Planned> = runs.iter().collect();
     let cost = estimate(&all);
-    within_budget(sweep, cost)?;
+    sweep.within_budget(cost)?;
     let absolute =
         |path: &Path| std::path::absolute(path).map_err(|error| Error::file("find", path, error));
     let (file, out) = (absolute(&place.file)?, absolute(&place.out)?);
@@ -234,16 +234,6 @@ fn planned(runs: &[Planned], open: &[&Planned], cost: Cost, jobs: usize) -> Stri
         duration(seconds),
         cost.bytes / 1e6
     )
-}
-
-fn within_budget(sweep: &Sweep, cost: Cost) -> Result<(), Error> {
-    match sweep.core_hours {
-        Some(most) if cost.core_hours > most => Err(Error::Argument(format!(
-            "{}: budget.core_hours = {most:?}: the runs that are not done yet would take about {:.3} core-hours",
-            sweep.file, cost.core_hours
-        ))),
-        _ => Ok(()),
-    }
 }
 
 /// Execute runs, and show the progress and the time left unless told to be quiet.

@@ -216,7 +216,7 @@ pub fn link_frame(scene: &Scene, world: &World) -> LinkFrame {
             Vec2::new(left, least(|x| x.y)),
             Vec2::new(right, most(|x| x.y)),
         ],
-        links: links::table(&links),
+        links: links::table_of_links(&links),
         segments,
     }
 }

@@ -35,7 +35,7 @@ const QUANTITIES: [Quantity; 16] = [
 
 /// All contacts and bonds of a world, sorted by pair: the columns `i`, `j`, `kind` and all quantities.
 pub fn links_of(world: &World) -> Table {
-    table(&sorted(world))
+    table_of_links(&sorted(world))
 }
 
 /// All contacts and bonds of a world, sorted by pair.
@@ -46,7 +46,7 @@ pub fn sorted(world: &World) -> Vec<Interaction> {
 }
 
 /// The table of some links.
-pub fn table(links: &[Interaction]) -> Table {
+pub fn table_of_links(links: &[Interaction]) -> Table {
     let integers = |of: fn(&Interaction) -> u32| {
         Values::Integers(links.iter().map(|link| of(link) as usize).collect())
     };

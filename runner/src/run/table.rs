@@ -34,7 +34,7 @@ pub struct Kinds {
 
 impl Values {
     /// Number of rows.
-    pub fn len(&self) -> usize {
+    pub fn rows(&self) -> usize {
         match self {
             Self::Numbers(numbers) => numbers.len(),
             Self::Integers(integers) => integers.len(),
@@ -57,7 +57,7 @@ impl Table {
     pub fn to_csv(&self) -> String {
         let names: Vec<&str> = self.columns.iter().map(|(name, _)| *name).collect();
         let mut text = names.join(",") + "\n";
-        let rows = self.columns.first().map_or(0, |(_, values)| values.len());
+        let rows = self.columns.first().map_or(0, |(_, values)| values.rows());
         for row in 0..rows {
             for (place, (_, values)) in self.columns.iter().enumerate() {
                 if place > 0 {

@@ -55,6 +55,19 @@ pub enum Answer {
     Refuted(Vec<String>),
 }
 
+impl Answer {
+    /// The answer in a word.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Determined => "determined",
+            Self::Combinations => "combinations",
+            Self::Undetermined => "undetermined",
+            Self::Unresolved => "unresolved",
+            Self::Refuted(_) => "refuted",
+        }
+    }
+}
+
 /// Calibrate.
 ///
 /// # Errors

@@ -1,5 +1,6 @@
 //! Sweep files.
 
+use super::cost::Cost;
 use super::observe::Observation;
 use super::table::{COST, RUN, STATE};
 use crate::text::{Place, inline, number, read_text, scene_beside};
@@ -145,6 +146,20 @@ impl Sweep {
             file,
             text,
         })
+    }
+
+    /// Check a cost against the budget.
+    ///
+    /// # Errors
+    /// A cost above the budget.
+    pub fn within_budget(&self, cost: Cost) -> Result<(), Error> {
+        match self.core_hours {
+            Some(most) if cost.core_hours > most => Err(Error::Argument(format!(
+                "{}: budget.core_hours = {most:?}: the runs that are not done yet would take about {:.3} core-hours",
+                self.file, cost.core_hours
+            ))),
+            _ => Ok(()),
+        }
     }
 
     /// All axes, those of seeds last.

@@ -7,7 +7,7 @@ use std::fmt::Write;
 /// A frame as text. Bond types count from 1: weak, strong.
 pub fn text(frame: &LinkFrame) -> String {
     let columns = &frame.links.columns;
-    let number = columns.first().map_or(0, |(_, values)| values.len());
+    let number = columns.first().map_or(0, |(_, values)| values.rows());
     let [low, high] = frame.bounds;
     let mut text = format!(
         "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ENTRIES\n{number}\nITEM: BOX BOUNDS {} ff ff\n",

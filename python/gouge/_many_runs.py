@@ -1,0 +1,187 @@
+"""Many runs: sweeps, calibrations, the verification."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from gouge import _gouge
+from gouge._errors import ArgumentError, Error
+from gouge._scenes import plain
+from gouge._table import Table
+
+PROGRAM = [sys.executable, "-m", "gouge"]
+"""How the command ``gouge`` is started."""
+
+
+class Sweep:
+    """A sweep in a folder."""
+
+    def __init__(self, folder: str | PathLike[str]) -> None:
+        self.folder = Path(folder)
+        """The folder."""
+
+    @property
+    def runs(self) -> Table:
+        """``runs.csv``: a row per run, with its axes, its status, its observations and its cost."""
+        return Table.read(self.folder / "runs.csv")
+
+    @property
+    def page(self) -> Path:
+        """The page ``sweep.html``."""
+        return self.folder / "sweep.html"
+
+    def to_pandas(self) -> Any:
+        """The runs as a data frame; needs pandas."""
+        return self.runs.to_pandas()
+
+
+class Calibration:
+    """A calibration in a folder."""
+
+    def __init__(self, folder: str | PathLike[str], answer: str, account: str) -> None:
+        self.folder = Path(folder)
+        """The folder."""
+        self.answer = answer
+        """``determined``, ``combinations``, ``undetermined``, ``unresolved`` or ``refuted``."""
+        self.account = account
+        """What ``gouge calibrate`` prints: answer, parameters with intervals, targets."""
+
+    @property
+    def material(self) -> dict[str, Any] | None:
+        """The best values under their keys, as nested dicts; None unless something is determined."""
+        path = self.folder / "material.toml"
+        return _toml(path.read_text(encoding="utf-8")) if path.exists() else None
+
+    @property
+    def posterior(self) -> Table:
+        """Points of the posterior with their weights."""
+        return Table.read(self.folder / "posterior.csv")
+
+    @property
+    def runs(self) -> Table:
+        """Every run."""
+        return Table.read(self.folder / "runs.csv")
+
+    @property
+    def page(self) -> Path:
+        """The page ``calibration.html``."""
+        return self.folder / "calibration.html"
+
+    def __repr__(self) -> str:
+        return self.account
+
+
+def sweep(
+    file: str | PathLike[str] | Mapping[str, Any],
+    out: str | PathLike[str],
+    jobs: int | None = None,
+    progress: bool = True,
+) -> Sweep:
+    """Run a scene with every combination of some values, as ``gouge sweep`` does.
+
+    Parameters
+    ----------
+    file: a sweep file, or its content as a dict (``docs/studies.md`` describes the keys)
+    out: the folder; the same call continues a sweep that was stopped
+    jobs: number of runs at a time; as many as there are cores if None
+    progress: whether progress is shown on a terminal
+
+    Raises
+    ------
+    SceneError: a mistake in the file
+    ArgumentError: a sweep beyond its budget, or without runs
+    FileError: a folder that cannot be written
+    """
+    _gouge.sweep(PROGRAM, _file(file, out, "sweep.toml"), out, _jobs(jobs), _counter(progress))
+    return Sweep(out)
+
+
+def calibrate(
+    file: str | PathLike[str] | Mapping[str, Any],
+    out: str | PathLike[str],
+    jobs: int | None = None,
+    progress: bool = True,
+) -> Calibration:
+    """Find the parameters that agree with what was measured, as ``gouge calibrate`` does.
+
+    Parameters
+    ----------
+    file: a calibration file, the name of a built-in calibration, or the content of a file as a dict
+        (``docs/calibration.md`` describes the keys)
+    out: the folder; the same call continues a calibration that was stopped
+    jobs: number of runs at a time; as many as there are cores if None
+    progress: whether progress is shown on a terminal
+
+    A refuted model is an answer, not an exception.
+
+    Raises
+    ------
+    SceneError: a mistake in the file
+    ArgumentError: a calibration beyond its budget, or a folder that holds another one
+    FileError: a folder that cannot be written
+    """
+    file = _file(file, out, "calibration.toml")
+    answer, account = _gouge.calibrate(PROGRAM, file, out, _jobs(jobs), _counter(progress))
+    return Calibration(out, answer, account)
+
+
+def verify(only: str | None = None, out: str | PathLike[str] | None = None) -> dict[str, Any]:
+    """Run the checks, as ``gouge verify`` does; the content of ``report.json``.
+
+    Parameters
+    ----------
+    only: run only checks whose identifier contains this text
+    out: folder of the reports; if None, they are not kept
+
+    Raises
+    ------
+    Error: the checks are not installed (``cargo install --path validation``), or nothing matches
+    """
+    with TemporaryDirectory(prefix="gouge-") as temporary:
+        folder = Path(temporary if out is None else out)
+        command = [*PROGRAM, "verify", "--out", str(folder)]
+        command += ["--only", only] if only is not None else []
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        report = folder / "report.json"
+        if done.returncode not in (0, 1) or not report.exists():
+            kind = ArgumentError if done.returncode == 2 else Error
+            message = done.stderr.strip().removeprefix("gouge: ")
+            raise kind(message, cause=message)
+        return json.loads(report.read_text(encoding="utf-8"))
+
+
+def _file(file: Any, out: str | PathLike[str], name: str) -> Path:
+    """The path of a file; that of a dict is written into the folder."""
+    if not isinstance(file, Mapping):
+        return Path(file)
+    path = Path(out) / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(_gouge.toml(plain(file)), encoding="utf-8")
+    return path
+
+
+def _toml(text: str) -> dict[str, Any]:
+    return _gouge.dict_of_toml(text)
+
+
+def _jobs(jobs: int | None) -> int:
+    if jobs is not None and jobs < 1:
+        raise ArgumentError(f"jobs = {jobs}: must be 1 or greater", key="jobs", value=str(jobs))
+    return jobs or os.cpu_count() or 1
+
+
+def _counter(progress: bool) -> Any:
+    return _count if progress and sys.stderr.isatty() else None
+
+
+def _count(ended: int, runs: int) -> None:
+    end = "\n" if ended == runs else ""
+    print(f"\r{ended} of {runs} runs done", end=end, file=sys.stderr, flush=True)

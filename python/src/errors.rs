@@ -1,0 +1,75 @@
+//! Errors as exceptions of `gouge._errors`.
+
+use gouge::runner::error::{Error, SceneError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::Path;
+
+/// The exception of an error, with what the error is about as attributes.
+pub fn raised(error: &Error) -> PyErr {
+    Python::attach(|py| exception(py, error).unwrap_or_else(|failure| failure))
+}
+
+/// The exception for an argument that cannot be used.
+pub fn bad_argument(message: &str) -> PyErr {
+    raised(&Error::Argument(message.to_owned()))
+}
+
+/// File, key and value at fault; an override has no file.
+fn place_of(error: &SceneError) -> [Option<&str>; 3] {
+    let given = |text| Some(text).filter(|text: &&str| !text.is_empty());
+    let set = error.file.strip_prefix("--set ");
+    match set.and_then(|set| set.split_once('=')) {
+        Some((key, value)) => [None, given(key), given(value)],
+        None => [&error.file, &error.key, &error.value].map(|text| given(text)),
+    }
+}
+
+fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
+    let about = PyDict::new(py);
+    let file = |path: &Path| about.set_item("file", path);
+    let cause = |text: String| about.set_item("cause", text);
+    let name = match error {
+        Error::Scene(one) => {
+            let [file, key, value] = place_of(one);
+            about.set_item("file", file)?;
+            about.set_item("line", (one.line > 0).then_some(one.line))?;
+            about.set_item("key", key)?;
+            about.set_item("value", value)?;
+            cause(one.accepted.clone())?;
+            "SceneError"
+        }
+        Error::Argument(_) => "ArgumentError",
+        Error::File { path, source, .. } => {
+            file(path)?;
+            cause(source.to_string())?;
+            "FileError"
+        }
+        Error::Checkpoint { path, reason } => {
+            file(path)?;
+            cause(reason.clone())?;
+            "FileError"
+        }
+        Error::Step { source, .. } => {
+            cause(source.to_string())?;
+            "StateError"
+        }
+        Error::Setup(source) => {
+            cause(source.to_string())?;
+            "StateError"
+        }
+        Error::Energy { .. } => "StateError",
+        Error::Untrusted(folder) => {
+            file(folder)?;
+            "UntrustedError"
+        }
+        Error::Interrupted(folder) | Error::Stopped(folder) => {
+            file(folder)?;
+            "Interrupted"
+        }
+        _ => "Error",
+    };
+    let class = py.import("gouge._errors")?.getattr(name)?;
+    let exception = class.call((error.to_string(),), Some(&about))?;
+    Ok(PyErr::from_value(exception))
+}
