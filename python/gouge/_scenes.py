@@ -51,7 +51,7 @@ def scene(name: str) -> dict[str, Any]:
 def links(scene: Scene, overrides: Overrides | None = None) -> Table:
     """All contacts and bonds at t = 0, after the set-up, sorted by pair.
 
-    The columns are those of ``links.csv``: the particles ``i`` and ``j``, the ``kind``, kinematics in m and m/s, forces in N
+    The columns are those of ``links.csv``: the particles ``i`` and ``j``, the ``kind`` (``strong`` for bonds, ``weak`` for contacts), kinematics in m and m/s, forces in N
     and torques in N m. A negative normal force is repulsive.
 
     Raises

@@ -39,8 +39,8 @@ pub fn launch(own: &Program, only: Option<&str>, out: &Path) -> Result<(), Error
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// Path of `gouge-verify` beside this program. If it is missing or older than the sources, and these are available, it
-/// is built first.
+/// Path of `gouge-verify` beside this program, or else on the path. If it is missing here or older than the sources, and
+/// these are available, it is built first.
 fn program(own: &Path) -> Result<PathBuf, Error> {
     let program = own.with_file_name(format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX));
     if is_stale(&program) {
@@ -49,10 +49,15 @@ fn program(own: &Path) -> Result<PathBuf, Error> {
     if program.exists() {
         return Ok(program);
     }
-    Err(Error::Argument(format!(
-        "{} is missing: install the checks with `cargo install --path validation`",
-        program.display()
-    )))
+    let name = program.file_name().unwrap_or_default();
+    let folders = std::env::var_os("PATH").unwrap_or_default();
+    let mut paths = std::env::split_paths(&folders).map(|folder| folder.join(name));
+    paths.find(|path| path.is_file()).ok_or_else(|| {
+        Error::Argument(format!(
+            "{} is missing: install the checks with `cargo install --path validation`",
+            program.display()
+        ))
+    })
 }
 
 /// Whether a program is missing, or older than a source of the checks.
