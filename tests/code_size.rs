@@ -13,11 +13,13 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 /// Folders with source files.
-const FOLDERS: [&str; 9] = [
+const FOLDERS: [&str; 11] = [
     "benches",
     "cli",
+    "examples",
     "kernel",
     "page",
+    "python",
     "runner",
     "studies",
     "tests",
