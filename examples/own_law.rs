@@ -12,7 +12,7 @@ use gouge_dem::common::geometry::Vec2;
 use gouge_dem::common::scalar::Real;
 use gouge_dem::geometry::ContactDistance;
 use gouge_dem::integrators::Integrator;
-use gouge_dem::laws::{CundallStrackTruncated, Gravity, NormalLaw};
+use gouge_dem::laws::{CundallStrackTruncated, Gravity, NormalLaw, typical_overlap};
 use gouge_dem::model::{ContactLaws, ContactTangential, External, Model};
 use gouge_dem::particles::{Particle, Particles, Role};
 use gouge_dem::{ModelError, Start, World};
@@ -53,6 +53,11 @@ impl NormalLaw for Tsuji {
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S {
         let overlap = xi.max(S::zero());
         self.prefactor(radii) * overlap * overlap * overlap.sqrt() * 0.4
+    }
+    fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
+        let (overlap, prefactor): (f64, f64) = (typical_overlap(radii), self.prefactor(radii));
+        let damping = self.alpha * (reduced_mass * prefactor).sqrt() * overlap.sqrt().sqrt();
+        [1.5 * prefactor * overlap.sqrt(), damping]
     }
 }
 

@@ -12,14 +12,17 @@ use gouge_common::geometry::Vec2;
 use gouge_common::scalar::Real;
 use gouge_dem::geometry::ContactDistance;
 use gouge_dem::integrators::Integrator;
-use gouge_dem::laws::{Bshp, KelvinVoigt, NormalLaw};
+use gouge_dem::laws::{
+    Bshp, KelvinVoigt, NormalLaw, ReboundingBshp, ReboundingKelvinVoigt, typical_overlap,
+};
 use gouge_dem::model::{ContactLaws, ContactNormal, Model};
 use gouge_dem::particles::{Particle, Particles};
-use gouge_dem::{NormalChoice, Start, World, stable_step_estimate};
+use gouge_dem::{NormalChoice, Start, World};
+use gouge_scalars::Dual;
 use own_estimator::anisotropy;
 use own_law::{Tsuji, fallen};
 
-/// A law of the kernel as if it were that of a program, without its own linearised form.
+/// A law of the kernel as if it were that of a program.
 #[derive(Clone, Copy, Debug)]
 struct Own<L>(L);
 
@@ -35,6 +38,9 @@ impl<L: NormalLaw> NormalLaw for Own<L> {
     #[inline(always)]
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S {
         self.0.stored_energy(radii, xi)
+    }
+    fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
+        self.0.linearised(radii, reduced_mass)
     }
 }
 
@@ -99,8 +105,20 @@ fn bits_of<N: NormalChoice<f64>>(world: &World<f64, N>) -> Vec<u64> {
     numbers.map(f64::to_bits).collect()
 }
 
+/// Check that a linearised law has the slopes of its force over overlap and over rate.
+fn has_the_slopes_of_its_force(law: impl NormalLaw) {
+    let (radii, mass) = ([1e-3, 3e-3], 2e-5);
+    let duals = radii.map(Dual::from_f64);
+    let (xi, factor) = (typical_overlap(radii), law.damping_factor(radii, mass));
+    let along_overlap = law.elastic_force(duals, Dual::variable(xi));
+    let along_rate = law.force(duals, Dual::from_f64(xi), Dual::variable(0.0));
+    let [stiffness, damping] = law.linearised(radii, mass);
+    assert!((stiffness / -along_overlap.slope() - 1.0).abs() < 1e-12);
+    assert!((damping / (-along_rate.slope() * factor) - 1.0).abs() < 1e-12);
+}
+
 #[test]
-fn the_default_linearised_form_gives_the_same_bound_of_the_time_step() {
+fn linearised_laws_have_the_slopes_of_their_forces() {
     let linear = KelvinVoigt {
         stiffness: 1e6,
         damping: 20.0,
@@ -110,21 +128,19 @@ fn the_default_linearised_form_gives_the_same_bound_of_the_time_step() {
         poissons_ratio: 0.22,
         dissipative_constant: 1e-8,
     };
-    let row = [[0.0, 0.0, 0.0], [1.9e-3, 0.0, 0.0], [3.8e-3, 0.0, 0.0]];
-    let chosen = |normal| stable_step_estimate(&world_of(normal, 1e-8, &row));
-    let pairs = [
-        (
-            chosen(ContactNormal::KelvinVoigt(linear)),
-            stable_step_estimate(&world_of(Own(linear), 1e-8, &row)),
-        ),
-        (
-            chosen(ContactNormal::Bshp(spheres)),
-            stable_step_estimate(&world_of(Own(spheres), 1e-8, &row)),
-        ),
-    ];
-    for (exact, differences) in pairs {
-        assert!((differences / exact - 1.0).abs() < 1e-5, "{exact:e}");
-    }
+    has_the_slopes_of_its_force(linear);
+    has_the_slopes_of_its_force(spheres);
+    has_the_slopes_of_its_force(ReboundingKelvinVoigt {
+        of_unit_mass: linear,
+    });
+    has_the_slopes_of_its_force(ReboundingBshp {
+        of_unit_pair: spheres,
+    });
+    has_the_slopes_of_its_force(Tsuji {
+        modulus: 1e9,
+        alpha: 0.3,
+    });
+    assert_eq!(typical_overlap([3e-3, 1e-3]), 1e-4);
 }
 
 /// Restitution of two grains with the law of the example, from the ratio of their speeds.

@@ -2,7 +2,10 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import Any
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 def version() -> str: ...
 def scenes() -> dict[str, str]: ...
@@ -38,7 +41,7 @@ def calibrate(
 ) -> tuple[str, str]: ...
 
 class Simulation:
-    def __new__(cls, scene: Any, overrides: dict[str, Any] | None = None) -> Any: ...
+    def __new__(cls, scene: Any, overrides: dict[str, Any] | None = None) -> Self: ...
     def __len__(self) -> int: ...
     @property
     def time(self) -> float:
@@ -57,8 +60,10 @@ class Simulation:
 
         Raises StateError if the state becomes invalid.
         """
-    def column(self, name: str) -> Any:
-        """A column of particle data; see Particles."""
+    def column(self, name: str) -> NDArray[np.float64]:
+        """A column of particle data, see Particles."""
+    def roles(self) -> list[str]:
+        """The roles of the particles."""
     def interactions(self, kind: str) -> dict[str, Any]:
         """Columns of all interactions of a kind, "contact" or "bond", or of "all"."""
     def energy(self) -> dict[str, float]:

@@ -155,7 +155,8 @@ def verify(only: str | None = None, out: str | PathLike[str] | None = None) -> d
             kind = ArgumentError if done.returncode == 2 else Error
             message = done.stderr.strip().removeprefix("gouge: ")
             raise kind(message, cause=message)
-        return json.loads(report.read_text(encoding="utf-8"))
+        content: dict[str, Any] = json.loads(report.read_text(encoding="utf-8"))
+        return content
 
 
 def _file(file: Any, out: str | PathLike[str], name: str) -> Path:

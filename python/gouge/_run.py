@@ -29,13 +29,15 @@ class Run:
     @property
     def summary(self) -> dict[str, Any]:
         """``summary.json``: status, steps, energies in J, friction with its interval, warnings."""
-        return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        text = (self.folder / "summary.json").read_text(encoding="utf-8")
+        summary: dict[str, Any] = json.loads(text)
+        return summary
 
     @property
     def friction(self) -> float | None:
         """Coefficient of friction of a driven block; None if nothing slides."""
         friction = self.summary.get("friction")
-        return None if friction is None else friction["coefficient"]
+        return None if friction is None else float(friction["coefficient"])
 
     @property
     def series(self) -> Table:
@@ -113,8 +115,10 @@ def run(
     FileError: the folder cannot be written
     ArgumentError: the folder holds another run
     """
-    kept = TemporaryDirectory(prefix="gouge-") if out is None else None
-    folder = kept.name if kept else out
+    kept, folder = None, out
+    if folder is None:
+        kept = TemporaryDirectory(prefix="gouge-")
+        folder = kept.name
     text, doubts = _gouge.run(
         plain_scene(scene),
         folder,

@@ -70,4 +70,6 @@ def stability(scene: Scene, overrides: Overrides | None = None) -> dict[str, Any
     SceneError: a mistake in the scene
     StateError: a state that becomes invalid in the set-up
     """
-    return json.loads(_gouge.stability(plain_scene(scene), plain_overrides(overrides)))
+    text = _gouge.stability(plain_scene(scene), plain_overrides(overrides))
+    bounds: dict[str, Any] = json.loads(text)
+    return bounds

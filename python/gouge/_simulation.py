@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from gouge import _gouge
 from gouge._scenes import Overrides, Scene, plain_overrides, plain_scene
 from gouge._table import Table
+
+if TYPE_CHECKING:
+    from typing import Self
 
 
 class Particles:
@@ -69,7 +72,7 @@ class Particles:
     @property
     def role(self) -> NDArray[np.str_]:
         """Roles, ``free``, ``driven`` or ``fixed``, shape (n,)."""
-        return np.asarray(self._simulation.column("role"))
+        return np.asarray(self._simulation.roles())
 
     def to_table(self) -> Table:
         """All columns but forces, vectors as ``x``, ``y``, ``vx`` and ``vy``."""
@@ -105,7 +108,7 @@ class Simulation(_gouge.Simulation):
     (2, 2)
     """
 
-    def __new__(cls, scene: Scene, overrides: Overrides | None = None) -> Simulation:
+    def __new__(cls, scene: Scene, overrides: Overrides | None = None) -> Self:
         return super().__new__(cls, plain_scene(scene), plain_overrides(overrides))
 
     @property

@@ -90,12 +90,14 @@ impl Simulation {
             "radius" => Ok(numbers(py, p.radius.clone())),
             "mass" => Ok(numbers(py, p.mass.clone())),
             "moment_of_inertia" => Ok(numbers(py, p.moment_of_inertia.clone())),
-            "role" => {
-                let names = p.role.iter().map(|&role| role_name(role));
-                Ok(PyList::new(py, names.collect::<Vec<_>>())?.into_any())
-            }
             _ => Err(bad_argument(&format!("{name}: no column of particles"))),
         }
+    }
+
+    /// The roles of the particles.
+    fn roles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let roles = self.world.particles().role.iter();
+        PyList::new(py, roles.map(|&role| role_name(role)).collect::<Vec<_>>())
     }
 
     /// Contacts, bonds or both as columns.

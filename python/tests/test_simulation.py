@@ -35,8 +35,9 @@ def test_columns_have_their_shapes_and_are_copies():
     particles = simulation.particles
     for name in ["position", "velocity", "force"]:
         assert getattr(particles, name).shape == (2, 2)
-    for name in ["angle", "angular_velocity", "radius", "mass", "moment_of_inertia", "torque", "role"]:
+    for name in ["angle", "angular_velocity", "radius", "mass", "moment_of_inertia", "torque"]:
         assert getattr(particles, name).shape == (2,)
+    assert particles.role.tolist() == ["free", "free"]
     before = particles.position
     simulation.step(1000)
     assert not np.array_equal(before, particles.position)

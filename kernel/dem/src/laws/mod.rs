@@ -19,7 +19,7 @@ pub use driving::{Controller, Driven, Driving, characteristic_length};
 pub use external::{ExternalLaw, Gravity, HarmonicWell};
 pub use normal::{
     AdjustedKelvinVoigt, Bshp, KelvinVoigt, NormalLaw, dissipative_constant,
-    dissipative_constant_printed,
+    dissipative_constant_printed, typical_overlap,
 };
 pub use rebound::{ReboundingBshp, ReboundingKelvinVoigt};
 pub use tangential::{

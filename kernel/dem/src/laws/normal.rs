@@ -25,23 +25,12 @@ pub trait NormalLaw: Copy + Send + Sync {
     /// Stored energy in J; zero without overlap.
     fn stored_energy<S: Real>(self, radii: [S; 2], xi: S) -> S;
     /// Stiffness in kg/s^2 and damping in kg/s of the linearised law, from which bounds of the time step follow, for a
-    /// pair with radii in m and its reduced mass in kg.
-    ///
-    /// A nonlinear law is linearised at an overlap of a tenth of the smaller radius; by default with differences.
-    fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2] {
-        let (xi, step) = (typical_overlap(radii), 1e-3 * typical_overlap(radii));
-        let rise = self.elastic_force(radii, xi - step) - self.elastic_force(radii, xi + step);
-        let viscous = self.elastic_force(radii, xi) - self.force(radii, xi, SLOW);
-        let factor = self.damping_factor(radii, reduced_mass);
-        [rise / (2.0 * step), viscous / SLOW * factor]
-    }
+    /// pair with radii in m and its reduced mass in kg. A nonlinear law is linearised at [`typical_overlap`].
+    fn linearised(self, radii: [f64; 2], reduced_mass: f64) -> [f64; 2];
 }
 
-/// Rate in m/s at which the damping of a law is taken.
-const SLOW: f64 = 1e-3;
-
-/// Overlap in m at which a nonlinear law is linearised.
-fn typical_overlap(radii: [f64; 2]) -> f64 {
+/// Overlap in m at which a nonlinear law is linearised: a tenth of the smaller radius.
+pub fn typical_overlap(radii: [f64; 2]) -> f64 {
     0.1 * radii[0].min(radii[1])
 }
 
