@@ -166,7 +166,13 @@ fn the_command_line_only_reads_arguments_and_prints() {
 
 #[test]
 fn every_dependency_is_used() {
-    let folders = ["benches", "python", "tools/equations", "tools/mutation"];
+    let folders = [
+        "benches",
+        "examples",
+        "python",
+        "tools/equations",
+        "tools/mutation",
+    ];
     for folder in CRATES.iter().map(|(_, folder)| *folder).chain(folders) {
         let manifest = read(&root().join(folder).join("Cargo.toml"));
         let mut files = rust_files(&root().join(folder));

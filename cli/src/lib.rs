@@ -28,4 +28,4 @@ pub use gouge_runner as runner;
 pub use gouge_studies as studies;
 
 mod command_line;
-pub use command_line::command_line;
+pub use command_line::{account, command_line};

@@ -8,32 +8,36 @@ All quantities are in SI units. A scene is the name of a built-in scene, a path 
 >>> run = gouge.run("head-on", overrides={"contact.normal.damping": 0.0})
 >>> run.summary["status"]
 'done'
+
+``help(gouge.run)``, ``help(gouge.Simulation)`` and so on describe each of the names in ``gouge.__all__``.
 """
 
-from gouge._errors import (
-    ArgumentError,
-    Error,
-    FileError,
-    Interrupted,
-    SceneError,
-    StateError,
-    UntrustedError,
-)
-from gouge._many_runs import Calibration, Sweep, calibrate, sweep, verify
-from gouge._scenes import links, scene, scenes, stability
-from gouge._run import Run, run
-from gouge._simulation import Particles, Simulation
-from gouge._table import Table
-from gouge._gouge import version
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-__version__ = version().split(" ")[0]
+if TYPE_CHECKING:
+    from gouge._errors import (
+        ArgumentError,
+        Error,
+        FileError,
+        SceneError,
+        StateError,
+        UntrustedError,
+    )
+    from gouge._gouge import version
+    from gouge._many_runs import Calibration, Sweep, calibrate, sweep, verify
+    from gouge._run import Run, run
+    from gouge._scenes import links, scene, scenes, stability
+    from gouge._simulation import Particles, Simulation
+    from gouge._table import Table
+
+    __version__: str
 
 __all__ = [
     "ArgumentError",
     "Calibration",
     "Error",
     "FileError",
-    "Interrupted",
     "Particles",
     "Run",
     "SceneError",
@@ -52,3 +56,29 @@ __all__ = [
     "verify",
     "version",
 ]
+
+_MODULES = {
+    "_errors": ["ArgumentError", "Error", "FileError", "SceneError", "StateError", "UntrustedError"],
+    "_gouge": ["version"],
+    "_many_runs": ["Calibration", "Sweep", "calibrate", "sweep", "verify"],
+    "_run": ["Run", "run"],
+    "_scenes": ["links", "scene", "scenes", "stability"],
+    "_simulation": ["Particles", "Simulation"],
+    "_table": ["Table"],
+}
+
+
+def __getattr__(name: str) -> Any:
+    # The command starts without NumPy: a sweep starts it for every run.
+    if name == "__version__":
+        return import_module("gouge._gouge").version().split(" ")[0]
+    for module, names in _MODULES.items():
+        if name in names:
+            value = getattr(import_module(f"gouge.{module}"), name)
+            globals()[name] = value
+            return value
+    raise AttributeError(f"module 'gouge' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]

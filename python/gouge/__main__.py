@@ -4,7 +4,7 @@ import signal
 import sys
 
 from gouge import _gouge
-from gouge._many_runs import PROGRAM
+from gouge._program import PROGRAM
 
 
 def main() -> int:

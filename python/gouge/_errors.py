@@ -52,8 +52,5 @@ class StateError(Error, ArithmeticError):
 
 
 class UntrustedError(Error):
-    """A run finished, but its energy balance shows that the results cannot be trusted. They are in ``file``."""
-
-
-class Interrupted(Error):
-    """A run was stopped with a checkpoint; the same call with ``resume=True`` continues it."""
+    """A run finished, but its energy balance shows that the results cannot be trusted. They are kept in the folder ``file``,
+    and ``cause`` says how far the balance is off."""

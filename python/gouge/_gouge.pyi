@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 def version() -> str: ...
+def load_numpy() -> None: ...
 def scenes() -> dict[str, str]: ...
 def scene(name: str) -> dict[str, Any]: ...
 def toml(mapping: Mapping[str, Any]) -> str: ...
+def toml_value(value: Any) -> str: ...
 def dict_of_toml(text: str) -> dict[str, Any]: ...
 def links(scene: Any, overrides: dict[str, Any] | None = None) -> dict[str, Any]: ...
 def stability(scene: Any, overrides: dict[str, Any] | None = None) -> str: ...
@@ -20,10 +22,9 @@ def run(
     overrides: dict[str, Any] | None = None,
     resume: bool = False,
     overwrite: bool = False,
-    accept_untrusted: bool = False,
     checkpoint_interval: float = 5.0,
     progress: Callable[[float, str], None] | None = None,
-) -> tuple[str, list[str]]: ...
+) -> tuple[str, list[str], str]: ...
 def command_line(program: Sequence[str], arguments: Sequence[str]) -> int: ...
 def sweep(
     program: Sequence[str],
@@ -62,14 +63,16 @@ class Simulation:
         """
     def column(self, name: str) -> NDArray[np.float64]:
         """A column of particle data, see Particles."""
-    def roles(self) -> list[str]:
-        """The roles of the particles."""
+    def roles(self) -> tuple[list[str], NDArray[np.uint8]]:
+        """Names of roles, and for each particle the place of its role among them."""
     def interactions(self, kind: str) -> dict[str, Any]:
         """Columns of all interactions of a kind, "contact" or "bond", or of "all"."""
     def energy(self) -> dict[str, float]:
         """Terms of the energy balance in J; heat, work and residual are zero if the scene does not keep them."""
-    def friction(self) -> tuple[float, float]:
-        """Coefficients of friction of the driven grains, from the driving force and from the reaction to it."""
+    def friction(self) -> dict[str, float]:
+        """Coefficients of friction of the driven grains: "load", from the driving force, and "feedback", from the reaction to
+        it; NaN without a driven grain.
+        """
     def checkpoint(self) -> bytes:
         """The whole state, for restore."""
     def restore(self, bytes: bytes) -> None:

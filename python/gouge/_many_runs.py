@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+import warnings
 from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path
@@ -13,19 +14,17 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from gouge import _gouge
-from gouge._errors import ArgumentError, Error
-from gouge._scenes import plain
+from gouge._errors import ArgumentError, Error, FileError
+from gouge._plain import plain
+from gouge._program import PROGRAM, shows_progress
 from gouge._table import Table
-
-PROGRAM = [sys.executable, "-m", "gouge"]
-"""How the command ``gouge`` is started."""
 
 
 class Sweep:
     """A sweep in a folder."""
 
     def __init__(self, folder: str | PathLike[str]) -> None:
-        self.folder = Path(folder)
+        self.folder = Path(folder).absolute()
         """The folder."""
 
     @property
@@ -42,17 +41,29 @@ class Sweep:
         """The runs as a data frame; needs pandas."""
         return self.runs.to_pandas()
 
+    def __repr__(self) -> str:
+        statuses = self.runs["status"].tolist()
+        counts = (f"{statuses.count(status)} {status}" for status in sorted(set(statuses)))
+        return f"Sweep({str(self.folder)!r}): {', '.join(counts)}"
+
 
 class Calibration:
     """A calibration in a folder."""
 
     def __init__(self, folder: str | PathLike[str], answer: str, account: str) -> None:
-        self.folder = Path(folder)
+        self.folder = Path(folder).absolute()
         """The folder."""
-        self.answer = answer
+        self._answer, self._account = answer, account
+
+    @property
+    def answer(self) -> str:
         """``determined``, ``combinations``, ``undetermined``, ``unresolved`` or ``refuted``."""
-        self.account = account
+        return self._answer
+
+    @property
+    def account(self) -> str:
         """What ``gouge calibrate`` prints: answer, parameters with intervals, targets."""
+        return self._account
 
     @property
     def material(self) -> dict[str, Any] | None:
@@ -89,10 +100,11 @@ def sweep(
 
     Parameters
     ----------
-    file: a sweep file, or its content as a dict (``docs/studies.md`` describes the keys)
+    file: a sweep file, or its content as a dict (``docs/studies.md`` describes the keys); in a dict, ``scene`` may be a
+        dict and ``set`` a dict of overrides, and paths are relative to the working directory
     out: the folder; the same call continues a sweep that was stopped
     jobs: number of runs at a time; as many as there are cores if None
-    progress: whether progress is shown on a terminal
+    progress: whether progress is shown, on a terminal or in a notebook
 
     Raises
     ------
@@ -100,8 +112,14 @@ def sweep(
     ArgumentError: a sweep beyond its budget, or without runs
     FileError: a folder that cannot be written
     """
-    _gouge.sweep(PROGRAM, _file(file, out, "sweep.toml"), out, _jobs(jobs), _counter(progress))
-    return Sweep(out)
+    result = Sweep(out)
+    path = _file(file, result.folder, "sweep.toml")
+    _gouge.sweep(PROGRAM, path, result.folder, _jobs(jobs), _counter(progress))
+    runs = result.runs
+    bad = [cause for status, cause in zip(runs["status"], runs["cause"]) if status != "done"]
+    if bad:
+        warnings.warn(f"{len(bad)} of {runs.rows} runs are not done; the first: {bad[0]}", stacklevel=2)
+    return result
 
 
 def calibrate(
@@ -115,10 +133,10 @@ def calibrate(
     Parameters
     ----------
     file: a calibration file, the name of a built-in calibration, or the content of a file as a dict
-        (``docs/calibration.md`` describes the keys)
+        (``docs/calibration.md`` describes the keys; scenes and overrides as in :func:`sweep`)
     out: the folder; the same call continues a calibration that was stopped
     jobs: number of runs at a time; as many as there are cores if None
-    progress: whether progress is shown on a terminal
+    progress: whether progress is shown, on a terminal or in a notebook
 
     A refuted model is an answer, not an exception.
 
@@ -128,9 +146,10 @@ def calibrate(
     ArgumentError: a calibration beyond its budget, or a folder that holds another one
     FileError: a folder that cannot be written
     """
-    file = _file(file, out, "calibration.toml")
-    answer, account = _gouge.calibrate(PROGRAM, file, out, _jobs(jobs), _counter(progress))
-    return Calibration(out, answer, account)
+    folder = Path(out).absolute()
+    path = file if _is_builtin(file) else _file(file, folder, "calibration.toml")
+    answer, account = _gouge.calibrate(PROGRAM, path, folder, _jobs(jobs), _counter(progress))
+    return Calibration(folder, answer, account)
 
 
 def verify(only: str | None = None, out: str | PathLike[str] | None = None) -> dict[str, Any]:
@@ -147,10 +166,11 @@ def verify(only: str | None = None, out: str | PathLike[str] | None = None) -> d
     """
     with TemporaryDirectory(prefix="gouge-") as temporary:
         folder = Path(temporary if out is None else out)
+        report = folder / "report.json"
+        report.unlink(missing_ok=True)
         command = [*PROGRAM, "verify", "--out", str(folder)]
         command += ["--only", only] if only is not None else []
         done = subprocess.run(command, capture_output=True, text=True, check=False)
-        report = folder / "report.json"
         if done.returncode not in (0, 1) or not report.exists():
             kind = ArgumentError if done.returncode == 2 else Error
             message = done.stderr.strip().removeprefix("gouge: ")
@@ -159,14 +179,43 @@ def verify(only: str | None = None, out: str | PathLike[str] | None = None) -> d
         return content
 
 
-def _file(file: Any, out: str | PathLike[str], name: str) -> Path:
+def _is_builtin(file: Any) -> bool:
+    """Whether a calibration is the name of a built-in one, as far as the working directory tells."""
+    return isinstance(file, str) and not Path(file).exists()
+
+
+def _file(file: Any, folder: Path, name: str) -> Path:
     """The path of a file; that of a dict is written into the folder."""
     if not isinstance(file, Mapping):
         return Path(file)
-    path = Path(out) / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(_gouge.toml(plain(file)), encoding="utf-8")
+    content = plain(file)
+    try:
+        return _write(content, folder, name)
+    except OSError as error:
+        raise FileError(f"cannot write into {folder}: {error}", file=folder, cause=str(error)) from None
+
+
+def _write(content: dict[str, Any], folder: Path, name: str) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    tests = content.get("test", [])
+    for number, table in enumerate([content, *(tests if isinstance(tests, list) else [])]):
+        if isinstance(table, dict):
+            _write_scene(table, folder / f"scene-{number}.toml")
+    path = folder / name
+    path.write_text(_gouge.toml(content), encoding="utf-8")
     return path
+
+
+def _write_scene(table: dict[str, Any], path: Path) -> None:
+    """Replace the scene of a table by a path, and a dict of overrides by a list."""
+    scene, overrides = table.get("scene"), table.get("set")
+    if isinstance(scene, dict):
+        path.write_text(_gouge.toml(scene), encoding="utf-8")
+        table["scene"] = path.name
+    elif isinstance(scene, str) and Path(scene).is_file():
+        table["scene"] = str(Path(scene).absolute())
+    if isinstance(overrides, dict):
+        table["set"] = [f"{key}={_gouge.toml_value(value)}" for key, value in overrides.items()]
 
 
 def _toml(text: str) -> dict[str, Any]:
@@ -180,7 +229,7 @@ def _jobs(jobs: int | None) -> int:
 
 
 def _counter(progress: bool) -> Any:
-    return _count if progress and sys.stderr.isatty() else None
+    return _count if shows_progress(progress) else None
 
 
 def _count(ended: int, runs: int) -> None:

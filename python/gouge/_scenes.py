@@ -3,34 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from os import PathLike
-from typing import Any, Union
+from typing import Any
 
 from gouge import _gouge
+from gouge._plain import Overrides, Scene, plain_overrides, plain_scene
 from gouge._table import Table
-
-Scene = Union[str, "PathLike[str]", Mapping[str, Any]]
-Overrides = Mapping[str, Any]
-
-
-def plain(value: Any) -> Any:
-    """The value with NumPy's numbers and arrays as Python's."""
-    if isinstance(value, Mapping):
-        return {str(key): plain(inner) for key, inner in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(inner) for inner in value]
-    return value.tolist() if hasattr(value, "tolist") else value
-
-
-def plain_scene(scene: Scene) -> Any:
-    """The scene, as the native part takes it."""
-    return plain(scene) if isinstance(scene, Mapping) else scene
-
-
-def plain_overrides(overrides: Overrides | None) -> dict[str, Any] | None:
-    """The overrides, as the native part takes them."""
-    return None if overrides is None else plain(overrides)
 
 
 def scenes() -> dict[str, str]:

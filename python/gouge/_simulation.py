@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gouge import _gouge
-from gouge._scenes import Overrides, Scene, plain_overrides, plain_scene
+from gouge._plain import Overrides, Scene, plain_overrides, plain_scene
 from gouge._table import Table
 
 if TYPE_CHECKING:
@@ -72,7 +72,8 @@ class Particles:
     @property
     def role(self) -> NDArray[np.str_]:
         """Roles, ``free``, ``driven`` or ``fixed``, shape (n,)."""
-        return np.asarray(self._simulation.roles())
+        names, codes = self._simulation.roles()
+        return np.array(names)[codes]
 
     def to_table(self) -> Table:
         """All columns but forces, vectors as ``x``, ``y``, ``vx`` and ``vy``."""

@@ -10,8 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gouge import _gouge
+
 if TYPE_CHECKING:
     import pandas
+
+_gouge.load_numpy()
 
 
 class Table(dict[str, NDArray[Any]]):

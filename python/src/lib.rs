@@ -17,6 +17,15 @@ static ALLOCATOR: MiMalloc = MiMalloc;
 /// The native part of the package `gouge`.
 #[pymodule]
 mod _gouge {
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        // Remembers the process, so that a fork of it is noticed.
+        gouge::runner::machine::is_forked();
+        Ok(())
+    }
+
     #[pymodule_export]
     use super::many_runs::{calibrate, command_line, sweep};
     #[pymodule_export]
@@ -24,5 +33,7 @@ mod _gouge {
     #[pymodule_export]
     use super::simulation::Simulation;
     #[pymodule_export]
-    use super::values::{dict_of_toml, toml};
+    use super::tables::load_numpy;
+    #[pymodule_export]
+    use super::values::{dict_of_toml, toml, toml_value};
 }

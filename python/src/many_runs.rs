@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Do what a command line says, the first argument of which is the name of the program; its exit status. `program` starts
 /// it for the runs of sweeps.
@@ -30,9 +30,27 @@ fn program_of(words: Vec<OsString>) -> Program {
 struct Counter<'a> {
     progress: Option<&'a Py<PyAny>>,
     ended: Mutex<usize>,
+    /// The exception that the function raised.
+    failure: Mutex<Option<PyErr>>,
 }
 
-impl Counter<'_> {
+impl<'a> Counter<'a> {
+    fn new(progress: Option<&'a Py<PyAny>>) -> Self {
+        Self {
+            progress,
+            ended: Mutex::default(),
+            failure: Mutex::default(),
+        }
+    }
+
+    /// What some work gave; first the exception of the function, then that of the work.
+    fn outcome<T>(self, outcome: Result<T, Error>) -> PyResult<T> {
+        match self.failure.into_inner().unwrap_or_default() {
+            Some(failure) => Err(failure),
+            None => outcome.map_err(|error| raised(&error)),
+        }
+    }
+
     fn execute(&self, runs: &[Planned], execution: Execution) -> Result<(), Error> {
         if let Ok(mut ended) = self.ended.lock() {
             *ended = 0;
@@ -44,10 +62,9 @@ impl Counter<'_> {
             *ended += 1;
             if let Some(function) = self.progress {
                 let told = Python::attach(|py| function.call1(py, (*ended, runs.len())));
-                if told.is_err() {
-                    execution
-                        .stop
-                        .store(true, std::sync::atomic::Ordering::Relaxed);
+                if let (Err(exception), Ok(mut failure)) = (told, self.failure.lock()) {
+                    *failure = Some(exception);
+                    execution.stop.store(true, Ordering::Relaxed);
                 }
             }
         })
@@ -67,12 +84,9 @@ pub fn sweep(
 ) -> PyResult<()> {
     let program = program_of(program);
     watched(py, |stop| {
-        let counter = Counter {
-            progress: progress.as_ref(),
-            ended: Mutex::default(),
-        };
+        let counter = Counter::new(progress.as_ref());
         let outcome = run_sweep(&file, &out, jobs, &program, stop, &counter);
-        outcome.map_err(|error| raised(&error))
+        counter.outcome(outcome)
     })
 }
 
@@ -115,10 +129,7 @@ pub fn calibrate(
 ) -> PyResult<(String, String)> {
     let program = program_of(program);
     watched(py, |stop| {
-        let counter = Counter {
-            progress: progress.as_ref(),
-            ended: Mutex::default(),
-        };
+        let counter = Counter::new(progress.as_ref());
         let executed = |_: &str, runs: &[Planned]| {
             let execution = Execution {
                 program: &program,
@@ -139,6 +150,7 @@ pub fn calibrate(
             let account = calibrations::account(&calibration, &outcome);
             Ok((outcome.answer.name().to_owned(), account))
         };
-        answer().map_err(|error: Error| raised(&error))
+        let outcome = answer();
+        counter.outcome(outcome)
     })
 }

@@ -3,11 +3,11 @@
 use crate::errors::raised;
 use crate::tables::columns;
 use crate::values::{dict_of_toml, scene_of};
-use crate::watch::watched;
+use crate::watch::{abandonable, watched};
 use gouge::runner::commands;
-use gouge::runner::run::{Event, Observer, RunOptions, UNTRUSTED, links_of, run_setup};
+use gouge::runner::run::{Event, Observer, RunOptions, links_of, run_setup};
 use gouge::runner::scene::builtin;
-use gouge::runner::{build, error::Error, run as runs};
+use gouge::runner::{build, run as runs};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -46,8 +46,8 @@ pub fn links<'py>(
     overrides: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let scene = scene_of(scene, overrides)?;
-    let table = py.detach(|| run_setup(&scene).map(|world| links_of(&world)));
-    columns(py, table.map_err(|error| raised(&error))?)
+    let table = abandonable(py, move || run_setup(&scene).map(|world| links_of(&world)));
+    columns(py, table?)
 }
 
 /// The bounds of the time step of a scene as JSON.
@@ -59,13 +59,12 @@ pub fn stability(
     overrides: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<String> {
     let scene = scene_of(scene, overrides)?;
-    let text = py.detach(|| commands::stability(&scene));
-    text.map_err(|error| raised(&error))
+    abandonable(py, move || commands::stability(&scene))
 }
 
-/// Run a scene into a folder; the summary as JSON, and the warnings.
+/// Run a scene into a folder; the summary as JSON, the warnings, and the account of the run.
 #[pyfunction]
-#[pyo3(signature = (scene, out, overrides = None, resume = false, overwrite = false, accept_untrusted = false, checkpoint_interval = 5.0, progress = None))]
+#[pyo3(signature = (scene, out, overrides = None, resume = false, overwrite = false, checkpoint_interval = 5.0, progress = None))]
 #[expect(clippy::too_many_arguments, reason = "they are named in Python")]
 pub fn run(
     py: Python<'_>,
@@ -74,10 +73,9 @@ pub fn run(
     overrides: Option<&Bound<'_, PyDict>>,
     resume: bool,
     overwrite: bool,
-    accept_untrusted: bool,
     checkpoint_interval: f64,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, Vec<String>)> {
+) -> PyResult<(String, Vec<String>, String)> {
     let scene = scene_of(scene, overrides)?;
     let options = RunOptions {
         resume,
@@ -85,21 +83,24 @@ pub fn run(
         data_only: false,
         checkpoint_interval,
     };
-    let warnings = Mutex::new(Vec::new());
+    let (warnings, failure) = (Mutex::default(), Mutex::default());
     let summary = watched(py, |stop| {
         let mut watcher = Watcher {
             stop,
             progress: progress.as_ref(),
+            failure: &failure,
             steps: Vec::new(),
             warnings: &warnings,
         };
         runs::run(&scene, &out, options, &mut watcher).map_err(|error| raised(&error))
-    })?;
-    if summary.status == UNTRUSTED && !accept_untrusted {
-        return Err(raised(&Error::Untrusted(out)));
+    });
+    if let Some(failure) = failure.into_inner().unwrap_or_default() {
+        return Err(failure);
     }
+    let summary = summary?;
     let text = serde_json::to_string(&summary).unwrap_or_default();
-    Ok((text, warnings.into_inner().unwrap_or_default()))
+    let account = gouge::account(&scene, &summary, &out);
+    Ok((text, warnings.into_inner().unwrap_or_default(), account))
 }
 
 /// Tells Python of the progress of a run, and the run when to stop.
@@ -107,6 +108,8 @@ struct Watcher<'a> {
     stop: &'a AtomicBool,
     /// A function of the share that is done and the name of the phase.
     progress: Option<&'a Py<PyAny>>,
+    /// The exception that the function raised.
+    failure: &'a Mutex<Option<PyErr>>,
     /// Names of all phases, and steps before and after each.
     steps: Vec<(String, u64, u64)>,
     warnings: &'a Mutex<Vec<String>>,
@@ -121,7 +124,8 @@ impl Watcher<'_> {
         let all = self.steps.last().map_or(1, |last| last.2.max(1));
         let share = (before + steps) as f64 / all as f64;
         let told = Python::attach(|py| function.call1(py, (share, name.as_str())));
-        if told.is_err() {
+        if let (Err(exception), Ok(mut failure)) = (told, self.failure.lock()) {
+            *failure = Some(exception);
             self.stop.store(true, Ordering::Relaxed);
         }
     }

@@ -7,23 +7,26 @@ use gouge::World;
 use gouge::common::geometry::Vec2;
 use gouge::estimators::{friction_feedback, friction_load};
 use gouge::forces::InteractionKind;
-use gouge::particles::Particles;
-use gouge::runner::error::Error;
+use gouge::particles::{Particles, Role};
 use gouge::runner::run::{advance, begin_phase, draw_picture, phases, table_of_links};
 use gouge::runner::scene::{Scene, role_name};
+use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict, PyList};
+use pyo3::types::{PyBytes, PyDict};
+use sha2::{Digest, Sha256};
 
 /// Particle-steps between looks for signals: some ten milliseconds.
 const BETWEEN_LOOKS: u64 = 500_000;
-/// Length of the fingerprint of a scene in bytes.
-const FINGERPRINT: usize = 64;
+/// Length of the hash before a state in bytes.
+const HASH: usize = 32;
 
 /// A scene that is stepped from Python, from t = 0 on. Its set-up is run first.
 #[pyclass(subclass, module = "gouge._gouge")]
 pub struct Simulation {
     scene: Scene,
     world: World,
+    /// The process whose threads step the world.
+    process: u32,
 }
 
 #[pymethods]
@@ -47,27 +50,40 @@ impl Simulation {
                 .detach(|| begin(index + 1, Some(world)))
                 .map_err(|error| raised(&error))?;
         }
-        Ok(Self { scene, world })
+        Ok(Self {
+            scene,
+            world,
+            process: std::process::id(),
+        })
     }
 
-    /// Advance by n steps.
+    /// Advance by n steps. Other threads go on meanwhile, and Ctrl-C stops between two steps.
+    ///
+    /// Raises StateError if the state becomes invalid, and ArgumentError if n is negative.
     #[pyo3(signature = (n = 1))]
-    fn step(&mut self, py: Python<'_>, n: u64) -> PyResult<()> {
-        step(py, &mut self.world, n, "run")
+    fn step(&mut self, py: Python<'_>, n: i64) -> PyResult<()> {
+        let number = u64::try_from(n);
+        let number = number.map_err(|_| bad_argument(&format!("n = {n}: must not be negative")))?;
+        self.adapt_to_process();
+        step(py, &mut self.world, number, "run")
     }
 
+    /// Time in s.
     #[getter]
     fn time(&self) -> f64 {
         self.world.time()
     }
+    /// Number of steps since t = 0.
     #[getter]
     fn steps(&self) -> u64 {
         self.world.steps()
     }
+    /// The time step in s.
     #[getter]
     fn time_step(&self) -> f64 {
         self.scene.step
     }
+    /// Time in s at which a run of the scene ends; steps may go on beyond it.
     #[getter]
     fn end(&self) -> f64 {
         self.scene.end
@@ -76,7 +92,7 @@ impl Simulation {
         self.world.particles().len()
     }
 
-    /// A column of particle data.
+    /// A column of particle data, see Particles.
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         let p: &Particles = self.world.particles();
         let vectors = |column: &[Vec2]| pairs(py, column.iter().map(|v| [v.x, v.y]));
@@ -94,25 +110,31 @@ impl Simulation {
         }
     }
 
-    /// The roles of the particles.
-    fn roles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let roles = self.world.particles().role.iter();
-        PyList::new(py, roles.map(|&role| role_name(role)).collect::<Vec<_>>())
+    /// Names of roles, and for each particle the place of its role among them.
+    fn roles<'py>(&self, py: Python<'py>) -> (Vec<&'static str>, Bound<'py, PyArray1<u8>>) {
+        let names = [Role::Free, Role::Driven, Role::Fixed].map(role_name);
+        let codes = self.world.particles().role.iter().map(|&role| role as u8);
+        (names.to_vec(), PyArray1::from_vec(py, codes.collect()))
     }
 
-    /// Contacts, bonds or both as columns.
+    /// Columns of all interactions of a kind, "contact" or "bond", or of "all".
     fn interactions<'py>(&self, py: Python<'py>, kind: &str) -> PyResult<Bound<'py, PyDict>> {
         let mut links = py.detach(|| self.world.interactions());
         match kind {
             "contact" => links.retain(|link| link.kind == InteractionKind::Contact),
             "bond" => links.retain(|link| link.kind == InteractionKind::Bond),
-            _ => {}
+            "all" => {}
+            _ => {
+                return Err(bad_argument(&format!(
+                    "kind = {kind}: must be contact, bond or all"
+                )));
+            }
         }
         links.sort_by_key(|link| link.pair.indices());
         columns(py, table_of_links(&links))
     }
 
-    /// Terms of the energy balance in J.
+    /// Terms of the energy balance in J; heat, work and residual are zero if the scene does not keep them.
     fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let energy = py.detach(|| self.world.energy());
         let dict = PyDict::new(py);
@@ -125,28 +147,33 @@ impl Simulation {
         Ok(dict)
     }
 
-    /// Coefficients of friction of the driven grains, from the driving force and from the reaction to it.
-    fn friction(&self) -> (f64, f64) {
-        let drive = self.world.drive();
-        (friction_load(drive), friction_feedback(drive))
+    /// Coefficients of friction of the driven grains: "load", from the driving force, and "feedback", from the reaction to
+    /// it; NaN without a driven grain.
+    fn friction<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (drive, dict) = (self.world.drive(), PyDict::new(py));
+        dict.set_item("load", friction_load(drive))?;
+        dict.set_item("feedback", friction_feedback(drive))?;
+        Ok(dict)
     }
 
-    /// The state as bytes.
+    /// The whole state, for restore.
     fn checkpoint<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         let words = self.world.to_words();
-        let words = words.iter().flat_map(|word| word.to_le_bytes());
-        let bytes: Vec<u8> = self.fingerprint().bytes().chain(words).collect();
+        let words: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        let bytes = [&self.hash(&words)[..], &words].concat();
         PyBytes::new(py, &bytes)
     }
 
-    /// Return to a state that `checkpoint` gave.
+    /// Return to a state of the same scene that checkpoint gave; later steps have the same bits.
+    ///
+    /// Raises ArgumentError for a state of another scene, or for damaged bytes.
     fn restore(&mut self, bytes: &[u8]) -> PyResult<()> {
-        let refusal = |reason: &str| raised(&Error::Argument(format!("checkpoint: {reason}")));
-        let (fingerprint, rest) = bytes
-            .split_at_checked(FINGERPRINT)
+        let refusal = |reason: &str| bad_argument(&format!("checkpoint: {reason}"));
+        let (hash, rest) = bytes
+            .split_at_checked(HASH)
             .ok_or_else(|| refusal("too short"))?;
-        if fingerprint != self.fingerprint().as_bytes() {
-            return Err(refusal("it belongs to another scene, or is none"));
+        if hash != self.hash(rest) {
+            return Err(refusal("it belongs to another scene, or is damaged"));
         }
         let (words, rest) = rest.as_chunks();
         let words: Vec<u64> = words.iter().map(|&word| u64::from_le_bytes(word)).collect();
@@ -156,16 +183,28 @@ impl Simulation {
         Ok(())
     }
 
-    /// The present state as an SVG picture.
+    /// The present state as SVG.
     fn picture(&self) -> String {
         draw_picture(&self.scene, &self.world).to_string()
     }
 }
 
 impl Simulation {
-    /// What a checkpoint must agree with: the scene with all its keys.
-    fn fingerprint(&self) -> &str {
-        &self.scene.sha256
+    /// Hash of the words of a state and of their scene.
+    fn hash(&self, words: &[u8]) -> [u8; HASH] {
+        Sha256::new_with_prefix(&self.scene.sha256)
+            .chain_update(words)
+            .finalize()
+            .into()
+    }
+
+    /// Use one thread only in a copy of the process: it has no others.
+    fn adapt_to_process(&mut self) {
+        let process = std::process::id();
+        if self.process != process {
+            self.world = self.world.clone().with_threads(1);
+            self.process = process;
+        }
     }
 }
 

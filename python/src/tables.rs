@@ -5,6 +5,12 @@ use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
+/// Make ready for arrays. To be called where no signal can come between: it panics then.
+#[pyfunction]
+pub fn load_numpy(py: Python<'_>) {
+    numbers(py, Vec::new());
+}
+
 /// One number per item: shape (n,).
 pub fn numbers(py: Python<'_>, column: Vec<f64>) -> Bound<'_, PyAny> {
     PyArray1::from_vec(py, column).into_any()

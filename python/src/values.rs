@@ -1,7 +1,9 @@
 //! Scenes and overrides from Python's values.
 
-use crate::errors::{bad_argument, raised};
+use crate::errors::{DICT, bad_argument, raised};
 use ::toml::{Table, Value};
+use gouge::runner::error::SceneError;
+use gouge::runner::machine;
 use gouge::runner::scene::{Overrides, Scene};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
@@ -13,12 +15,15 @@ pub fn scene_of(
     scene: &Bound<'_, PyAny>,
     overrides: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Scene> {
+    // Refuses what the environment says wrongly about instructions and threads.
+    machine::chosen().map_err(|error| raised(&error))?;
     let overrides = overrides_of(overrides)?;
     match scene.cast::<PyMapping>() {
         Ok(mapping) => {
             let text = toml(mapping)?;
-            let scene = Scene::parse_with("scene", text.as_bytes(), Path::new("."), &overrides);
-            scene.map_err(|error| raised(&error.into()))
+            let scene = Scene::parse_with(DICT, text.as_bytes(), Path::new("."), &overrides);
+            // A dict has no lines.
+            scene.map_err(|error| raised(&SceneError { line: 0, ..error }.into()))
         }
         Err(_) => {
             let path: PathBuf = scene.extract()?;
@@ -45,14 +50,22 @@ pub fn dict_of_toml<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyA
     Ok(pythonize(py, &table)?)
 }
 
+/// A value as TOML, as it stands behind a key.
+#[pyfunction]
+pub fn toml_value(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    Ok(value_of(value, "value")?.to_string())
+}
+
+fn value_of(value: &Bound<'_, PyAny>, key: &str) -> PyResult<Value> {
+    depythonize(value)
+        .map_err(|error| bad_argument(&format!("{key}: the value has no form in TOML: {error}")))
+}
+
 fn overrides_of(overrides: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
     let mut texts = Vec::new();
     for (key, value) in overrides.into_iter().flatten() {
         let key: String = key.extract()?;
-        let value: Value = depythonize(&value).map_err(|error| {
-            bad_argument(&format!("{key}: the value has no form in TOML: {error}"))
-        })?;
-        texts.push(format!("{key}={value}"));
+        texts.push(format!("{key}={}", value_of(&value, &key)?));
     }
     Overrides::parse(&texts).map_err(|error| raised(&error.into()))
 }

@@ -1,7 +1,11 @@
 //! Long work without the global interpreter lock, which Ctrl-C stops.
 
+use crate::errors::raised;
+use gouge::runner::error::Error;
 use pyo3::prelude::*;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::Builder;
 use std::time::Duration;
 
 /// Time between looks for signals.
@@ -15,7 +19,9 @@ pub fn watched<T: Send>(
 ) -> PyResult<T> {
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
-        let worker = scope.spawn(|| work(&stop));
+        let worker = Builder::new()
+            .spawn_scoped(scope, || work(&stop))
+            .map_err(|error| raised(&Error::file("start", Path::new("a thread"), error)))?;
         let mut raised = None;
         while !worker.is_finished() {
             if let (None, Err(exception)) = (&raised, py.check_signals()) {
@@ -31,4 +37,23 @@ pub fn watched<T: Send>(
             (None, Err(panic)) => std::panic::resume_unwind(panic),
         }
     })
+}
+
+/// Do some work that cannot be stopped in a thread of its own. When Python receives a signal whose handler raises an
+/// exception, the exception is returned at once, and the work goes on without anybody who waits for it.
+pub fn abandonable<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<T, Error> + Send + 'static,
+) -> PyResult<T> {
+    let worker = Builder::new()
+        .spawn(work)
+        .map_err(|error| raised(&Error::file("start", Path::new("a thread"), error)))?;
+    while !worker.is_finished() {
+        py.check_signals()?;
+        py.detach(|| std::thread::sleep(PATIENCE));
+    }
+    match worker.join() {
+        Ok(outcome) => outcome.map_err(|error| raised(&error)),
+        Err(panic) => std::panic::resume_unwind(panic),
+    }
 }

@@ -17,7 +17,7 @@ def test_every_program_of_the_page_runs(tmp_path, monkeypatch):
     names = {}
     for program in programs:
         exec(compile(program, str(PAGE), "exec"), names)  # noqa: S102
-    assert (tmp_path / "friction.svg").exists()
-    assert 0.0 < names["means"].min() < names["means"].max() < 2.0
+    assert (tmp_path / "out/friction.svg").exists()
+    assert names["means"]["friction"].between(-0.5, 1.5).all()
     assert names["calibration"].answer == "determined"
     assert isinstance(names["scene"], dict) and (tmp_path / "out/elastic/summary.json").exists()

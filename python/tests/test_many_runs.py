@@ -22,6 +22,22 @@ def test_a_sweep_from_a_dict_has_the_rows_of_the_command_line(command, tmp_path)
     assert sweep.page.exists() and sweep.to_pandas().shape[0] == 2
 
 
+def test_scenes_and_overrides_of_a_sweep_may_be_dicts(tmp_path):
+    scene = gouge.scene("head-on")
+    scene["contact"]["normal"]["damping"] = 10.0
+    axis = {"key": "time.end", "values": [1e-5, 1.2e-5]}
+    sweep = gouge.sweep({**SWEEP, "scene": scene, "axis": [axis], "set": {"output.energy": True}}, tmp_path)
+    damped = gouge.sweep(SWEEP, tmp_path / "other").runs["restitution"][1]
+    assert sweep.runs["restitution"].tolist() == pytest.approx([damped] * 2, abs=1e-6)
+    assert "2 done" in repr(sweep)
+
+
+def test_runs_of_a_sweep_that_are_refused_are_told(tmp_path):
+    axis = {"key": "contact.normal.damping", "values": [1.0, -1.0]}
+    with pytest.warns(UserWarning, match="1 of 2 runs are not done.*finite number, zero or greater"):
+        gouge.sweep(SWEEP | {"axis": [axis]}, tmp_path)
+
+
 def test_a_mistake_in_a_sweep_names_file_line_and_key(tmp_path):
     path = tmp_path / "sweep.toml"
     path.write_text('scene = "head-on"\n\n[[axis]]\nkey = "time.step"\nvalues = []\n')
@@ -56,6 +72,21 @@ def test_a_calibration_answers_and_refutation_is_an_answer(tmp_path):
     assert found.posterior.rows > 100 and found.runs.rows >= 12
     refuted = gouge.calibrate(file | {"target": [target | {"value": 1.5}]}, tmp_path / "refuted")
     assert refuted.answer == "refuted" and refuted.material is None
+
+
+def test_a_folder_that_cannot_be_written_is_an_error(tmp_path):
+    (tmp_path / "file").write_text("")
+    for out in [tmp_path / "file", tmp_path / "file" / "below"]:
+        with pytest.raises(gouge.FileError):
+            gouge.sweep(SWEEP, out)
+
+
+def test_a_module_of_the_working_directory_is_not_started(tmp_path, monkeypatch):
+    if sys.version_info < (3, 11):
+        pytest.skip("needs python -P")
+    (tmp_path / "gouge.py").write_text("raise SystemExit(7)")
+    monkeypatch.chdir(tmp_path)
+    assert gouge.sweep(SWEEP, "-out").runs["status"].tolist() == ["done", "done"]
 
 
 def test_the_checks_run(verify_on_path):

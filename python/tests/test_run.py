@@ -35,14 +35,18 @@ def test_results_are_tables():
     frame = run.to_pandas()
     assert list(frame.columns) == list(run.series)
     assert run._repr_html_().startswith("<svg")
-    assert "direct" not in repr(run) and "done" in repr(run)
+    assert repr(run) == run.account and run.account.startswith("status          done")
+    with pytest.raises(gouge.FileError):
+        gouge.run("head-on").bonds
+    with pytest.raises(gouge.FileError):
+        gouge.Run("nowhere").summary
 
 
 def test_a_finished_run_is_not_replaced(tmp_path):
     gouge.run("head-on", tmp_path)
     with pytest.raises(gouge.ArgumentError) as raised:
         gouge.run("head-on", tmp_path, {"contact.normal.damping": 1.0})
-    assert "overwrite" in str(raised.value)
+    assert "overwrite=True" in str(raised.value)
     gouge.run("head-on", tmp_path, {"contact.normal.damping": 1.0}, overwrite=True)
 
 
@@ -50,7 +54,10 @@ def test_results_that_cannot_be_trusted_are_an_error_unless_accepted(tmp_path):
     overrides = {"time.step": 8e-7, "time.integrator": "euler"}
     with pytest.raises(gouge.UntrustedError) as raised:
         gouge.run("head-on", tmp_path, overrides)
-    assert raised.value.file == tmp_path
+    assert raised.value.file == tmp_path and "%" in raised.value.cause
+    with pytest.raises(gouge.UntrustedError) as raised:
+        gouge.run("head-on", overrides=overrides)
+    assert gouge.Run(raised.value.file).summary["status"] == "untrusted"
     with pytest.warns(UserWarning):
         run = gouge.run("head-on", tmp_path / "other", overrides, accept_untrusted=True)
     assert run.summary["status"] == "untrusted"
@@ -78,6 +85,18 @@ def test_ctrl_c_stops_with_a_checkpoint_that_continues_with_the_same_bits(tmp_pa
     assert stopped.summary["status"] == "done"
     for name in ["series.csv", "particles.csv"]:
         assert (whole.folder / name).read_bytes() == (continued.folder / name).read_bytes()
+
+
+def test_an_exception_of_the_progress_is_raised(tmp_path):
+    def progress(share, phase):
+        raise LookupError(phase)
+
+    from gouge import _gouge
+
+    with pytest.raises(LookupError):
+        _gouge.run("head-on", tmp_path, {"time.step": 1e-10}, progress=progress)
+    with pytest.raises(gouge.ArgumentError):
+        gouge.run("head-on", checkpoint_interval=-1.0)
 
 
 def test_other_threads_go_on_while_a_run_goes_on():

@@ -108,6 +108,15 @@ pub fn start_pool(caller: CallingThread) -> Result<Machine, Error> {
     Ok(machine)
 }
 
+/// The process in which threads were first asked for.
+static FIRST_PROCESS: LazyLock<u32> = LazyLock::new(std::process::id);
+
+/// Whether this process is a copy of the one in which threads were first asked for: it has none of its threads, and
+/// would wait for them forever.
+pub fn is_forked() -> bool {
+    *FIRST_PROCESS != std::process::id()
+}
+
 /// Number of threads for a world with the given number of particles: one per 10 000 particles, at least one and at
 /// most as many as the machine has.
 pub fn default_threads(particles: usize) -> usize {
@@ -124,9 +133,12 @@ pub fn with_chosen_execution<S: Number>(world: World<S>) -> World<S> {
     };
     let machine = CHOSEN.as_ref().copied().unwrap_or(default);
     let particles = world.particles().len();
-    let threads = machine
-        .threads
-        .unwrap_or_else(|| default_threads(particles));
+    let threads = match is_forked() {
+        true => 1,
+        false => machine
+            .threads
+            .unwrap_or_else(|| default_threads(particles)),
+    };
     world
         .with_instructions(machine.instructions)
         .with_threads(threads)

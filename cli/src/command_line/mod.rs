@@ -10,7 +10,7 @@ mod sweep;
 mod terminal;
 mod verify;
 
-use account::account;
+pub use account::account;
 use calibrate::CalibrateArguments;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::{Shell, generate};
@@ -245,6 +245,7 @@ fn manual(name: Option<&str>) -> Result<String, Error> {
         None => program,
         Some(name) => {
             let found = program.find_subcommand(name).cloned();
+            let found = found.map(|page| page.version(env!("CARGO_PKG_VERSION")));
             found.ok_or_else(|| {
                 let names = program.get_subcommands().map(clap::Command::get_name);
                 let names: Vec<&str> = names.collect();

@@ -6,7 +6,9 @@
 //!
 //! *Contact* and *bond* are the weak and the strong link of the thesis; *interaction* means either.
 //!
-//! A complete program, `examples/collision.rs`; the folder has others, among them one with a normal law of its own:
+//! A complete program, `examples/collision.rs`, which `cargo run --release --bin collision` runs; the folder has others,
+//! among them one with a normal law of its own. A program elsewhere depends on this crate by
+//! `gouge-dem = { path = "gouge/kernel/dem" }`.
 //! ```
 #![doc = include_str!("../../../examples/collision.rs")]
 //! ```

@@ -96,7 +96,7 @@ pub fn execute(
         }
     };
     std::thread::scope(|scope| {
-        (0..execution.jobs).for_each(|_| drop(scope.spawn(work)));
+        (0..execution.jobs.min(runs.len())).for_each(|_| drop(scope.spawn(work)));
     });
     let failure = failure.into_inner().unwrap_or_default();
     match (failure, execution.stop.load(Ordering::Relaxed)) {
@@ -124,7 +124,10 @@ fn execute_one(run: &Planned, execution: Execution) -> Result<State, Error> {
 fn command(run: &Planned, folder: &Path, execution: Execution) -> Command {
     let mut command = Command::new(&execution.program.file);
     command.args(&execution.program.arguments);
-    command.arg("run").arg(&run.scene).arg("--out").arg(folder);
+    // As one word, so that the name of a folder may begin like an option.
+    let mut out = OsString::from("--out=");
+    out.push(folder);
+    command.arg("run").arg(&run.scene).arg(out);
     command.args(["--resume", "--quiet", "--accept-untrusted", "--data-only"]);
     for one in &run.overrides {
         command.arg("--set").arg(one);
