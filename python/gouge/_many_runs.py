@@ -147,7 +147,7 @@ def calibrate(
     FileError: a folder that cannot be written
     """
     folder = Path(out).absolute()
-    path = file if _is_builtin(file) else _file(file, folder, "calibration.toml")
+    path = Path(str(file)) if _is_builtin(file) else _file(file, folder, "calibration.toml")
     answer, account = _gouge.calibrate(PROGRAM, path, folder, _jobs(jobs), _counter(progress))
     return Calibration(folder, answer, account)
 
