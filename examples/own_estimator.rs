@@ -1,7 +1,7 @@
 //! An estimator of this program's own: the anisotropy of the fabric of a packing while it is sheared.
 //!
-//! The fabric tensor of the contacts is Phi = <n n>, the mean over the unit normals n. Its anisotropy is the difference of its
-//! two eigenvalues, a = 2 sqrt(((Phi_xx - Phi_yy) / 2)^2 + Phi_xy^2): 0 if all directions are equally frequent, 1 if
+//! The fabric tensor of the contacts, Phi, is the mean of n n over their unit normals n. Its anisotropy is the difference of
+//! its two eigenvalues, a = 2 sqrt(((Phi_xx - Phi_yy) / 2)^2 + Phi_xy^2): 0 if all directions are equally frequent, 1 if
 //! all normals are parallel.
 
 use gouge_dem::World;
@@ -23,6 +23,7 @@ pub fn anisotropy(world: &World) -> Option<f64> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let overrides = Overrides::parse(&["setup.seed=7".to_owned()])?;
     let scene = Scene::load_with("pile", &overrides)?;
+    // The first phase, which needs no world of an earlier one; the pile has no other.
     let mut world = begin_phase(&scene, &phases(&scene), 0, None)?;
     println!("time in s   contacts   anisotropy");
     for _ in 0..10 {
