@@ -30,9 +30,9 @@ pub struct PointKinematics {
 
 /// The Delassus operator of one point, azema (A18), symmetric and positive semi-definite.
 ///
-/// $$ W_{nn} = \sum_a \left( n \cdot M_a^{-1} n + \frac{c_{at}^2}{I_a} \right), \quad
-/// W_{tt} = \sum_a \left( t \cdot M_a^{-1} t + \frac{c_{an}^2}{I_a} \right), \quad
-/// W_{nt} = \sum_a \left( n \cdot M_a^{-1} t - \frac{c_{an} c_{at}}{I_a} \right) $$
+/// $$ W_{nn} = \sum_a \left( n \cdot M_a^{-1} n + \frac{c_{at}^2}{I_a} \right) $$
+/// $$ W_{tt} = \sum_a \left( t \cdot M_a^{-1} t + \frac{c_{an}^2}{I_a} \right) $$
+/// $$ W_{nt} = \sum_a \left( n \cdot M_a^{-1} t - \frac{c_{an} c_{at}}{I_a} \right) $$
 ///
 /// All in 1/kg. $M_a$ is diagonal; its two entries differ only for a wall that is driven in one direction.
 ///
@@ -103,8 +103,10 @@ impl PointKinematics {
         let mut w = Delassus::default();
         for (unit, arm) in self.units.into_iter().zip(self.arms) {
             let inverse = inverse_masses[unit as usize];
-            w.nn += n.x * n.x * inverse.x + n.y * n.y * inverse.y + arm.t * arm.t * inverse.rotation;
-            w.tt += n.y * n.y * inverse.x + n.x * n.x * inverse.y + arm.n * arm.n * inverse.rotation;
+            w.nn +=
+                n.x * n.x * inverse.x + n.y * n.y * inverse.y + arm.t * arm.t * inverse.rotation;
+            w.tt +=
+                n.y * n.y * inverse.x + n.x * n.x * inverse.y + arm.n * arm.n * inverse.rotation;
             w.nt += n.x * n.y * (inverse.y - inverse.x) - arm.n * arm.t * inverse.rotation;
         }
         w

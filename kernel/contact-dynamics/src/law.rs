@@ -1,7 +1,7 @@
 //! The law of all contact points: friction, restitution, and what gaps do.
 
-use crate::local::Components;
 use crate::error::{SetupError, require};
+use crate::local::Components;
 use gouge_equations::rendered;
 
 /// What the gap of a contact point does to the law of Signorini.
@@ -89,7 +89,12 @@ impl ContactLaw {
     /// [-1, 1], or a stabilisation outside its range.
     pub fn validate(&self) -> Result<(), SetupError> {
         let e = self.restitution;
-        require("friction", self.friction, "not negative", self.friction >= 0.0)?;
+        require(
+            "friction",
+            self.friction,
+            "not negative",
+            self.friction >= 0.0,
+        )?;
         let is_valid = (0.0..=1.0).contains(&e.n);
         require("normal restitution", e.n, "in [0, 1]", is_valid)?;
         let is_valid = (-1.0..=1.0).contains(&e.t);

@@ -229,10 +229,19 @@ impl LocalProblem {
     fn enumerate(&self) -> LocalSolution {
         let stick = self.sticking_impulse();
         let slide = [1.0, -1.0].map(|sign| (self.sliding_impulse(sign), sign));
-        let is_slide = slide.map(|(impulse, sign)| impulse.n > 0.0 && self.can_slide(impulse, sign));
+        let is_slide =
+            slide.map(|(impulse, sign)| impulse.n > 0.0 && self.can_slide(impulse, sign));
         let candidates = [
-            (self.a_n <= 0.0, Components::default(), LocalStatus::Separated),
-            (stick.n > 0.0 && self.can_stick(stick), stick, LocalStatus::Sticking),
+            (
+                self.a_n <= 0.0,
+                Components::default(),
+                LocalStatus::Separated,
+            ),
+            (
+                stick.n > 0.0 && self.can_stick(stick),
+                stick,
+                LocalStatus::Sticking,
+            ),
             (is_slide[0], slide[0].0, LocalStatus::Sliding),
             (is_slide[1], slide[1].0, LocalStatus::Sliding),
         ];

@@ -177,13 +177,21 @@ impl Outline<'_> {
     /// Index of the next vertex or side, anticlockwise.
     #[inline]
     pub fn next(&self, k: usize) -> usize {
-        if k + 1 == self.vertices.len() { 0 } else { k + 1 }
+        if k + 1 == self.vertices.len() {
+            0
+        } else {
+            k + 1
+        }
     }
 
     /// Index of the previous vertex or side.
     #[inline]
     pub fn previous(&self, k: usize) -> usize {
-        if k == 0 { self.vertices.len() - 1 } else { k - 1 }
+        if k == 0 {
+            self.vertices.len() - 1
+        } else {
+            k - 1
+        }
     }
 
     /// The last side whose normal is not beyond a direction, anticlockwise. Cost: the logarithm of the number of sides.

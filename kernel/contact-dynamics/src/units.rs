@@ -57,7 +57,13 @@ impl InverseMass {
 
     /// Kinetic energy in J of the directions whose motion is not imposed.
     pub fn kinetic_energy(self, velocity: Velocity) -> f64 {
-        let part = |inverse: f64, v: f64| if inverse > 0.0 { 0.5 * v * v / inverse } else { 0.0 };
+        let part = |inverse: f64, v: f64| {
+            if inverse > 0.0 {
+                0.5 * v * v / inverse
+            } else {
+                0.0
+            }
+        };
         part(self.x, velocity.linear.x)
             + part(self.y, velocity.linear.y)
             + part(self.rotation, velocity.angular)

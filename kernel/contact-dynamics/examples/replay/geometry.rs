@@ -7,7 +7,9 @@ use gouge_contact_dynamics::shape::{ShapeId, Shapes};
 use serde_json::{Map, Value, json};
 
 pub fn results(cases: &Value) -> Map<String, Value> {
-    items(cases, "pairs").map(|case| (id(case), pair(case))).collect()
+    items(cases, "pairs")
+        .map(|case| (id(case), pair(case)))
+        .collect()
 }
 
 fn pair(case: &Value) -> Value {
@@ -16,7 +18,8 @@ fn pair(case: &Value) -> Value {
     let [first, second] = [first, second].map(|(body, shape)| {
         Placed::new(shapes.outline(shape), number(body, "R"), number(body, "th"))
     });
-    let [from, to] = [&case["a"], &case["b"]].map(|body| Vec2::new(number(body, "x"), number(body, "y")));
+    let [from, to] =
+        [&case["a"], &case["b"]].map(|body| Vec2::new(number(body, "x"), number(body, "y")));
     let domain = Domain {
         width: case["period_x"].as_f64(),
         height: None,
@@ -24,14 +27,20 @@ fn pair(case: &Value) -> Value {
     };
     let d = domain.displacement(from, to);
     let mut touches = Vec::new();
-    let separation = detect(&first, &second, d, &DetectionSettings::for_diameter(1.0), &mut touches);
+    let separation = detect(
+        &first,
+        &second,
+        d,
+        &DetectionSettings::for_diameter(1.0),
+        &mut touches,
+    );
     let point = |touch: &Touch| {
         let p = from + touch.arms[0];
         json!({"g": touch.gap, "p": [p.x, p.y]})
     };
     let points: Vec<_> = touches.iter().map(point).collect();
-    let normal = touches.first().map_or(d * (1.0 / d.norm()), |touch| touch.normal);
-    json!({"sep": separation, "normal": [normal.x, normal.y], "points": points})
+    let normal = separation.normal;
+    json!({"sep": separation.distance, "normal": [normal.x, normal.y], "points": points})
 }
 
 /// The shape of a body: n sides, or a disc for n = 0.

@@ -5,7 +5,9 @@ use gouge_contact_dynamics::local::{ExactRule, LocalProblem, LocalRule};
 use serde_json::{Map, Value, json};
 
 pub fn results(cases: &Value) -> Map<String, Value> {
-    items(cases, "problems").map(|case| (id(case), solve(case))).collect()
+    items(cases, "problems")
+        .map(|case| (id(case), solve(case)))
+        .collect()
 }
 
 fn solve(case: &Value) -> Value {

@@ -5,6 +5,7 @@
 
 mod geometry;
 mod local;
+mod onestep;
 
 use serde_json::{Map, Value};
 use std::error::Error;
@@ -12,7 +13,11 @@ use std::path::Path;
 
 type Solve = fn(&Value) -> Map<String, Value>;
 
-const PARTS: [(&str, Solve); 2] = [("geometry", geometry::results), ("local", local::results)];
+const PARTS: [(&str, Solve); 3] = [
+    ("geometry", geometry::results),
+    ("local", local::results),
+    ("onestep", onestep::results),
+];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

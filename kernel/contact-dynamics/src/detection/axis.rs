@@ -45,7 +45,8 @@ pub fn separating_side(a: &Placed, b: &Placed, d: Vec2, enough: f64) -> Separati
             } else {
                 a.outline.previous(side)
             };
-            let is_hopeless = a.outline.sides[side].normal.dot(walk.d) - walk.inner <= best.separation;
+            let is_hopeless =
+                a.outline.sides[side].normal.dot(walk.d) - walk.inner <= best.separation;
             if best.separation > enough || is_hopeless {
                 break;
             }

@@ -37,7 +37,9 @@ pub(super) fn clip(
     };
     let [first, second] = ends.map(|end| (end.gap <= settings.alert_distance).then_some(end));
     let (one, other) = match (first, second) {
-        (Some(a), Some(b)) if distance_squared(a, b) < settings.merge_distance * settings.merge_distance => {
+        (Some(a), Some(b))
+            if distance_squared(a, b) < settings.merge_distance * settings.merge_distance =>
+        {
             (if b.gap < a.gap { b } else { a }, None)
         }
         (Some(a), Some(b)) if b.feature < a.feature => (b, Some(a)),
@@ -84,7 +86,11 @@ fn ends(roles: Roles, found: SeparatingSide) -> Option<[End; 2]> {
         gap: low.gap + (high.gap - low.gap) * ((along - low.along) / (high.along - low.along)),
         feature,
     };
-    let clipped_low = if low.along < 0.0 { at(0.0, before) } else { low };
+    let clipped_low = if low.along < 0.0 {
+        at(0.0, before)
+    } else {
+        low
+    };
     let clipped_high = if high.along > length {
         at(length, beyond)
     } else {

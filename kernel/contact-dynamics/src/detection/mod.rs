@@ -15,4 +15,4 @@ pub use axis::{SeparatingSide, separating_side};
 pub use half_plane::HalfPlane;
 pub use pair::detect;
 pub use placed::Placed;
-pub use touch::{DetectionSettings, Feature, PointLine, Touch};
+pub use touch::{DetectionSettings, Feature, PointLine, Separation, Touch};

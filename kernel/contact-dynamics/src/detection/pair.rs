@@ -2,21 +2,19 @@
 
 use super::clip::{Roles, clip};
 use super::disc::{disc_disc, polygon_disc, reversed};
-use super::{DetectionSettings, Placed, Touch, separating_side};
+use super::{DetectionSettings, Placed, SeparatingSide, Separation, Touch, separating_side};
 use gouge_common::geometry::Vec2;
 
 /// Append the contact points of two shapes whose gaps do not exceed the alert distance, ordered by feature.
 ///
-/// `d` is the displacement from the centre of the first to the centre of the second shape in m. Returns the separation
-/// of the shapes in m: for polygons, that of the best separating side, which is their distance unless two vertices face
-/// each other; beyond the alert distance, a lower bound.
+/// `d` is the displacement from the centre of the first to the centre of the second shape in m.
 pub fn detect(
     first: &Placed,
     second: &Placed,
     d: Vec2,
     settings: &DetectionSettings,
     touches: &mut Vec<Touch>,
-) -> f64 {
+) -> Separation {
     let touch = match (first.disc_radius(), second.disc_radius()) {
         (Some(one), Some(other)) => disc_disc([one, other], d),
         (None, Some(radius)) => polygon_disc(first, radius, d),
@@ -26,7 +24,10 @@ pub fn detect(
     if touch.gap <= settings.alert_distance {
         touches.push(touch);
     }
-    touch.gap
+    Separation {
+        distance: touch.gap,
+        normal: touch.normal,
+    }
 }
 
 /// Contact points of two polygons, by the separating axis and clipping.
@@ -36,15 +37,15 @@ fn polygons(
     d: Vec2,
     settings: &DetectionSettings,
     touches: &mut Vec<Touch>,
-) -> f64 {
+) -> Separation {
     let enough = settings.alert_distance;
     let by_first = separating_side(first, second, d, enough);
     if by_first.separation > enough {
-        return by_first.separation;
+        return separation(first, by_first, false);
     }
     let by_second = separating_side(second, first, -d, enough);
     if by_second.separation > enough {
-        return by_second.separation;
+        return separation(second, by_second, true);
     }
     let is_reversed = by_second.separation > by_first.separation + settings.tie_distance;
     let (reference, incident, d, found) = match is_reversed {
@@ -58,5 +59,13 @@ fn polygons(
         is_reversed,
     };
     clip(roles, found, settings, touches);
-    by_first.separation.max(by_second.separation)
+    separation(reference, found, is_reversed)
+}
+
+fn separation(reference: &Placed, found: SeparatingSide, is_reversed: bool) -> Separation {
+    let normal = reference.to_space(reference.outline.sides[found.side].normal);
+    Separation {
+        distance: found.separation,
+        normal: if is_reversed { -normal } else { normal },
+    }
 }

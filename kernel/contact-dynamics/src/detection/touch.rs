@@ -48,6 +48,16 @@ pub struct Touch {
     pub feature: Feature,
 }
 
+/// How far two shapes are apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Separation {
+    /// Distance along the normal in m; negative in overlap. For polygons it is that of the best separating side, which
+    /// is their distance unless two vertices face each other; beyond the alert distance it is a lower bound.
+    pub distance: f64,
+    /// Unit normal, from the first to the second shape.
+    pub normal: Vec2,
+}
+
 /// Where the points of a pair of polygons lie between the two surfaces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PointLine {

@@ -6,9 +6,9 @@ use gouge_equations::rendered;
 
 /// Residual of the laws at one point in m/s (natural map), zero exactly for a solution.
 ///
-/// $$ r = \frac1\rho \max\left( \left| P_n - \max(P_n - \rho u_n, 0) \right|,
-/// \left| P_t - \mathrm{clamp}(P_t - \rho u_t, \pm\mu P_n) \right| \right), \qquad
-/// \rho = \frac{1}{\max(W_{nn}, W_{tt})} $$
+/// $$ r = \frac1\rho \max(|P_n - \max(P_n - \rho u_n, 0)|, |P_t - \mathrm{clamp}(P_t - \rho u_t, \pm\mu P_n)|) $$
+///
+/// with $\rho = 1/\max(W_{nn}, W_{tt})$.
 ///
 /// Here u is the velocity to which the laws apply.
 #[rendered]

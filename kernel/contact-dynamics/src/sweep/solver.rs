@@ -68,7 +68,8 @@ impl Solver {
         velocities: &mut [Velocity],
     ) -> SweepReport {
         for row in &self.rows {
-            row.kinematics.apply(row.impulse, inverse_masses, velocities);
+            row.kinematics
+                .apply(row.impulse, inverse_masses, velocities);
         }
         match settings.rule {
             Rule::Exact => self.iterate(ExactRule, settings, inverse_masses, velocities),
@@ -84,8 +85,7 @@ impl Solver {
         velocities: &mut [Velocity],
     ) -> SweepReport {
         let mut report = SweepReport::default();
-        let mean = self.mean_normal_impulse();
-        let mut mean = mean;
+        let mut mean = self.mean_normal_impulse();
         while report.sweeps < settings.max_sweeps && !report.has_converged {
             let is_backward = settings.order == SweepOrder::Alternating && report.sweeps % 2 == 1;
             let floor = match settings.stop {
@@ -111,7 +111,12 @@ impl Solver {
         report
     }
 
-    fn has_converged(&self, changes: &Changes, stop: StopCriterion, velocities: &[Velocity]) -> bool {
+    fn has_converged(
+        &self,
+        changes: &Changes,
+        stop: StopCriterion,
+        velocities: &[Velocity],
+    ) -> bool {
         match stop {
             StopCriterion::Increment { tolerance, floor } => {
                 changes.largest <= tolerance * changes.mean().max(floor)
@@ -131,8 +136,15 @@ impl Solver {
 
     /// Largest residual of the laws over all points in m/s (natural map), zero exactly for a solution.
     pub fn residual(&self, velocities: &[Velocity]) -> f64 {
-        let residual = |row| natural_map(row, velocities);
-        self.rows.iter().map(residual).fold(0.0, f64::max)
+        let larger = |largest: f64, row| {
+            let residual = natural_map(row, velocities);
+            if residual > largest || residual.is_nan() {
+                residual
+            } else {
+                largest
+            }
+        };
+        self.rows.iter().fold(0.0, larger)
     }
 }
 
