@@ -1,1 +1,10 @@
+//! Tests of the kernel of contact dynamics: consequences of the laws, brute force, exact arithmetic, closed forms.
 
+mod detection;
+mod detection_exact;
+mod generators;
+mod local;
+mod delassus;
+mod shapes;
+mod steps;
+mod systems;

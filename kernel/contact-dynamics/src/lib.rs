@@ -15,3 +15,6 @@ pub mod units;
 pub mod delassus;
 pub mod law;
 pub mod sweep;
+pub mod assembly;
+pub mod warm_start;
+pub mod step;

@@ -8,6 +8,13 @@ use gouge_equations::rendered;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ShapeId(u32);
 
+impl ShapeId {
+    /// Position of the shape among the shapes.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
 /// One side of a polygon, from vertex k to vertex k + 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Side {

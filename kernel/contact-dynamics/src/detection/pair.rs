@@ -59,7 +59,10 @@ fn polygons(
         is_reversed,
     };
     clip(roles, found, settings, touches);
-    separation(reference, found, is_reversed)
+    Separation {
+        distance: by_first.separation.max(by_second.separation),
+        ..separation(reference, found, is_reversed)
+    }
 }
 
 fn separation(reference: &Placed, found: SeparatingSide, is_reversed: bool) -> Separation {
