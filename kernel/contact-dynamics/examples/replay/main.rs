@@ -3,8 +3,10 @@
 //! `cargo run --release --example replay -- FOLDER RESULTS.json` reads any of geometry.json, local.json, onestep.json
 //! and dynamics.json in the folder. The results are grouped by file and by the identities of the problems.
 
+mod dynamics;
 mod geometry;
 mod local;
+mod motion;
 mod onestep;
 
 use serde_json::{Map, Value};
@@ -13,10 +15,11 @@ use std::path::Path;
 
 type Solve = fn(&Value) -> Map<String, Value>;
 
-const PARTS: [(&str, Solve); 3] = [
+const PARTS: [(&str, Solve); 4] = [
     ("geometry", geometry::results),
     ("local", local::results),
     ("onestep", onestep::results),
+    ("dynamics", dynamics::results),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
