@@ -60,7 +60,7 @@ proptest! {
         let size = 1e-13 * (w.nn + w.tt + 1.0);
         prop_assert!((to_n.n - w.nn).abs() < size && (to_t.t - w.tt).abs() < size);
         prop_assert!((to_n.t - w.nt).abs() < size && (to_t.n - w.nt).abs() < size);
-        prop_assert!(w.nn >= 0.0 && w.tt >= 0.0 && w.nn * w.tt - w.nt * w.nt > -size * (w.nn + w.tt));
+        prop_assert!(w.nn >= 0.0 && w.tt >= 0.0 && w.nn * w.tt - w.nt * w.nt >= -size * (w.nn + w.tt));
         let unit_masses = [InverseMass { x: 1.0, y: 1.0, rotation: 1.0 }; 2];
         let impulse = Components { n: 0.7, t: -1.3 };
         let mut generalized = [Velocity::default(); 2];

@@ -109,9 +109,9 @@ proptest! {
         }
         prop_assert!(best <= separation.distance + 1e-12, "{best} {separation:?}");
         prop_assert!(best >= separation.distance - step * d.norm() - 1e-12, "{best} {separation:?}");
-        // Overlapping shapes have a contact point at the deepest vertex.
+        // Overlapping shapes have a contact point at the deepest vertex, or at that of a side that ties with it.
         let deepest = touches.iter().map(|touch| touch.gap).fold(f64::MAX, f64::min);
-        prop_assert!((deepest - separation.distance).abs() < 1e-12);
+        prop_assert!(deepest >= separation.distance - 1e-12 && deepest <= separation.distance + 1e-6);
     }
 
     /// Half-way points lie half a gap from both surfaces.

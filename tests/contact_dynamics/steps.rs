@@ -2,10 +2,16 @@
 
 use crate::generators::Uniform;
 use crate::systems::{System, law, moving};
+use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
+use gouge_contact_dynamics::assembly::Body;
+use gouge_contact_dynamics::detection::{Feature, HalfPlane};
 use gouge_contact_dynamics::law::GapRule;
+use gouge_contact_dynamics::local::Components;
 use gouge_contact_dynamics::step::Scheme;
 use gouge_contact_dynamics::sweep::{Rule, StopCriterion, SweepOrder};
-use gouge_contact_dynamics::units::Velocity;
+use gouge_contact_dynamics::units::{InverseMass, Velocity};
+use gouge_contact_dynamics::warm_start::{Memory, PointKey};
 
 const G: f64 = 9.81;
 const FLAT: f64 = core::f64::consts::FRAC_PI_4;
@@ -388,4 +394,125 @@ fn a_step_allocates_nothing() {
         system.steps(5);
     });
     assert_eq!(info.count_total, 0);
+}
+
+/// A disc that meets a floor across a gap is stopped at the surface by the step that closes the gap, and restitution
+/// acts on what is left of its speed when it is found closed. It is not braked while it can move freely.
+#[test]
+fn an_open_gap_does_not_use_up_the_rebound() {
+    let mut system = System::new(1.0, law(0.0, 1.0, GapRule::Predicted));
+    system.settings.scheme = Scheme::Beginning;
+    system.body(0, 0.5, (0.0, 0.515), 0.0, moving(0.0, -0.01, 0.0));
+    system.floor(0.0);
+    system.step();
+    // 0.015 is more than the way of one step, so that nothing happens although it is less than (1 + e) times the way.
+    assert!((system.velocity(0).linear.y + 0.01).abs() < 1e-15);
+    system.step();
+    assert!((system.velocity(0).linear.y + 0.005).abs() < 1e-15);
+    system.step();
+    assert!((system.velocity(0).linear.y - 0.005).abs() < 1e-15);
+}
+
+/// Points that change their order or their vertex keep their impulses, and no impulse is used twice.
+#[test]
+fn impulses_follow_their_points() {
+    let key = |body: usize, vertex: usize, x: f64| PointKey {
+        pair: Pair::new(body, 9),
+        feature: Feature::of_first(vertex),
+        place: Vec2::new(x, 0.0),
+    };
+    let impulse = |n: f64| Components { n, t: -n };
+    let mut memory = Memory::new();
+    memory.push(key(1, 4, 0.0), impulse(1.0));
+    memory.push(key(2, 0, 0.0), impulse(2.0));
+    memory.push(key(2, 1, 1.0), impulse(3.0));
+    memory.push(key(5, 0, 0.0), impulse(4.0));
+    let new = [
+        key(0, 0, 0.0),
+        key(2, 1, 1.0),
+        key(2, 2, 0.9),
+        key(2, 3, 0.2),
+        key(5, 7, 0.4),
+        key(6, 0, 0.0),
+    ];
+    let mut guesses = Vec::new();
+    memory.guess(&new, 0.3, &mut guesses);
+    let found: Vec<_> = guesses.iter().map(|guess| guess.n).collect();
+    assert_eq!(found, [0.0, 3.0, 0.0, 2.0, 0.0, 0.0]);
+}
+
+#[test]
+fn wrong_assemblies_are_refused() {
+    let mut system = System::new(1.0, law(0.0, 0.0, GapRule::Closed));
+    system.body(0, 0.5, (0.0, 0.0), 0.0, Velocity::default());
+    let shape = system.assembly.shape[0];
+    let at = |position: Vec2, scale: f64| Body {
+        shape,
+        scale,
+        position,
+        angle: 0.0,
+    };
+    let (assembly, configuration) = (&mut system.assembly, &mut system.state.configuration);
+    let fine = at(Vec2::zero(), 1.0);
+    assert!(assembly.add_body(configuration, fine, 0).is_err());
+    assert!(assembly.add_body(configuration, fine, 7).is_err());
+    assert!(
+        assembly
+            .add_free(configuration, fine, 0.0, Velocity::default())
+            .is_err()
+    );
+    assert!(
+        assembly
+            .add_free(
+                configuration,
+                at(Vec2::zero(), -1.0),
+                1.0,
+                Velocity::default()
+            )
+            .is_err()
+    );
+    let nowhere = at(Vec2::new(f64::NAN, 0.0), 1.0);
+    assert!(
+        assembly
+            .add_free(configuration, nowhere, 1.0, Velocity::default())
+            .is_err()
+    );
+    let slanted = HalfPlane {
+        position: Vec2::zero(),
+        normal: Vec2::new(1.0, 1.0),
+    };
+    assert!(assembly.add_wall(configuration, slanted, 0).is_err());
+    assert!(law(-0.1, 0.0, GapRule::Closed).validate().is_err());
+    assert!(law(0.1, 1.1, GapRule::Closed).validate().is_err());
+    assert!(law(0.1, 1.0, GapRule::Closed).validate().is_ok());
+}
+
+/// A wall that moves freely up and down and is driven sideways: a disc between two such walls under a load rolls
+/// with half the speed, and carries the load.
+#[test]
+fn a_disc_rolls_under_a_driven_wall() {
+    let mut system = System::new(1e-3, law(0.5, 0.0, GapRule::Predicted));
+    system.body(0, 0.5, (0.0, 0.5), 0.0, Velocity::default());
+    system.floor(0.0);
+    let configuration = &mut system.state.configuration;
+    let vertical = InverseMass {
+        x: 0.0,
+        y: 0.5,
+        rotation: 0.0,
+    };
+    let unit = system
+        .assembly
+        .add_unit(configuration, vertical, moving(1.0, 0.0, 0.0));
+    let wall = HalfPlane {
+        position: Vec2::new(0.0, 1.0),
+        normal: Vec2::new(0.0, -1.0),
+    };
+    system.assembly.add_wall(configuration, wall, unit).unwrap();
+    system.assembly.load[unit as usize].force = Vec2::new(0.0, -50.0);
+    system.steps(1000);
+    let v = system.velocity(0);
+    assert!((v.linear.x - 0.5).abs() < 1e-9 && v.linear.y.abs() < 1e-9);
+    assert!((v.angular + 1.0).abs() < 1e-9);
+    let impulses = system.impulses();
+    assert!(impulses.iter().all(|p| (p.n - 0.05).abs() < 1e-9));
 }
