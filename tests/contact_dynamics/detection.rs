@@ -252,3 +252,30 @@ fn ties_are_decided_for_the_first_body() {
     );
     assert!((backward.normal - -unit(angle + 1e-8 + angle)).norm() < 1e-15);
 }
+
+/// Corners that pass each other across a gap have no point, although their separating side is near.
+#[test]
+fn corners_beside_each_other_do_not_touch() {
+    let bodies = [(4, 1.0, 0.0), (4, 1.0, 0.0)];
+    let d = Vec2::new(2.01, 0.005);
+    let (separation, touches) = found(bodies, d, &settings(PointLine::Common, 0.02));
+    assert!(separation.distance > 0.0 && separation.distance < 0.02);
+    assert!(touches.is_empty(), "{touches:?}");
+}
+
+proptest! {
+    /// The gap of a small disc is the distance of its centre from the surface of the polygon.
+    #[test]
+    fn a_disc_touches_the_nearest_feature(body in polygon(), x in -1.5..1.5, y in -1.5..1.5) {
+        let d = Vec2::new(x, y);
+        let disc = (0, 0.01, 0.0);
+        let (separation, _) = found([body, disc], d, &settings(PointLine::Common, 0.02));
+        let (distance, is_outside) = with_pair([body, disc], |shape, _| {
+            let local = shape.to_body(d);
+            let outside = |k: usize| shape.outline.sides[k].normal.dot(local) > shape.offset(k);
+            (distance_from_surface(shape, d), (0..body.0).any(outside))
+        });
+        let expected = if is_outside { distance } else { -distance };
+        prop_assert!((separation.distance + 0.01 - expected).abs() < 1e-13);
+    }
+}

@@ -5,11 +5,12 @@ use crate::systems::{System, law, moving};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 use gouge_contact_dynamics::assembly::Body;
+use gouge_contact_dynamics::delassus::PointKinematics;
 use gouge_contact_dynamics::detection::{Feature, HalfPlane};
 use gouge_contact_dynamics::law::GapRule;
 use gouge_contact_dynamics::local::Components;
 use gouge_contact_dynamics::step::Scheme;
-use gouge_contact_dynamics::sweep::{Rule, StopCriterion, SweepOrder};
+use gouge_contact_dynamics::sweep::{ContactInput, Rule, Solver, StopCriterion, SweepOrder};
 use gouge_contact_dynamics::units::{InverseMass, Velocity};
 use gouge_contact_dynamics::warm_start::{Memory, PointKey};
 
@@ -287,15 +288,19 @@ fn pile(n: usize) -> System {
 /// The order of the sweeps changes the way, not the result.
 #[test]
 fn both_orders_of_sweeps_find_the_same_impulses() {
+    let mut sweeps = Vec::new();
     for order in [SweepOrder::Alternating, SweepOrder::Forward] {
         let mut system = pile(10);
         system.settings.sweeps.order = order;
-        assert!(system.step().sweeps.has_converged);
+        let report = system.step().sweeps;
+        assert!(report.has_converged);
+        sweeps.push(report.sweeps);
         for (above, impulse) in system.impulses().iter().enumerate().take(9) {
             let weight = (9 - above) as f64 * 0.01 * 0.25 * core::f64::consts::PI;
             assert!((impulse.n / weight - 1.0).abs() < 1e-9);
         }
     }
+    assert_ne!(sweeps[0], sweeps[1]);
 }
 
 /// All criteria lead to the same state if they are strict.
@@ -515,4 +520,66 @@ fn a_disc_rolls_under_a_driven_wall() {
     assert!((v.angular + 1.0).abs() < 1e-9);
     let impulses = system.impulses();
     assert!(impulses.iter().all(|p| (p.n - 0.05).abs() < 1e-9));
+}
+
+/// A torque turns a body, and bodies of one unit do not touch each other.
+#[test]
+fn units_turn_under_torques_and_do_not_touch_themselves() {
+    let mut system = System::new(0.1, law(0.4, 0.0, GapRule::Closed));
+    let unit = system.body(0, 0.5, (5.0, 0.0), 0.0, Velocity::default());
+    system.assembly.load[unit].torque = 1.0;
+    let shape = system.assembly.shape[0];
+    let (assembly, configuration) = (&mut system.assembly, &mut system.state.configuration);
+    let free_to_slide = InverseMass {
+        x: 1.0,
+        y: 1.0,
+        rotation: 0.0,
+    };
+    let block = assembly.add_unit(configuration, free_to_slide, Velocity::default());
+    for x in [0.0, 0.4] {
+        let body = Body {
+            shape,
+            scale: 0.5,
+            position: Vec2::new(x, 0.0),
+            angle: 0.0,
+        };
+        assembly.add_body(configuration, body, block).unwrap();
+    }
+    let report = system.steps(10);
+    assert_eq!(report.points, 0);
+    let moment_of_inertia = 0.5 * core::f64::consts::PI * 0.5f64.powi(4);
+    assert!((system.velocity(unit).angular * moment_of_inertia - 1.0).abs() < 1e-12);
+    // The trapezoidal rule.
+    assert!((system.state.configuration.angle[0] * moment_of_inertia - 0.5).abs() < 1e-12);
+}
+
+/// The residual sees a point that slides although its impulse could stop it, and one whose impulse pulls.
+#[test]
+fn the_residual_has_both_directions() {
+    let masses = [
+        InverseMass::IMPOSED,
+        InverseMass {
+            x: 1.0,
+            y: 1.0,
+            rotation: 0.0,
+        },
+    ];
+    let velocities = [Velocity::default(), moving(0.3, 0.0, 0.0)];
+    let up = Vec2::new(0.0, 1.0);
+    let residual = |n: f64, friction: f64| {
+        let point = ContactInput {
+            kinematics: PointKinematics::new([0, 1], up, [Vec2::zero(); 2]),
+            gap: 0.0,
+            impulse: Components { n, t: 0.0 },
+        };
+        let mut solver = Solver::new();
+        let law = law(friction, 0.0, GapRule::Closed);
+        solver.prepare(&[point], &law, 1.0, &velocities, &masses);
+        solver.residual(&velocities)
+    };
+    assert_eq!(residual(0.0, 0.5), 0.0);
+    assert!((residual(10.0, 0.5) - 0.3).abs() < 1e-15);
+    assert!((residual(0.2, 0.5) - 0.1).abs() < 1e-15);
+    assert!((residual(-0.7, 0.5) - 0.7).abs() < 1e-15);
+    assert!(residual(f64::NAN, 0.5).is_nan());
 }

@@ -135,7 +135,7 @@ impl LocalRule for PaperRule {
         };
         let impulse = Components {
             n: stick.n,
-            t: stick.t.clamp(-limit, limit),
+            t: stick.t.max(-limit).min(limit),
         };
         LocalSolution { impulse, status }
     }

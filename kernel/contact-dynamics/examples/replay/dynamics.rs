@@ -7,6 +7,9 @@ use gouge_contact_dynamics::local::Components;
 use gouge_contact_dynamics::step::Scheme;
 use serde_json::{Map, Value, json};
 
+/// From the set-up of a case to its results.
+type Solve = fn(&Value) -> Value;
+
 const GRAVITY: f64 = 9.81;
 const FLAT: f64 = core::f64::consts::FRAC_PI_4;
 
@@ -18,7 +21,7 @@ pub fn results(cases: &Value) -> Map<String, Value> {
 fn solve(case: &Value) -> Option<Value> {
     let name = id(case);
     let setup = &case["setup"];
-    let kinds: [(&str, fn(&Value) -> Value); 10] = [
+    let kinds: [(&str, Solve); 10] = [
         ("incline-square", incline_square),
         ("incline-disc", incline_disc),
         ("block-stops", block_stops),

@@ -18,6 +18,9 @@ pub(super) fn natural_map(row: &Row, velocities: &[Velocity]) -> f64 {
     let scale = row.w.nn.max(row.w.tt);
     let limit = row.friction * p.n.max(0.0);
     let normal = p.n - (p.n - u.n / scale).max(0.0);
-    let tangential = p.t - (p.t - u.t / scale).clamp(-limit, limit);
+    let tangential = p.t - (p.t - u.t / scale).max(-limit).min(limit);
+    if normal.is_nan() || tangential.is_nan() {
+        return f64::NAN;
+    }
     scale * normal.abs().max(tangential.abs())
 }
