@@ -6,6 +6,7 @@ mod detection;
 mod detection_exact;
 mod generators;
 mod local;
+mod assemblies;
 mod delassus;
 mod shapes;
 mod steps;

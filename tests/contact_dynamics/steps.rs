@@ -4,9 +4,8 @@ use crate::generators::Uniform;
 use crate::systems::{System, law, moving};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
-use gouge_contact_dynamics::assembly::Body;
 use gouge_contact_dynamics::delassus::PointKinematics;
-use gouge_contact_dynamics::detection::{Feature, HalfPlane};
+use gouge_contact_dynamics::detection::Feature;
 use gouge_contact_dynamics::law::GapRule;
 use gouge_contact_dynamics::local::Components;
 use gouge_contact_dynamics::step::Scheme;
@@ -444,113 +443,6 @@ fn impulses_follow_their_points() {
     memory.guess(&new, 0.3, &mut guesses);
     let found: Vec<_> = guesses.iter().map(|guess| guess.n).collect();
     assert_eq!(found, [0.0, 3.0, 0.0, 2.0, 0.0, 0.0]);
-}
-
-#[test]
-fn wrong_assemblies_are_refused() {
-    let mut system = System::new(1.0, law(0.0, 0.0, GapRule::Closed));
-    system.body(0, 0.5, (0.0, 0.0), 0.0, Velocity::default());
-    let shape = system.assembly.shape[0];
-    let at = |position: Vec2, scale: f64| Body {
-        shape,
-        scale,
-        position,
-        angle: 0.0,
-    };
-    let (assembly, configuration) = (&mut system.assembly, &mut system.state.configuration);
-    let fine = at(Vec2::zero(), 1.0);
-    assert!(assembly.add_body(configuration, fine, 0).is_err());
-    assert!(assembly.add_body(configuration, fine, 7).is_err());
-    assert!(
-        assembly
-            .add_free(configuration, fine, 0.0, Velocity::default())
-            .is_err()
-    );
-    assert!(
-        assembly
-            .add_free(
-                configuration,
-                at(Vec2::zero(), -1.0),
-                1.0,
-                Velocity::default()
-            )
-            .is_err()
-    );
-    let nowhere = at(Vec2::new(f64::NAN, 0.0), 1.0);
-    assert!(
-        assembly
-            .add_free(configuration, nowhere, 1.0, Velocity::default())
-            .is_err()
-    );
-    let slanted = HalfPlane {
-        position: Vec2::zero(),
-        normal: Vec2::new(1.0, 1.0),
-    };
-    assert!(assembly.add_wall(configuration, slanted, 0).is_err());
-    assert!(law(-0.1, 0.0, GapRule::Closed).validate().is_err());
-    assert!(law(0.1, 1.1, GapRule::Closed).validate().is_err());
-    assert!(law(0.1, 1.0, GapRule::Closed).validate().is_ok());
-}
-
-/// A wall that moves freely up and down and is driven sideways: a disc between two such walls under a load rolls
-/// with half the speed, and carries the load.
-#[test]
-fn a_disc_rolls_under_a_driven_wall() {
-    let mut system = System::new(1e-3, law(0.5, 0.0, GapRule::Predicted));
-    system.body(0, 0.5, (0.0, 0.5), 0.0, Velocity::default());
-    system.floor(0.0);
-    let configuration = &mut system.state.configuration;
-    let vertical = InverseMass {
-        x: 0.0,
-        y: 0.5,
-        rotation: 0.0,
-    };
-    let unit = system
-        .assembly
-        .add_unit(configuration, vertical, moving(1.0, 0.0, 0.0));
-    let wall = HalfPlane {
-        position: Vec2::new(0.0, 1.0),
-        normal: Vec2::new(0.0, -1.0),
-    };
-    system.assembly.add_wall(configuration, wall, unit).unwrap();
-    system.assembly.load[unit as usize].force = Vec2::new(0.0, -50.0);
-    system.steps(1000);
-    let v = system.velocity(0);
-    assert!((v.linear.x - 0.5).abs() < 1e-9 && v.linear.y.abs() < 1e-9);
-    assert!((v.angular + 1.0).abs() < 1e-9);
-    let impulses = system.impulses();
-    assert!(impulses.iter().all(|p| (p.n - 0.05).abs() < 1e-9));
-}
-
-/// A torque turns a body, and bodies of one unit do not touch each other.
-#[test]
-fn units_turn_under_torques_and_do_not_touch_themselves() {
-    let mut system = System::new(0.1, law(0.4, 0.0, GapRule::Closed));
-    let unit = system.body(0, 0.5, (5.0, 0.0), 0.0, Velocity::default());
-    system.assembly.load[unit].torque = 1.0;
-    let shape = system.assembly.shape[0];
-    let (assembly, configuration) = (&mut system.assembly, &mut system.state.configuration);
-    let free_to_slide = InverseMass {
-        x: 1.0,
-        y: 1.0,
-        rotation: 0.0,
-    };
-    let block = assembly.add_unit(configuration, free_to_slide, Velocity::default());
-    for x in [0.0, 0.4] {
-        let body = Body {
-            shape,
-            scale: 0.5,
-            position: Vec2::new(x, 0.0),
-            angle: 0.0,
-        };
-        assembly.add_body(configuration, body, block).unwrap();
-    }
-    let report = system.steps(10);
-    assert_eq!(report.points, 0);
-    let moment_of_inertia = 0.5 * core::f64::consts::PI * 0.5f64.powi(4);
-    assert!((system.velocity(unit).angular * moment_of_inertia - 1.0).abs() < 1e-12);
-    // The trapezoidal rule.
-    assert!((system.state.configuration.angle[0] * moment_of_inertia - 0.5).abs() < 1e-12);
 }
 
 /// The residual sees a point that slides although its impulse could stop it, and one whose impulse pulls.

@@ -95,7 +95,8 @@ impl System {
         let configuration = &mut self.state.configuration;
         let unit = self
             .assembly
-            .add_unit(configuration, InverseMass::IMPOSED, Velocity::default());
+            .add_unit(configuration, InverseMass::IMPOSED, Velocity::default())
+            .unwrap();
         let wall = HalfPlane {
             position: Vec2::zero(),
             normal: Vec2::new(-angle.sin(), angle.cos()),
@@ -131,6 +132,11 @@ impl System {
             report = self.step();
         }
         report
+    }
+
+    /// Throw away everything that is not the state.
+    pub fn forget_buffers(&mut self) {
+        self.workspace = None;
     }
 
     pub fn velocity(&self, unit: usize) -> Velocity {

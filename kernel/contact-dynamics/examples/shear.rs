@@ -51,7 +51,7 @@ fn read(path: &str) -> Result<Cell, Box<dyn Error>> {
         ..InverseMass::IMPOSED
     };
     for (mass, y, normal) in [(InverseMass::IMPOSED, 0.0, 1.0), (driven, height, -1.0)] {
-        let unit = assembly.add_unit(configuration, mass, Velocity::default());
+        let unit = assembly.add_unit(configuration, mass, Velocity::default())?;
         let wall = HalfPlane {
             position: Vec2::new(0.0, y),
             normal: Vec2::new(0.0, normal),
@@ -165,6 +165,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         },
         warm_start_distance: 0.3,
     };
+    settings.validate()?;
     run(&mut cell, &settings, *inertia, *strain);
     Ok(())
 }
@@ -196,13 +197,15 @@ fn run(cell: &mut Cell, settings: &StepSettings, rate: f64, strain: f64) {
                 .solver()
                 .residual(&cell.state.configuration.velocity);
             println!(
-                "strain {:.3}: height {:.3} of {:.3}, q/p {:.3}, points {}, sweeps {:.1} per step, not converged {stopped}, overlap {overlap:.4}, residual {:.1e} of the wall speed per diameter",
+                "strain {:.3}: height {top:.3} of {:.3}, q/p {:.3}, points {}, sweeps {:.1} per step",
                 index as f64 * rate * settings.time_step,
-                top,
                 cell.height,
                 stress_ratio(sum),
                 report.points,
                 sweeps as f64 / tenth as f64,
+            );
+            println!(
+                "    not converged {stopped}, overlap {overlap:.4}, residual {:.1e} diameters times the rate",
                 residual / rate
             );
             (sum, sweeps, stopped) = ([0.0; 4], 0, 0);

@@ -69,16 +69,26 @@ impl Assembly {
     }
 
     /// Add a unit without bodies, and return its index.
+    ///
+    /// # Errors
+    /// [`SetupError::Parameter`] for a negative inverse mass or a velocity that is not finite.
     pub fn add_unit(
         &mut self,
         configuration: &mut Configuration,
         inverse_mass: InverseMass,
         velocity: Velocity,
-    ) -> u32 {
+    ) -> Result<u32, SetupError> {
+        let inverses = [inverse_mass.x, inverse_mass.y, inverse_mass.rotation];
+        for inverse in inverses {
+            require("inverse mass", inverse, "not negative", inverse >= 0.0)?;
+        }
+        for v in [velocity.linear.x, velocity.linear.y, velocity.angular] {
+            require("velocity", v, "finite", true)?;
+        }
         self.inverse_mass.push(inverse_mass);
         self.load.push(Load::default());
         configuration.velocity.push(velocity);
-        self.inverse_mass.len() as u32 - 1
+        Ok(self.inverse_mass.len() as u32 - 1)
     }
 
     /// Add a body to a unit, and return its index.
@@ -135,7 +145,7 @@ impl Assembly {
         velocity: Velocity,
     ) -> Result<u32, SetupError> {
         let inverse_mass = self.inverse_mass_of(body, density)?;
-        let unit = self.add_unit(configuration, inverse_mass, velocity);
+        let unit = self.add_unit(configuration, inverse_mass, velocity)?;
         self.add_body(configuration, body, unit)?;
         Ok(unit)
     }

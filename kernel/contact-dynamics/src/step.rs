@@ -3,6 +3,7 @@
 use crate::assembly::{Assembly, Configuration};
 use crate::delassus::PointKinematics;
 use crate::detection::{DetectionSettings, Placed, Touch, detect};
+use crate::error::{SetupError, require};
 use crate::law::ContactLaw;
 use crate::local::Components;
 use crate::sweep::{ContactInput, Solver, SweepReport, SweepSettings};
@@ -40,6 +41,33 @@ pub struct StepSettings {
     pub sweeps: SweepSettings,
     /// Largest distance in m between a point and its predecessor in the previous step, if their features differ.
     pub warm_start_distance: f64,
+}
+
+impl StepSettings {
+    /// Check all numbers.
+    ///
+    /// # Errors
+    /// [`SetupError::Parameter`] for a time step that is not positive, a negative length of detection or of warm
+    /// starts, or a law outside its range.
+    pub fn validate(&self) -> Result<(), SetupError> {
+        self.law.validate()?;
+        require(
+            "time step",
+            self.time_step,
+            "positive",
+            self.time_step > 0.0,
+        )?;
+        let lengths = [
+            ("alert distance", self.detection.alert_distance),
+            ("merge distance", self.detection.merge_distance),
+            ("tie distance", self.detection.tie_distance),
+            ("warm start distance", self.warm_start_distance),
+        ];
+        for (name, length) in lengths {
+            require(name, length, "not negative", length >= 0.0)?;
+        }
+        Ok(())
+    }
 }
 
 /// What changes from step to step.

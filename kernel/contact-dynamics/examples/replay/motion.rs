@@ -140,7 +140,8 @@ pub fn floor(motion: &mut Motion, angle: f64) {
         position: Vec2::zero(),
         normal: Vec2::new(-angle.sin(), angle.cos()),
     };
-    if let Err(error) = motion.assembly.add_wall(configuration, wall, unit) {
+    let added = unit.and_then(|unit| motion.assembly.add_wall(configuration, wall, unit));
+    if let Err(error) = added {
         eprintln!("{error}");
     }
 }

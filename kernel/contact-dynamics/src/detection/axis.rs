@@ -21,8 +21,8 @@ pub struct SeparatingSide {
 ///
 /// with the normals $n_k$ and starting points $p_k$ of the sides of a, and the vertices $v_j$ of b. The search starts
 /// at the side that faces the other centre and walks both ways. A side k cannot be better than
-/// $n_k \cdot d - h_a - h_b$ with the inradii h, and this bound falls while the walk turns away from d, so that the walk
-/// ends early and the result is still that of all sides. If the separation exceeds `enough`, a side with that
+/// $n_k \cdot d - h_a - h_b$ with the inradii h, and this bound falls while the walk turns away from d, so that the
+/// walk ends early and the result is still that of all sides. If the separation exceeds `enough`, a side with that
 /// property is returned, which need not be the best one.
 #[rendered]
 pub fn separating_side(a: &Placed, b: &Placed, d: Vec2, enough: f64) -> SeparatingSide {

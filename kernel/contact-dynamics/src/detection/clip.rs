@@ -99,8 +99,8 @@ fn ends(roles: Roles, found: SeparatingSide) -> Option<[End; 2]> {
     Some([clipped_high, clipped_low])
 }
 
-/// The side of the incident polygon whose normal is most opposite to that of the reference side. It ends or begins at the
-/// deepest vertex.
+/// The side of the incident polygon whose normal is most opposite to that of the reference side. It ends or begins at
+/// the deepest vertex.
 fn incident_side(roles: Roles, found: SeparatingSide) -> usize {
     let normal = roles.reference.outline.sides[found.side].normal;
     let inward = roles.incident.to_body(-roles.reference.to_space(normal));

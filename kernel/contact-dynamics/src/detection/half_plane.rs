@@ -103,7 +103,8 @@ impl HalfPlane {
     }
 }
 
-/// Whether a deeper vertex of the same shape has been kept nearby. Vertices come in the order of their depth on each side.
+/// Whether a deeper vertex of the same shape has been kept nearby. On each side of the deepest vertex, vertices come in
+/// the order of their depth.
 fn is_repeated(kept: &[Touch], new: &Touch, merge_distance: f64) -> bool {
     let near = |touch: &Touch| (touch.arms[1] - new.arms[1]).norm() < merge_distance;
     kept.iter().any(near)
