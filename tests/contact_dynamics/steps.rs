@@ -342,6 +342,31 @@ fn corrections_of_overlaps_are_booked() {
     assert!((system.position(1).x - system.position(0).x - 0.98 - 0.1 * 0.018).abs() < 1e-14);
 }
 
+/// What is not too deep is left alone: neither pushed apart nor pulled together.
+#[test]
+fn small_overlaps_and_gaps_are_not_corrected() {
+    for distance in [0.9985, 1.0, 1.01] {
+        let gap = GapRule::Stabilized {
+            fraction: 0.1,
+            allowed_overlap: 0.002,
+        };
+        let mut system = System::new(0.01, law(0.0, 0.0, gap));
+        system.body(0, 0.5, (0.0, 0.0), 0.0, moving(-0.02, 0.0, 0.0));
+        system.body(0, 0.5, (distance, 0.0), 0.0, moving(0.02, 0.0, 0.0));
+        let report = system.step();
+        assert_eq!(report.points, 1);
+        assert_eq!(report.work_of_correction, 0.0);
+        assert_eq!(system.velocity(0).linear.x, -0.02);
+        system
+            .state
+            .configuration
+            .velocity
+            .fill(Velocity::default());
+        system.step();
+        assert_eq!(system.energy(), 0.0);
+    }
+}
+
 /// The rule of the paper does not even stop a corner that hits a floor obliquely.
 #[test]
 fn the_printed_rule_leaves_a_corner_in_motion() {

@@ -1,8 +1,9 @@
 //! Repeats worked examples that other programs solved, and writes what the kernel finds.
 //!
-//! `cargo run --release --example replay -- FOLDER RESULTS.json` reads any of geometry.json, local.json, onestep.json
-//! and dynamics.json in the folder. The results are grouped by file and by the identities of the problems.
+//! `cargo run --release --example replay -- FOLDER RESULTS.json` reads any of geometry.json, local.json, onestep.json,
+//! dynamics.json and siconos2d.json in the folder. The results are grouped by file and by the identities of the problems.
 
+mod assembled;
 mod dynamics;
 mod geometry;
 mod local;
@@ -15,11 +16,12 @@ use std::path::Path;
 
 type Solve = fn(&Value) -> Map<String, Value>;
 
-const PARTS: [(&str, Solve); 4] = [
+const PARTS: [(&str, Solve); 5] = [
     ("geometry", geometry::results),
     ("local", local::results),
     ("onestep", onestep::results),
     ("dynamics", dynamics::results),
+    ("siconos2d", assembled::results),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

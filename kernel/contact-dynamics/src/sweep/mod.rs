@@ -2,8 +2,8 @@
 
 mod row;
 mod settings;
-mod solver;
 mod residual;
+mod solver;
 
 pub use row::{ContactInput, Row};
 pub use settings::{Rule, StopCriterion, SweepOrder, SweepSettings};
