@@ -49,6 +49,11 @@ fn wrong_assemblies_are_refused() {
         normal: Vec2::new(1.0, 1.0),
     };
     assert!(assembly.add_wall(configuration, slanted, 0).is_err());
+    let floor = HalfPlane {
+        normal: Vec2::new(0.0, 1.0),
+        ..slanted
+    };
+    assert!(assembly.add_wall(configuration, floor, 0).is_err());
     assert!(law(-0.1, 0.0, GapRule::Closed).validate().is_err());
     assert!(law(0.1, 1.1, GapRule::Closed).validate().is_err());
     assert!(law(0.1, 1.0, GapRule::Closed).validate().is_ok());

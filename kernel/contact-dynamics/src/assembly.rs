@@ -167,7 +167,8 @@ impl Assembly {
     /// Add a flat wall to a unit.
     ///
     /// # Errors
-    /// [`SetupError::Missing`] without such a unit, [`SetupError::Parameter`] for a normal whose length is not one.
+    /// [`SetupError::Missing`] without such a unit, [`SetupError::Parameter`] for a normal whose length is not one,
+    /// or a unit that can turn.
     pub fn add_wall(
         &mut self,
         configuration: &mut Configuration,
@@ -178,6 +179,9 @@ impl Assembly {
         let length = wall.normal.norm();
         let is_unit = (length - 1.0).abs() < 1e-12;
         require("length of a wall's normal", length, "one", is_unit)?;
+        let rotation = self.inverse_mass[unit as usize].rotation;
+        let name = "inverse moment of inertia of a wall";
+        require(name, rotation, "zero", rotation == 0.0)?;
         self.wall_unit.push(unit);
         configuration.wall.push(wall);
         Ok(())
