@@ -7,8 +7,9 @@
 //! normal stress are 1.
 
 use gouge_common::geometry::{Domain, Vec2};
-use gouge_contact_dynamics::assembly::{Assembly, Body};
+use gouge_contact_dynamics::assembly::{Assembly, Body, Configuration};
 use gouge_contact_dynamics::detection::{DetectionSettings, HalfPlane};
+use gouge_contact_dynamics::error::SetupError;
 use gouge_contact_dynamics::law::{ContactLaw, GapRule};
 use gouge_contact_dynamics::shape::Shapes;
 use gouge_contact_dynamics::step::{Scheme, State, StepSettings, Workspace, step};
@@ -25,6 +26,28 @@ struct Cell {
     state: State,
     width: f64,
     height: f64,
+}
+
+/// A fixed lower wall, and an upper one that is driven sideways and carries the normal stress.
+fn add_walls(
+    assembly: &mut Assembly,
+    configuration: &mut Configuration,
+    [width, height, inverse_wall_mass]: [f64; 3],
+) -> Result<(), SetupError> {
+    let driven = InverseMass {
+        y: inverse_wall_mass,
+        ..InverseMass::IMPOSED
+    };
+    for (mass, y, normal) in [(InverseMass::IMPOSED, 0.0, 1.0), (driven, height, -1.0)] {
+        let unit = assembly.add_unit(configuration, mass, Velocity::default())?;
+        let wall = HalfPlane {
+            position: Vec2::new(0.0, y),
+            normal: Vec2::new(0.0, normal),
+        };
+        assembly.add_wall(configuration, wall, unit)?;
+    }
+    assembly.load[DRIVEN as usize].force = Vec2::new(0.0, -width);
+    Ok(())
 }
 
 fn read(path: &str) -> Result<Cell, Box<dyn Error>> {
@@ -46,19 +69,11 @@ fn read(path: &str) -> Result<Cell, Box<dyn Error>> {
     };
     let (mut assembly, mut state) = (Assembly::new(domain, Shapes::new()), State::default());
     let configuration = &mut state.configuration;
-    let driven = InverseMass {
-        y: inverse_wall_mass,
-        ..InverseMass::IMPOSED
-    };
-    for (mass, y, normal) in [(InverseMass::IMPOSED, 0.0, 1.0), (driven, height, -1.0)] {
-        let unit = assembly.add_unit(configuration, mass, Velocity::default())?;
-        let wall = HalfPlane {
-            position: Vec2::new(0.0, y),
-            normal: Vec2::new(0.0, normal),
-        };
-        assembly.add_wall(configuration, wall, unit)?;
-    }
-    assembly.load[DRIVEN as usize].force = Vec2::new(0.0, -width);
+    add_walls(
+        &mut assembly,
+        configuration,
+        [width, height, inverse_wall_mass],
+    )?;
     let mut shapes = std::collections::BTreeMap::new();
     for line in lines {
         let [sides, scale, x, y, angle, group] = parse(line)?[..] else {

@@ -40,6 +40,20 @@ fn contact(case: &Value, point: &Value) -> ContactInput {
     }
 }
 
+fn law(case: &Value) -> ContactLaw {
+    ContactLaw {
+        friction: number(case, "mu"),
+        restitution: Components {
+            n: number(case, "e_n"),
+            t: number(case, "e_t"),
+        },
+        gap: match case["gap_mode"].as_str() {
+            Some("closed") => GapRule::Closed,
+            _ => GapRule::Predicted,
+        },
+    }
+}
+
 fn solve(case: &Value) -> Value {
     let time_step = number(case, "dt");
     let columns = |key: &'static str| items(case, "dofs").map(move |unit| numbers(&unit[key]));
@@ -65,17 +79,7 @@ fn solve(case: &Value) -> Value {
     let points: Vec<_> = items(case, "contacts")
         .map(|point| contact(case, point))
         .collect();
-    let law = ContactLaw {
-        friction: number(case, "mu"),
-        restitution: Components {
-            n: number(case, "e_n"),
-            t: number(case, "e_t"),
-        },
-        gap: match case["gap_mode"].as_str() {
-            Some("closed") => GapRule::Closed,
-            _ => GapRule::Predicted,
-        },
-    };
+    let law = law(case);
     let mut solver = Solver::new();
     solver.prepare(&points, &law, time_step, &before, &inverse_masses);
     let accelerate =
