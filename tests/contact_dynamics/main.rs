@@ -10,4 +10,5 @@ mod assemblies;
 mod delassus;
 mod shapes;
 mod steps;
+mod sweeps;
 mod systems;
