@@ -7,9 +7,9 @@ use crate::sources::{
 use gouge_validation::checks::{Citation, Evidence, Source, register};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-/// The documents of a source in the folder of `docs/` with its name.
+/// The documents of a source in its folder of `docs/`.
 struct Document {
     source: String,
     /// The table of equations.
@@ -18,25 +18,17 @@ struct Document {
     errata: String,
 }
 
-/// All sources: the folders of `docs/` with a table of equations.
+/// All sources.
 fn documents() -> Vec<Document> {
-    let folders = fs::read_dir(root().join("docs")).expect("readable");
-    let paths = folders.map(|entry| entry.expect("readable").path());
-    let mut documents: Vec<Document> = paths
-        .filter(|folder| folder.join("equations.md").is_file())
-        .map(|folder| Document {
-            source: name(&folder),
+    let of = |source: Source| {
+        let folder = root().join("docs").join(source.folder());
+        Document {
+            source: source.name().to_owned(),
             equations: read(&folder.join("equations.md")),
             errata: fs::read_to_string(folder.join("errata.md")).unwrap_or_default(),
-        })
-        .collect();
-    documents.sort_by(|a, b| a.source.cmp(&b.source));
-    documents
-}
-
-fn name(folder: &Path) -> String {
-    let name = folder.file_name().expect("a name");
-    name.to_string_lossy().into_owned()
+        }
+    };
+    Source::ALL.map(of).into()
 }
 
 /// A row of a table of equations.
@@ -213,10 +205,21 @@ fn the_source_of_an_erratum_is_the_one_named_last_before_it() {
 }
 
 #[test]
-fn every_source_has_its_documents() {
-    let documents = documents();
-    let found: BTreeSet<&str> = documents.iter().map(|one| one.source.as_str()).collect();
-    assert_eq!(found, BTreeSet::from(Source::ALL.map(Source::name)));
+fn every_folder_with_a_table_of_equations_belongs_to_a_source() {
+    let folders = fs::read_dir(root().join("docs")).expect("readable");
+    let paths = folders.map(|entry| entry.expect("readable").path());
+    let found: BTreeSet<String> = paths
+        .filter(|folder| folder.join("equations.md").is_file())
+        .map(|folder| {
+            folder
+                .file_name()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    let expected = Source::ALL.map(|source| source.folder().to_owned());
+    assert_eq!(found, BTreeSet::from(expected));
 }
 
 #[test]

@@ -37,7 +37,11 @@ pub fn quoted(text: &str) -> Vec<&str> {
 }
 
 /// Sources of the kernel's crates.
-pub const KERNELS: [&str; 2] = ["kernel/dem/src", "kernel/common/src"];
+pub const KERNELS: [&str; 3] = [
+    "kernel/dem/src",
+    "kernel/contact-dynamics/src",
+    "kernel/common/src",
+];
 
 /// All source files of the kernel's crates.
 pub fn kernel_files() -> Vec<PathBuf> {

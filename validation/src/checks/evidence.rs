@@ -3,21 +3,32 @@
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// A document whose equations are implemented. Its tables are in `docs/`, in a folder of the same name.
+/// A document whose equations are implemented. Its tables are in `docs/`, in the folder of its model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Source {
     /// S. Kiiskinen's thesis (Jyväskylä, 2018).
     Thesis,
+    /// E. Azéma, N. Estrada and F. Radjai, Phys. Rev. E 86, 041301 (2012).
+    Azema,
 }
 
 impl Source {
     /// All sources.
-    pub const ALL: [Self; 1] = [Self::Thesis];
+    pub const ALL: [Self; 2] = [Self::Thesis, Self::Azema];
 
-    /// Its name in citations, and the name of its folder in `docs/`.
+    /// Its name in citations.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Thesis => "thesis",
+            Self::Azema => "azema",
+        }
+    }
+
+    /// The name of its folder in `docs/`.
+    pub const fn folder(self) -> &'static str {
+        match self {
+            Self::Thesis => "thesis",
+            Self::Azema => "contact-dynamics",
         }
     }
 }

@@ -5,12 +5,10 @@ use super::{Entry, Record};
 use crate::checks::Source;
 use maud::{Markup, html};
 
-/// The table of equations of a source, as in `docs/`.
-fn table(source: Source) -> &'static str {
-    match source {
-        Source::Thesis => include_str!("../../../docs/thesis/equations.md"),
-    }
-}
+/// The source whose equations are shown: the only one with checks.
+const SHOWN: Source = Source::Thesis;
+/// Its table of equations.
+const TABLE: &str = include_str!("../../../docs/thesis/equations.md");
 
 /// Largest number of equations that a check stands for. One that covers more, such as a symmetry of the
 /// whole model, says little about each.
@@ -78,17 +76,13 @@ pub fn anchor(source: Source, number: &str) -> String {
     format!("equation-{}-{number}", source.name())
 }
 
-/// All equations of all sources.
+/// All equations of the source that is shown.
 pub fn equations() -> Vec<Equation> {
-    Source::ALL.into_iter().flat_map(of_source).collect()
-}
-
-fn of_source(source: Source) -> Vec<Equation> {
-    let lines = table(source).lines().filter(|line| line.starts_with("| "));
+    let lines = TABLE.lines().filter(|line| line.starts_with("| "));
     let below = lines.skip_while(|line| !line.starts_with("| equation |"));
     below
         .skip(1)
-        .flat_map(|line| of_line(source, line))
+        .flat_map(|line| of_line(SHOWN, line))
         .collect()
 }
 

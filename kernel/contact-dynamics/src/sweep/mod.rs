@@ -1,0 +1,10 @@
+//! The impulses of all contact points, by Gauss-Seidel sweeps over body velocities.
+
+mod row;
+mod settings;
+mod residual;
+mod solver;
+
+pub use row::{ContactInput, Row};
+pub use settings::{Rule, StopCriterion, SweepOrder, SweepSettings};
+pub use solver::{Solver, SweepReport};

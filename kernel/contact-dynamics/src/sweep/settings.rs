@@ -1,0 +1,77 @@
+//! How sweeps go and when they stop.
+
+use gouge_equations::rendered;
+
+/// When the impulses have converged.
+#[rendered]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StopCriterion {
+    /// The largest change of an impulse component in a sweep is below `tolerance` times the mean positive normal
+    /// impulse, or times `floor` if that is larger.
+    Increment {
+        /// Tolerance relative to the mean normal impulse.
+        tolerance: f64,
+        /// Smallest mean impulse to compare with, in kg m/s.
+        floor: f64,
+    },
+    /// azema (A27): the largest $|\Delta P|/P$ is below `tolerance`. The denominator is not smaller than `floor` times
+    /// the mean positive normal impulse, because the printed criterion is undefined where an impulse vanishes.
+    Relative {
+        /// Tolerance relative to the impulse itself.
+        tolerance: f64,
+        /// Smallest denominator relative to the mean normal impulse.
+        floor: f64,
+    },
+    /// The residual of the laws (natural map) is below a velocity. It costs one more pass over all points per sweep.
+    NaturalMap {
+        /// Tolerance in m/s.
+        velocity: f64,
+    },
+}
+
+/// In which order a sweep visits the points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SweepOrder {
+    /// Forward and backward in turn, which needs far fewer sweeps for piles.
+    #[default]
+    Alternating,
+    /// Always forward.
+    Forward,
+}
+
+/// Which rule solves a single point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rule {
+    /// The laws of Signorini and Coulomb.
+    #[default]
+    Exact,
+    /// The rule printed in the source.
+    Paper,
+}
+
+/// How the impulses are found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepSettings {
+    /// When to stop.
+    pub stop: StopCriterion,
+    /// Largest number of sweeps per step.
+    pub max_sweeps: usize,
+    /// Order of the points.
+    pub order: SweepOrder,
+    /// Rule for a single point.
+    pub rule: Rule,
+}
+
+impl Default for SweepSettings {
+    fn default() -> Self {
+        Self {
+            stop: StopCriterion::Increment {
+                tolerance: 1e-3,
+                floor: f64::MIN_POSITIVE,
+            },
+            max_sweeps: 1000,
+            order: SweepOrder::default(),
+            rule: Rule::default(),
+        }
+    }
+}
