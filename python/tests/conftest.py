@@ -1,6 +1,7 @@
 """Scenes and the command line for the tests."""
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +13,14 @@ SWEEP = {
     "axis": [{"key": "contact.normal.damping", "values": [0.0, 10.0]}],
     "observe": [{"quantity": "restitution"}],
 }
+
+
+@pytest.fixture(autouse=True)
+def ctrl_c():
+    """Lets Ctrl-C raise KeyboardInterrupt: a shell that starts the tests in the background has told them to ignore it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture
