@@ -193,8 +193,3 @@ def test_a_column_of_a_million_particles_takes_less_than_two_milliseconds():
             simulation.column(name)
             times.append(time.perf_counter() - began)
         assert min(times) < 2e-3, (name, times)
-
-
-def test_subclasses_and_references_do_not_leak():
-    simulation = gouge.Simulation("head-on")
-    assert sys.getrefcount(simulation) == 2
