@@ -69,7 +69,7 @@ class Calibration:
     def material(self) -> dict[str, Any] | None:
         """The best values under their keys, as nested dicts; None unless something is determined."""
         path = self.folder / "material.toml"
-        return _toml(path.read_text(encoding="utf-8")) if path.exists() else None
+        return _gouge.dict_of_toml(path.read_text(encoding="utf-8")) if path.exists() else None
 
     @property
     def posterior(self) -> Table:
@@ -216,10 +216,6 @@ def _write_scene(table: dict[str, Any], path: Path) -> None:
         table["scene"] = str(Path(scene).absolute())
     if isinstance(overrides, dict):
         table["set"] = [f"{key}={_gouge.toml_value(value)}" for key, value in overrides.items()]
-
-
-def _toml(text: str) -> dict[str, Any]:
-    return _gouge.dict_of_toml(text)
 
 
 def _jobs(jobs: int | None) -> int:

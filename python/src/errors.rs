@@ -63,10 +63,6 @@ fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
             "StateError"
         }
         Error::Energy { .. } => "StateError",
-        Error::Untrusted(folder) => {
-            file(folder)?;
-            "UntrustedError"
-        }
         Error::Interrupted(folder) | Error::Stopped(folder) => {
             file(folder)?;
             "Error"
@@ -80,11 +76,10 @@ fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
 
 /// A message with the words of Python instead of those of the command line.
 fn in_python(message: &str) -> String {
-    const WORDS: [[&str; 2]; 5] = [
+    const WORDS: [[&str; 2]; 4] = [
         ["--set ", "overrides: "],
         ["--overwrite", "overwrite=True"],
         ["--resume", "resume=True"],
-        ["--accept-untrusted", "accept_untrusted=True"],
         ["run `gouge stability`", "gouge.stability"],
     ];
     let replace = |text: String, [from, to]: [&str; 2]| text.replace(from, to);

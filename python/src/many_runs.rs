@@ -1,15 +1,15 @@
 //! Sweeps, calibrations, and the command line.
 
-use crate::errors::raised;
-use crate::watch::watched;
+use crate::watch::{Callback, watched};
 use gouge::runner::error::Error;
 use gouge::studies::calibrate::{self as calibrations, Runner};
-use gouge::studies::sweep::{Execution, Planned, Program, Sweep, collect, estimate, execute, plan};
+use gouge::studies::sweep::{
+    Execution, Planned, Program, Sweep, collect, estimate, execute, open, plan,
+};
 use pyo3::prelude::*;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Do what a command line says, the first argument of which is the name of the program; its exit status. `program` starts
 /// it for the runs of sweeps.
@@ -26,49 +26,13 @@ fn program_of(words: Vec<OsString>) -> Program {
     }
 }
 
-/// Tells Python how many of some runs have ended.
-struct Counter<'a> {
-    progress: Option<&'a Py<PyAny>>,
-    ended: Mutex<usize>,
-    /// The exception that the function raised.
-    failure: Mutex<Option<PyErr>>,
-}
-
-impl<'a> Counter<'a> {
-    fn new(progress: Option<&'a Py<PyAny>>) -> Self {
-        Self {
-            progress,
-            ended: Mutex::default(),
-            failure: Mutex::default(),
-        }
-    }
-
-    /// What some work gave; first the exception of the function, then that of the work.
-    fn outcome<T>(self, outcome: Result<T, Error>) -> PyResult<T> {
-        match self.failure.into_inner().unwrap_or_default() {
-            Some(failure) => Err(failure),
-            None => outcome.map_err(|error| raised(&error)),
-        }
-    }
-
-    fn execute(&self, runs: &[Planned], execution: Execution) -> Result<(), Error> {
-        if let Ok(mut ended) = self.ended.lock() {
-            *ended = 0;
-        }
-        execute(runs, execution, &|_| {
-            let Ok(mut ended) = self.ended.lock() else {
-                return;
-            };
-            *ended += 1;
-            if let Some(function) = self.progress {
-                let told = Python::attach(|py| function.call1(py, (*ended, runs.len())));
-                if let (Err(exception), Ok(mut failure)) = (told, self.failure.lock()) {
-                    *failure = Some(exception);
-                    execution.stop.store(true, Ordering::Relaxed);
-                }
-            }
-        })
-    }
+/// Execute runs, and tell Python how many of them have ended.
+fn execute_told(runs: &[Planned], execution: Execution, told: &Callback) -> Result<(), Error> {
+    let ended = AtomicUsize::new(0);
+    execute(runs, execution, &|_| {
+        let number = 1 + ended.fetch_add(1, Ordering::Relaxed);
+        told.call((number, runs.len()), execution.stop);
+    })
 }
 
 /// Run the sweep of a file.
@@ -84,35 +48,28 @@ pub fn sweep(
 ) -> PyResult<()> {
     let program = program_of(program);
     watched(py, |stop| {
-        let counter = Counter::new(progress.as_ref());
-        let outcome = run_sweep(&file, &out, jobs, &program, stop, &counter);
-        counter.outcome(outcome)
+        let told = Callback::new(progress.as_ref());
+        let execution = Execution {
+            program: &program,
+            out: &out,
+            jobs,
+            stop,
+        };
+        let outcome = run_sweep(&file, execution, &told);
+        told.outcome(outcome)
     })
 }
 
-fn run_sweep(
-    file: &Path,
-    out: &Path,
-    jobs: usize,
-    program: &Program,
-    stop: &AtomicBool,
-    counter: &Counter,
-) -> Result<(), Error> {
+fn run_sweep(file: &Path, execution: Execution, told: &Callback) -> Result<(), Error> {
     let sweep = Sweep::load(file)?;
-    let runs = plan(&sweep, out)?;
-    let is_open = |run: &&Planned| !run.state(out).status.is_final();
-    let open: Vec<Planned> = runs.iter().filter(is_open).cloned().collect();
+    let runs = plan(&sweep, execution.out)?;
+    let open = open(&runs, execution.out);
     if sweep.core_hours.is_some() {
-        sweep.within_budget(estimate(&open.iter().collect::<Vec<_>>()))?;
+        sweep.within_budget(estimate(&open))?;
     }
-    let execution = Execution {
-        program,
-        out,
-        jobs,
-        stop,
-    };
-    let outcome = counter.execute(&open, execution);
-    collect(&sweep, &runs, out)?;
+    let open: Vec<Planned> = open.into_iter().cloned().collect();
+    let outcome = execute_told(&open, execution, told);
+    collect(&sweep, &runs, execution.out)?;
     outcome
 }
 
@@ -129,7 +86,7 @@ pub fn calibrate(
 ) -> PyResult<(String, String)> {
     let program = program_of(program);
     watched(py, |stop| {
-        let counter = Counter::new(progress.as_ref());
+        let told = Callback::new(progress.as_ref());
         let executed = |_: &str, runs: &[Planned]| {
             let execution = Execution {
                 program: &program,
@@ -137,7 +94,7 @@ pub fn calibrate(
                 jobs,
                 stop,
             };
-            counter.execute(runs, execution)
+            execute_told(runs, execution, &told)
         };
         let runner = Runner {
             out: &out,
@@ -151,6 +108,6 @@ pub fn calibrate(
             Ok((outcome.answer.name().to_owned(), account))
         };
         let outcome = answer();
-        counter.outcome(outcome)
+        told.outcome(outcome)
     })
 }

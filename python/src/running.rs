@@ -3,7 +3,7 @@
 use crate::errors::raised;
 use crate::tables::columns;
 use crate::values::{dict_of_toml, scene_of};
-use crate::watch::{abandonable, watched};
+use crate::watch::{Callback, abandonable, watched};
 use gouge::runner::commands;
 use gouge::runner::run::{Event, Observer, RunOptions, links_of, run_setup};
 use gouge::runner::scene::builtin;
@@ -83,21 +83,18 @@ pub fn run(
         data_only: false,
         checkpoint_interval,
     };
-    let (warnings, failure) = (Mutex::default(), Mutex::default());
+    let warnings = Mutex::default();
     let summary = watched(py, |stop| {
+        let told = Callback::new(progress.as_ref());
         let mut watcher = Watcher {
             stop,
-            progress: progress.as_ref(),
-            failure: &failure,
+            progress: &told,
             steps: Vec::new(),
             warnings: &warnings,
         };
-        runs::run(&scene, &out, options, &mut watcher).map_err(|error| raised(&error))
-    });
-    if let Some(failure) = failure.into_inner().unwrap_or_default() {
-        return Err(failure);
-    }
-    let summary = summary?;
+        let outcome = runs::run(&scene, &out, options, &mut watcher);
+        told.outcome(outcome)
+    })?;
     let text = serde_json::to_string(&summary).unwrap_or_default();
     let account = gouge::account(&scene, &summary, &out);
     Ok((text, warnings.into_inner().unwrap_or_default(), account))
@@ -107,9 +104,7 @@ pub fn run(
 struct Watcher<'a> {
     stop: &'a AtomicBool,
     /// A function of the share that is done and the name of the phase.
-    progress: Option<&'a Py<PyAny>>,
-    /// The exception that the function raised.
-    failure: &'a Mutex<Option<PyErr>>,
+    progress: &'a Callback<'a>,
     /// Names of all phases, and steps before and after each.
     steps: Vec<(String, u64, u64)>,
     warnings: &'a Mutex<Vec<String>>,
@@ -117,17 +112,12 @@ struct Watcher<'a> {
 
 impl Watcher<'_> {
     fn tell(&self, phase: usize, steps: u64) {
-        let (Some(function), Some((name, before, _))) = (self.progress, self.steps.get(phase))
-        else {
+        let Some((name, before, _)) = self.steps.get(phase) else {
             return;
         };
         let all = self.steps.last().map_or(1, |last| last.2.max(1));
         let share = (before + steps) as f64 / all as f64;
-        let told = Python::attach(|py| function.call1(py, (share, name.as_str())));
-        if let (Err(exception), Ok(mut failure)) = (told, self.failure.lock()) {
-            *failure = Some(exception);
-            self.stop.store(true, Ordering::Relaxed);
-        }
+        self.progress.call((share, name.as_str()), self.stop);
     }
 }
 

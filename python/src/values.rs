@@ -35,10 +35,11 @@ pub fn scene_of(
 /// A dict as TOML.
 #[pyfunction]
 pub fn toml(mapping: &Bound<'_, PyMapping>) -> PyResult<String> {
-    let table: Table = depythonize(mapping)
-        .map_err(|error| bad_argument(&format!("the dict has no form in TOML: {error}")))?;
-    ::toml::to_string(&table)
-        .map_err(|error| bad_argument(&format!("the dict has no form in TOML: {error}")))
+    let refusal = |error: &dyn std::fmt::Display| {
+        bad_argument(&format!("the dict has no form in TOML: {error}"))
+    };
+    let table: Table = depythonize(mapping).map_err(|error| refusal(&error))?;
+    ::toml::to_string(&table).map_err(|error| refusal(&error))
 }
 
 /// TOML as nested dicts.

@@ -6,7 +6,7 @@ use super::terminal::stopped_by_signals;
 use clap::{Args, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::study::{Prepared, STUDIES, Scale, Study, known};
-use gouge_studies::sweep::{Execution, Planned, Program, collect, estimate, plan};
+use gouge_studies::sweep::{Execution, Planned, Program, collect, estimate, open, plan};
 use gouge_studies::words::{counted, duration};
 use std::path::{Path, PathBuf};
 
@@ -73,11 +73,9 @@ pub fn launch(arguments: &StudyArguments, program: &Program) -> Result<(), Error
     for one in &prepared {
         let folder = out.join(one.part.name);
         let all = plan(&one.sweep, &folder)?;
-        let open: Vec<Planned> = all
-            .iter()
-            .filter(|run| !known.contains(&run.name) && !run.state(&folder).status.is_final())
-            .cloned()
-            .collect();
+        let is_new = |run: &&Planned| !known.contains(&run.name);
+        let open = open(&all, &folder).into_iter().filter(is_new);
+        let open: Vec<Planned> = open.cloned().collect();
         if arguments.plan {
             print(&planned(one, all.len(), &open))?;
             continue;

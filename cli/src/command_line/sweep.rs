@@ -7,7 +7,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use gouge_runner::error::Error;
 use gouge_studies::sweep::{
     Chunks, Cost, Execution, Planned, Program, Script, Status, Sweep, collect, estimate, execute,
-    plan, retry, status,
+    open, plan, retry, status,
 };
 use gouge_studies::words::{counted, duration};
 use std::path::{Path, PathBuf};
@@ -105,10 +105,7 @@ pub fn launch(arguments: &SweepArguments, program: &Program) -> Result<(), Error
     };
     let sweep = Sweep::load(file)?;
     let runs = plan(&sweep, out)?;
-    let open: Vec<&Planned> = runs
-        .iter()
-        .filter(|run| !run.state(out).status.is_final())
-        .collect();
+    let open = open(&runs, out);
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
     if arguments.plan {
         return print(&planned(&runs, &open, estimate(&open), jobs));

@@ -105,13 +105,7 @@ impl Assembly {
         unit: u32,
     ) -> Result<usize, SetupError> {
         self.require_unit(unit)?;
-        if !self.shapes.contains(body.shape) {
-            return Err(SetupError::Missing {
-                what: "shape",
-                index: body.shape.index(),
-                count: self.shapes.len(),
-            });
-        }
+        self.require_shape(body.shape)?;
         require("size", body.scale, "positive", body.scale > 0.0)?;
         require(
             "position",
@@ -151,13 +145,7 @@ impl Assembly {
     }
 
     fn inverse_mass_of(&self, body: Body, density: f64) -> Result<InverseMass, SetupError> {
-        if !self.shapes.contains(body.shape) {
-            return Err(SetupError::Missing {
-                what: "shape",
-                index: body.shape.index(),
-                count: self.shapes.len(),
-            });
-        }
+        self.require_shape(body.shape)?;
         let measures = self.shapes.outline(body.shape).measures;
         let square = body.scale * body.scale;
         let mass = density * square * measures.area;
@@ -185,6 +173,17 @@ impl Assembly {
         self.wall_unit.push(unit);
         configuration.wall.push(wall);
         Ok(())
+    }
+
+    fn require_shape(&self, shape: ShapeId) -> Result<(), SetupError> {
+        match self.shapes.contains(shape) {
+            true => Ok(()),
+            false => Err(SetupError::Missing {
+                what: "shape",
+                index: shape.index(),
+                count: self.shapes.len(),
+            }),
+        }
     }
 
     fn require_unit(&self, unit: u32) -> Result<(), SetupError> {

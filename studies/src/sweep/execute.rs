@@ -1,6 +1,6 @@
 //! Runs the runs of a sweep, several at a time, each in a process of its own.
 
-use super::plan::Planned;
+use super::plan::{Planned, open};
 use super::state::{CAUSE, State, Status};
 use gouge_runner::error::Error;
 use rustix::process::{Pid, Signal, kill_process};
@@ -73,8 +73,8 @@ pub fn execute(
     execution: Execution,
     report: &(dyn Fn(Progress) + Sync),
 ) -> Result<(), Error> {
-    let is_open = |run: &&Planned| !State::of(&run.folder(execution.out)).status.is_final();
-    let waiting: Mutex<Vec<&Planned>> = Mutex::new(runs.iter().filter(is_open).rev().collect());
+    let open = open(runs, execution.out);
+    let waiting: Mutex<Vec<&Planned>> = Mutex::new(open.into_iter().rev().collect());
     let failure: Mutex<Option<Error>> = Mutex::new(None);
     let next = || match (execution.stop.load(Ordering::Relaxed), waiting.lock()) {
         (false, Ok(mut waiting)) => waiting.pop(),

@@ -22,7 +22,7 @@ pub use export::{Chunks, Script};
 pub use file::Sweep;
 pub use finished::Finished;
 pub use observe::{Observation, Statistic};
-pub use plan::{Planned, plan};
+pub use plan::{Planned, open, plan};
 pub use quantity::Quantity;
 pub use state::{State, Status, status};
 pub use table::{COST, RUN, STATE, collect};

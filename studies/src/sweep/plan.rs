@@ -108,6 +108,12 @@ pub fn plan(sweep: &Sweep, out: &Path) -> Result<Vec<Planned>, Error> {
     Ok(runs)
 }
 
+/// The runs that are not final: those that executing would run.
+pub fn open<'a>(runs: &'a [Planned], out: &Path) -> Vec<&'a Planned> {
+    let is_open = |run: &&Planned| !run.state(out).status.is_final();
+    runs.iter().filter(is_open).collect()
+}
+
 /// Refuse an observation that no run can have; `first` is the first scene that accepts its values.
 fn refuse_unavailable(sweep: &Sweep, runs: &[Planned], first: &Scene) -> Result<(), Error> {
     for observation in &sweep.observations {
