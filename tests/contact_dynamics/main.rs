@@ -5,10 +5,13 @@
 mod detection;
 mod detection_exact;
 mod generators;
+mod cells;
 mod local;
+mod preparation;
 mod assemblies;
 mod delassus;
 mod shapes;
 mod steps;
 mod sweeps;
 mod systems;
+mod worlds;

@@ -18,3 +18,8 @@ pub mod sweep;
 pub mod assembly;
 pub mod warm_start;
 pub mod step;
+pub mod work;
+pub mod cell;
+pub mod preparation;
+pub mod world;
+pub mod record;
