@@ -2,7 +2,7 @@
 
 use super::trajectory::{FOLDER, is_frame};
 use crate::error::Error;
-use crate::scene::Scene;
+use crate::scene::SceneText;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -86,13 +86,13 @@ fn exists(path: &Path) -> bool {
 ///
 /// # Errors
 /// A folder with a file that would be replaced.
-pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error> {
+pub fn refuse_replacing_inputs(scene: &impl SceneText, folder: &Path) -> Result<(), Error> {
     for output in outputs(folder)? {
         let Ok(place) = output.canonicalize() else {
             continue;
         };
         let is_it = |file: &&PathBuf| file.canonicalize().is_ok_and(|file| file == place);
-        if let Some(file) = scene.files.iter().find(is_it) {
+        if let Some(file) = scene.files().iter().find(is_it) {
             return Err(Error::Argument(format!(
                 "the run would replace {}, which the scene reads; choose another output folder than {}",
                 file.display(),

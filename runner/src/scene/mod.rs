@@ -7,12 +7,13 @@ mod keys;
 mod laws;
 mod output;
 mod overrides;
+mod scene_text;
 mod particles;
-mod rows;
+pub(crate) mod rows;
 mod setup;
 mod shape;
 mod strength;
-mod table;
+pub(crate) mod table;
 mod text;
 
 pub use history::{History, initial_angles};
@@ -21,6 +22,7 @@ pub use laws::DrivingTable;
 pub use output::{Measure, Output, Trajectory};
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
+pub use scene_text::SceneText;
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
 pub use shape::{Rectangle, Shape};
 pub use strength::BondStrength;
@@ -401,7 +403,7 @@ pub fn wrap<S: Real>(domain: &Domain, particles: &mut Particles<S>) {
     }
 }
 
-fn domain(root: &Table) -> Result<Domain> {
+pub(crate) fn domain(root: &Table) -> Result<Domain> {
     let Some(table) = root.optional_table("box")? else {
         return Ok(Domain {
             width: None,
@@ -484,4 +486,44 @@ fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {
     }
     files.extend(strength::file(root, folder)?.map(|(_, path)| path));
     Ok(files)
+}
+
+impl SceneText for Scene {
+    fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+    fn keys(&self) -> &Keys {
+        &self.keys
+    }
+    fn end(&self) -> f64 {
+        self.end
+    }
+    fn content_until(&self, end: f64) -> String {
+        let mut anonymous = Self {
+            end,
+            file: String::new(),
+            files: Vec::new(),
+            title: String::new(),
+            sha256: String::new(),
+            keys: Keys::default(),
+            laws: toml::Table::new(),
+            has_default_interval: false,
+            ..self.clone()
+        };
+        let nowhere = Place {
+            file: String::new(),
+            line: 0,
+            key: String::new(),
+        };
+        if let Some(start) = &mut anonymous.start {
+            start.path = PathBuf::new();
+            start.refusal = nowhere.error(String::new(), String::new());
+        }
+        let bonds = anonymous.bonds.iter_mut().map(|(_, place)| place);
+        let contacts = anonymous.contacts.iter_mut().map(|(_, place)| place);
+        bonds
+            .chain(contacts)
+            .for_each(|place| place.clone_from(&nowhere));
+        format!("{anonymous:?}")
+    }
 }

@@ -389,6 +389,28 @@ impl<'a> Table<'a> {
             .ok_or_else(|| self.missing(key, "must be an array of two finite numbers"))
     }
 
+    /// An array of pairs of finite numbers.
+    pub fn pairs(&self, key: &str) -> Result<Vec<[f64; 2]>> {
+        let accepted = "must be an array of pairs of numbers";
+        let Some(value) = self.value(key) else {
+            return Err(self.missing(key, accepted));
+        };
+        let DeValue::Array(items) = value.get_ref() else {
+            return Err(self.error(key, accepted));
+        };
+        let pair = |item: &Spanned<DeValue>| {
+            let DeValue::Array(numbers) = item.get_ref() else {
+                return None;
+            };
+            let numbers = numbers.iter().map(|one| number_of(one.get_ref()));
+            let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
+            let is_finite = numbers.iter().all(|number| number.is_finite());
+            numbers.try_into().ok().filter(|_| is_finite)
+        };
+        let pairs = items.iter().map(pair).collect::<Option<_>>();
+        pairs.ok_or_else(|| self.error(key, accepted))
+    }
+
     /// An array of numbers.
     pub fn numbers(&self, key: &str, range: Range) -> Result<Vec<f64>> {
         let accepted = format!(

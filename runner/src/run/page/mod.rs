@@ -5,7 +5,7 @@ mod embedded;
 mod figures;
 mod player;
 
-pub use animation::{Animation, NAME as ANIMATION};
+pub use animation::{Animation, DRIVEN, FIXED, Grain, NAME as ANIMATION, SINGLE};
 
 use super::columns::Columns;
 use super::folder::{PAGE, SERIES, write_soon};
@@ -17,6 +17,7 @@ use animation::Recording;
 use gouge_dem::World;
 use gouge_page::styled_page;
 use maud::{Markup, PreEscaped, html};
+use player::Drawn;
 use std::path::Path;
 
 const STYLE: &str = include_str!("page.css");
@@ -131,7 +132,15 @@ fn animation(folder: &Path, scene: &Scene, world: &World) -> Markup {
             p.about { "With " code { "output.trajectory" } " the page shows the motion, too." }
         };
     }
-    player::show(&Recording::read(folder, world), scene, world)
+    let radii = &world.particles().radius;
+    let time = |sample| scene.sample_step(sample) as f64 * scene.step;
+    let drawn = Drawn {
+        radii,
+        sides: &[],
+        label: "fragment",
+        pressure: "that of contacts and bonds in a grain",
+    };
+    player::show(&Recording::read(folder, radii.len()), &drawn, &time)
 }
 
 fn files(scene: &Scene, world: &World) -> Markup {
