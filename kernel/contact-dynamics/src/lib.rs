@@ -18,3 +18,4 @@ pub mod sweep;
 pub mod assembly;
 pub mod warm_start;
 pub mod step;
+pub mod observables;
