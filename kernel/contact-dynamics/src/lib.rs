@@ -23,3 +23,4 @@ pub mod cell;
 pub mod preparation;
 pub mod world;
 pub mod record;
+pub mod observables;

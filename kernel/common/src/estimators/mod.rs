@@ -6,9 +6,11 @@ mod network;
 mod packing;
 mod radial;
 mod stress;
+mod tensor;
 
 pub use deformation::displacement_gradient;
 pub use fragments::{Fragments, connected};
 pub use network::{ContactNetwork, NetworkContact};
 pub use packing::packing_fraction;
 pub use radial::{RadialDistribution, Region, radial_distribution, visible_fraction};
+pub use tensor::Tensor;
