@@ -3,5 +3,5 @@
 mod run;
 mod scene;
 
-pub use run::{contacts, run, stability};
+pub use run::{contacts, run, series_columns, stability};
 pub use scene::{Bodies, CellTable, Compaction, Glue, PackingTable, Scene, ShearTable, Sizes};

@@ -18,7 +18,7 @@ pub struct Source<'a> {
     /// Positions of all line breaks in the text.
     pub breaks: &'a [usize],
     /// The overrides. Their values have the byte positions after the text and one more byte.
-    pub overrides: &'a [Override],
+    pub(super) overrides: &'a [Override],
 }
 
 impl<'a> Source<'a> {

@@ -2,8 +2,7 @@
 
 use super::finished::Finished;
 use super::quantity::Quantity;
-use gouge_runner::run::series_columns;
-use gouge_runner::scene::Scene;
+use gouge_runner::any_scene::AnyScene;
 use serde::Deserialize;
 
 /// A number taken from a finished run.
@@ -119,11 +118,15 @@ impl Observation {
     ///
     /// # Errors
     /// The key at fault and what is accepted.
-    pub fn check_in(&self, scene: &Scene) -> Result<(), Mistake> {
-        if let Some(needed) = self.quantity.and_then(|one| one.lacks(scene)) {
+    pub fn check_in(&self, scene: &AnyScene) -> Result<(), Mistake> {
+        let lacks = |quantity: Quantity| match scene.as_dem() {
+            Some(scene) => quantity.lacks(scene),
+            None => Some("model = \"dem\"; columns of its series can be observed"),
+        };
+        if let Some(needed) = self.quantity.and_then(lacks) {
             return Err(("quantity", format!("needs a scene with {needed}")));
         }
-        let columns = series_columns(scene);
+        let columns = scene.series_columns();
         for (key, column) in [("column", &self.column), ("against", &self.against)] {
             let is_known = |name: &String| columns.contains(&name.as_str());
             if !column.as_ref().is_none_or(is_known) {
@@ -131,9 +134,9 @@ impl Observation {
                 return Err((key, format!("must be a column of the series: {list}")));
             }
         }
-        match self.after > scene.end {
+        match self.after > scene.end() {
             true => {
-                let end = scene.end;
+                let end = scene.end();
                 Err(("after", format!("must not be above time.end = {end:?}")))
             }
             false => Ok(()),

@@ -100,7 +100,9 @@ impl Bodies {
         let glued = |body: &&Body| matches!(body.role, Role::Floor | Role::Roof);
         match self.bodies.iter().find(glued) {
             Some(_) if !has_cell => {
-                let key = ["particles", "particles_file"].into_iter().find(|key| root.has(key));
+                let key = ["particles", "particles_file"]
+                    .into_iter()
+                    .find(|key| root.has(key));
                 let accepted = "the roles floor and roof need [cell]";
                 Err(root.error(key.unwrap_or("particles"), accepted))
             }

@@ -53,12 +53,16 @@ pub(super) fn settings(
     ];
     Ok(StepSettings {
         time_step: step,
-        scheme: time.optional_choice("scheme", &schemes)?.unwrap_or_default(),
+        scheme: time
+            .optional_choice("scheme", &schemes)?
+            .unwrap_or_default(),
         detection: DetectionSettings {
             alert_distance: length("alert_distance", usual.alert_distance)?,
             merge_distance: length("merge_distance", usual.merge_distance)?,
             tie_distance: length("tie_distance", usual.tie_distance)?,
-            line: table.optional_choice("point_line", &lines)?.unwrap_or_default(),
+            line: table
+                .optional_choice("point_line", &lines)?
+                .unwrap_or_default(),
         },
         law: ContactLaw {
             friction: table.number("friction", Range::NonNegative)?,
@@ -104,7 +108,14 @@ fn sweeps(root: &Table) -> Result<SweepSettings> {
     let Some(table) = root.optional_table("solver")? else {
         return Ok(SweepSettings::default());
     };
-    table.allow(&["criterion", "tolerance", "floor", "max_sweeps", "order", "rule"])?;
+    table.allow(&[
+        "criterion",
+        "tolerance",
+        "floor",
+        "max_sweeps",
+        "order",
+        "rule",
+    ])?;
     let orders = [
         ("alternating", SweepOrder::Alternating),
         ("forward", SweepOrder::Forward),

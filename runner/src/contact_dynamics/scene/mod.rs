@@ -11,10 +11,11 @@ pub use setup::{CellTable, Compaction, Glue, PackingTable, ShearTable, Sizes};
 
 use crate::error::SceneError;
 use crate::scene::table::{Range, Table};
-use crate::scene::{Keys, SceneText, domain, steps_for};
+use crate::scene::{Keys, MODELS, Overrides, SceneFile, SceneText, domain, steps_for};
 use gouge_common::geometry::{Domain, Vec2};
 use gouge_contact_dynamics::step::StepSettings;
 use std::path::{Path, PathBuf};
+use toml::de::DeTable;
 
 type Result<T> = std::result::Result<T, SceneError>;
 
@@ -70,12 +71,25 @@ const KEYS: [&str; 14] = [
     "shear",
 ];
 
+/// The key that names a CSV file of bodies.
+const BODIES_FILE: &str = "particles_file";
+
 impl Scene {
-    /// Read the tables of a scene file; CSV files are read from `folder`.
-    ///
-    /// # Errors
-    /// Any mistake in it.
-    pub(crate) fn from_table(root: &Table, folder: &Path) -> Result<Self> {
+    pub(crate) fn read(file: &SceneFile, overrides: &Overrides) -> Result<Self> {
+        let mut scene = file.read(overrides, |root, table, folder| {
+            root.optional_choice("model", &MODELS)?;
+            let mut scene = Self::from_table(root, folder)?;
+            scene.keys = keys(root, table, folder, &scene)?;
+            Ok(scene)
+        })?;
+        scene.sha256 = file.sha256(overrides);
+        if let Some(path) = file.path() {
+            path.clone_into(&mut scene.files[0]);
+        }
+        Ok(scene)
+    }
+
+    fn from_table(root: &Table, folder: &Path) -> Result<Self> {
         root.allow(&[&KEYS[..], &["output"]].concat())?;
         let time = root.table("time")?;
         time.allow(&["step", "end", "scheme"])?;
@@ -107,7 +121,7 @@ impl Scene {
             sha256: String::new(),
             keys: Keys::default(),
         };
-        if let Some(name) = root.optional_text("particles_file")? {
+        if let Some(name) = root.optional_text(BODIES_FILE)? {
             scene.files.push(folder.join(name));
         }
         scene.check(root)?;
@@ -118,21 +132,26 @@ impl Scene {
     fn check(&self, root: &Table) -> Result<()> {
         let has_walls = self.packing.is_some() || self.cell.is_some();
         if has_walls && self.domain.period().is_none() {
-            let accepted = "a packing between walls needs box.width and box.boundary = \"periodic-x\"";
+            let accepted =
+                "a packing between walls needs box.width and box.boundary = \"periodic-x\"";
             return Err(root.error("box", accepted));
         }
         if self.shear.is_some() && !has_walls {
             return Err(root.error("shear", "needs the walls of [setup] or of [cell]"));
         }
         if self.packing.is_some() && (self.cell.is_some() || !self.bodies.is_empty()) {
-            let accepted = "cannot be combined with [cell], [[particles]], particles_file or [[walls]]";
+            let accepted =
+                "cannot be combined with [cell], [[particles]], particles_file or [[walls]]";
             return Err(root.error("setup", accepted));
         }
         if has_walls && !self.bodies.walls.is_empty() {
             return Err(root.error("walls", "cannot be combined with the walls of [cell]"));
         }
         if self.packing.is_none() && self.bodies.bodies.is_empty() {
-            return Err(root.error("particles", "missing; a scene needs [[particles]], particles_file or [setup]"));
+            return Err(root.error(
+                "particles",
+                "missing; a scene needs [[particles]], particles_file or [setup]",
+            ));
         }
         if has_walls && self.gravity != Vec2::zero() {
             let accepted = "gravity cannot be combined with the walls of [setup] or of [cell]";
@@ -145,6 +164,14 @@ impl Scene {
     fn check_law(&self, root: &Table) -> Result<()> {
         let checked = self.settings.validate();
         checked.map_err(|error| root.error("contact", &error.to_string()))
+    }
+
+    /// Number of bodies.
+    pub fn number_of_bodies(&self) -> usize {
+        match &self.packing {
+            Some(packing) => packing.bodies,
+            None => self.bodies.bodies.len(),
+        }
     }
 
     /// Number of steps until the end time.
@@ -181,4 +208,15 @@ impl SceneText for Scene {
         };
         format!("{anonymous:?}")
     }
+}
+
+/// The keys of a scene; a file stands for its content, and what depends on other keys by default is written out.
+fn keys(root: &Table, table: &DeTable, folder: &Path, scene: &Scene) -> Result<Keys> {
+    let mut keys = Keys::of(&root.source(), table);
+    keys.set("output.interval", &format!("{:?}", scene.output.interval));
+    if let Some(name) = root.optional_text(BODIES_FILE)? {
+        let content = std::fs::read(folder.join(name)).unwrap_or_default();
+        keys.set_file(BODIES_FILE, name, &content);
+    }
+    Ok(keys)
 }

@@ -111,13 +111,17 @@ pub(super) fn packing(root: &Table, density: f64, step: f64) -> Result<Option<Pa
     let bodies = table.optional_whole_within("particles", 1, MOST_BODIES)?;
     let sizes = sizes(&table)?;
     Ok(Some(PackingTable {
-        seed: table.optional_whole("seed")?.ok_or_else(|| missing("seed"))?,
+        seed: table
+            .optional_whole("seed")?
+            .ok_or_else(|| missing("seed"))?,
         bodies: bodies.ok_or_else(|| missing("particles"))? as usize,
         sides: sides(&table)?,
         sizes,
         compaction: compaction(&table, density, step, sizes.range().mean())?,
         glue: Glue {
-            distance: table.table("glue")?.number("distance", Range::NonNegative)?,
+            distance: table
+                .table("glue")?
+                .number("distance", Range::NonNegative)?,
         },
     }))
 }
