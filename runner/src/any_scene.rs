@@ -161,6 +161,14 @@ impl AnyScene {
         }
     }
 
+    /// Whether runs measure contact networks.
+    pub fn measures_network(&self) -> bool {
+        match self {
+            Self::Dem(_) => false,
+            Self::ContactDynamics(scene) => scene.measures_network(),
+        }
+    }
+
     /// Columns of the series of a run.
     pub fn series_columns(&self) -> Vec<&'static str> {
         match self {

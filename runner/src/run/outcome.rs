@@ -65,6 +65,9 @@ pub struct Summary {
     /// Friction of a driven block; absent if nothing slides.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub friction: Option<Friction>,
+    /// Means over the contact networks of the second half of a run of contact dynamics, if the scene measures them.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub network: Option<serde_json::Map<String, serde_json::Value>>,
     /// Number of times the neighbour list was built; resuming a run builds it once more.
     #[serde(default)]
     pub neighbor_rebuilds: u64,
@@ -139,6 +142,7 @@ impl Summary {
             balance_watched,
             balance_error: None,
             friction: None,
+            network: None,
             neighbor_rebuilds: 0,
         }
     }

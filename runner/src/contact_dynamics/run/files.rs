@@ -1,6 +1,6 @@
 //! The outputs of a run: those that grow with every sample, and those at its end.
 
-use super::super::Scene;
+use super::super::{Means, Scene};
 use super::contacts::table_of_points;
 use super::frame;
 use super::samples::{self, columns};
@@ -111,7 +111,7 @@ impl Files {
 }
 
 fn open_network(scene: &Scene, folder: &Path, bytes: Option<u64>) -> Result<Option<Series>, Error> {
-    if !SceneRun::measures_network(scene) {
+    if !scene.measures_network() {
         return Ok(None);
     }
     let names = Statistics::names();
@@ -138,13 +138,14 @@ impl SceneRun<'_> {
             self.write_checkpoint()?;
         }
         self.observer.event(Event::Ended);
-        let summary = self.summary(status);
+        let mut summary = self.summary(status);
         self.lock.check()?;
         let write = |name, text: String| write_whole(&self.folder.join(name), text.as_bytes());
         write(
             PARTICLES,
             frame::particles(self.scene, &self.world).to_csv(),
         )?;
+        summary.network = means(self.scene, &self.folder, summary.time);
         write(CONTACTS, table_of_points(self.scene, &self.world).to_csv())?;
         write(PICTURE, picture::draw(self.scene, &self.world).to_string())?;
         if !self.options.data_only {
@@ -197,6 +198,18 @@ impl SceneRun<'_> {
             ..Summary::empty(&scene.sha256, scene.output.energy, status)
         }
     }
+}
+
+/// Means over the second half of a run until a time in s.
+fn means(
+    scene: &Scene,
+    folder: &Path,
+    until: f64,
+) -> Option<serde_json::Map<String, serde_json::Value>> {
+    let means = Means::between(folder, 0.5 * until, until);
+    let means = means.filter(|_| scene.measures_network())?;
+    let all = means.all().into_iter();
+    Some(all.map(|(name, mean)| (name, mean.into())).collect())
 }
 
 /// Largest residual of the balance that rounding explains, in parts of what was exchanged.

@@ -16,6 +16,7 @@ mod statistics;
 pub use contacts::contacts;
 pub use samples::columns as series_columns;
 pub use stability::stability;
+pub use statistics::Statistics;
 
 use super::Scene;
 use crate::error::Error;

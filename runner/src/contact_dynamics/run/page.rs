@@ -144,7 +144,7 @@ fn animation(folder: &Path, scene: &Scene, world: &World) -> Markup {
 }
 
 fn files(scene: &Scene) -> Markup {
-    let network = super::scene_run::SceneRun::measures_network(scene);
+    let network = scene.measures_network();
     let all = [
         ("series.csv", "the samples shown above", true),
         (

@@ -47,13 +47,6 @@ fn bodies(
     let assembly = world.assembly();
     let mut group = Group::new().set("stroke", "#222").set("stroke-width", 0.4);
     for (body, corners) in corners.iter().enumerate() {
-        let position = world.state().configuration.position[body];
-        let place = |&corner: &Vec2| {
-            let at = position + corner;
-            let [x, y] = view.at(at.x, at.y);
-            format!("{},{}", rounded(x), rounded(y))
-        };
-        let points: Vec<String> = corners.iter().map(place).collect();
         let floats = is_free(assembly, body) && counts[body] < 2;
         let fill = match role(scene, assembly, body) {
             Role::Free if floats => "#ccc",
@@ -61,12 +54,36 @@ fn bodies(
             Role::Roof => "#aaa",
             Role::Fixed | Role::Floor => "#777",
         };
-        let polygon = Polygon::new()
-            .set("points", points.join(" "))
-            .set("fill", fill);
-        group = group.add(polygon);
+        let position = world.state().configuration.position[body];
+        for position in images(scene, position, corners) {
+            let place = |&corner: &Vec2| {
+                let [x, y] = view.at(position.x + corner.x, position.y + corner.y);
+                format!("{},{}", rounded(x), rounded(y))
+            };
+            let points: Vec<String> = corners.iter().map(place).collect();
+            let polygon = Polygon::new()
+                .set("points", points.join(" "))
+                .set("fill", fill);
+            group = group.add(polygon);
+        }
     }
     group
+}
+
+/// The position of a body, and that of its image if it extends beyond a side of the periodic box.
+fn images(scene: &Scene, position: Vec2, corners: &[Vec2]) -> Vec<Vec2> {
+    let mut images = vec![position];
+    if let Some(width) = scene.domain.period() {
+        let beyond = |shift: f64| {
+            let x = |corner: &Vec2| position.x + corner.x + shift;
+            corners
+                .iter()
+                .any(|corner| (0.0..width).contains(&x(corner)))
+        };
+        let shifts = [-width, width].into_iter().filter(|&shift| beyond(shift));
+        images.extend(shifts.map(|shift| position + Vec2::new(shift, 0.0)));
+    }
+    images
 }
 
 /// Lines between centres, as wide as the normal force is large; across the periodic boundary at both sides.

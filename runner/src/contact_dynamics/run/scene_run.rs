@@ -1,7 +1,6 @@
 //! Runs a scene through its phases, with samples and checkpoints.
 
 use super::super::Scene;
-use super::super::scene::Measure;
 use super::begin::{after_compaction, first, phases};
 use super::checkpoint::Checkpoint;
 use super::files::Files;
@@ -326,10 +325,5 @@ impl<'a> SceneRun<'a> {
             steps: self.world.steps(),
         });
         Ok(())
-    }
-
-    /// Whether the scene asks for the network.
-    pub(super) fn measures_network(scene: &Scene) -> bool {
-        scene.output.measure.contains(&Measure::Network)
     }
 }

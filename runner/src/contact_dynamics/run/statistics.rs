@@ -66,6 +66,20 @@ impl Statistics {
             .collect()
     }
 
+    /// The statistics, or sums of several, from their numbers; none if their number is wrong.
+    pub fn from_values(numbers: &[f64]) -> Option<Self> {
+        let length = Sums::names().len();
+        let (slab, rest) = numbers.split_at_checked(length)?;
+        let (cell, rest) = rest.split_at_checked(length)?;
+        let (connectivity, areas) = rest.split_at_checked(Connectivity::names().len())?;
+        Some(Self {
+            slab: Sums::from_values(slab)?,
+            cell: Sums::from_values(cell)?,
+            connectivity: Connectivity::from_values(connectivity)?,
+            areas: areas.try_into().ok()?,
+        })
+    }
+
     /// All numbers, in the order of their names.
     pub fn values(&self) -> Vec<f64> {
         let sums = self.slab.values().into_iter().chain(self.cell.values());

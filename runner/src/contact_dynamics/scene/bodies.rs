@@ -171,7 +171,6 @@ fn vector([x, y]: [f64; 2]) -> Vec2 {
 
 fn body(table: &Table, density: f64) -> Result<Body> {
     table.allow(&[
-        "shape",
         "sides",
         "radius",
         "vertices",
@@ -207,7 +206,7 @@ fn outline(table: &Table) -> Result<Outline> {
             radius: table.number("radius", Range::Positive)?,
         });
     }
-    for key in ["shape", "sides", "radius"] {
+    for key in ["sides", "radius"] {
         if table.has(key) {
             return Err(table.error(key, "cannot be combined with vertices"));
         }

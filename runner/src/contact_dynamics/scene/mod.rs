@@ -157,6 +157,12 @@ impl Scene {
             let accepted = "gravity cannot be combined with the walls of [setup] or of [cell]";
             return Err(root.error("external", accepted));
         }
+        if !has_walls && !self.output.measure.is_empty() {
+            let output = root.table("output")?;
+            let accepted =
+                "needs the walls of [setup] or of [cell], between which stress is measured";
+            return Err(output.error("measure", accepted));
+        }
         self.bodies.check_roles(root, self.cell.is_some())?;
         self.check_law(root)
     }
@@ -172,6 +178,11 @@ impl Scene {
             Some(packing) => packing.bodies,
             None => self.bodies.bodies.len(),
         }
+    }
+
+    /// Whether the network of contacts is measured at every sample.
+    pub fn measures_network(&self) -> bool {
+        self.output.measure.contains(&Measure::Network)
     }
 
     /// Number of steps until the end time.

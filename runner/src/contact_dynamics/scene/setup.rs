@@ -99,7 +99,6 @@ pub(super) fn packing(root: &Table, density: f64, step: f64) -> Result<Option<Pa
     table.allow(&[
         "seed",
         "particles",
-        "shape",
         "sides",
         "mean_diameter",
         "size_ratio",
@@ -126,14 +125,15 @@ pub(super) fn packing(root: &Table, density: f64, step: f64) -> Result<Option<Pa
     }))
 }
 
-/// The number of sides that `shape` and `sides` give; none for a disc.
+/// The number of sides; none for a disc, which is written as 0.
 pub(super) fn sides(table: &Table) -> Result<Option<usize>> {
-    let is_disc = table.choice("shape", &[("disc", true), ("polygon", false)])?;
-    let sides = table.optional_whole_within("sides", 3, MOST_SIDES)?;
-    match (is_disc, sides) {
-        (true, Some(_)) => Err(table.error("sides", "has no meaning for discs")),
-        (false, None) => Err(table.error("sides", "missing; must be a whole number of at least 3")),
-        (_, sides) => Ok(sides.map(|number| number as usize)),
+    let accepted = "must be a whole number of at least 3, or 0 for a disc";
+    let sides = table.optional_whole_within("sides", 0, MOST_SIDES)?;
+    match sides {
+        Some(0) => Ok(None),
+        Some(1 | 2) => Err(table.error("sides", accepted)),
+        Some(sides) => Ok(Some(sides as usize)),
+        None => Err(table.error("sides", &format!("missing; {accepted}"))),
     }
 }
 
