@@ -9,6 +9,8 @@ mod local;
 mod assemblies;
 mod delassus;
 mod shapes;
+mod siconos;
 mod steps;
+mod stored;
 mod sweeps;
 mod systems;
