@@ -5,6 +5,7 @@
 mod detection;
 mod detection_exact;
 mod generators;
+mod lmgc90;
 mod local;
 mod assemblies;
 mod delassus;

@@ -49,14 +49,14 @@ def pile_of_hexagons():
 
 
 def wall_of_bricks():
-    """Squares in rows that are shifted by half a side, on a slope."""
-    scene = Scene(friction=0.6)
+    """Squares in rows that are shifted by half a side and do not touch their neighbours, on a slope."""
+    scene = Scene(friction=0.3)
     scene.wall(UP, 0.0, scene.unit())
     radius, angle = SQUARE
-    slope = 0.2
-    for row in range(3):
-        for n in range(3):
-            place = (n + 0.5 * (row % 2)) * (1 - OVERLAP), (0.5 + row) * (1 - OVERLAP)
+    slope = 0.4
+    for row in range(4):
+        for n in range(4):
+            place = 1.05 * (n + 0.5 * (row % 2)), (0.5 + row) * (1 - OVERLAP)
             scene.free(4, radius, *place, angle, gravity=(math.sin(slope), -math.cos(slope)))
     return scene
 
