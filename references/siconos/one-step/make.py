@@ -176,11 +176,8 @@ def text_of(data):
 def main():
     snapshots = {
         "sheared-discs": lambda: sheared(stored("discs")),
-        "sheared-hexagons": lambda: sheared(stored("hexagons")),
         "sheared-cell-of-discs": lambda: sheared(compacted(0)),
         "sheared-cell-of-hexagons": lambda: sheared(compacted(6)),
-        "sheared-cell-of-squares": lambda: sheared(compacted(4)),
-        "sheared-cell-of-triangles": lambda: sheared(compacted(3)),
     }
     for name, make in SMALL.items():
         if len(sys.argv) == 1 or name in sys.argv:

@@ -235,13 +235,12 @@ def distance(left, right):
 def solve(data):
     """The solution of the first attempt, and what the others say about it."""
     problem, siconos = Problem(data), library()
-    scale, most = problem.scale(), MOST_ITERATIONS
-    found, told = [], []
+    scale, found, told = problem.scale(), [], []
     for method, order_name, start_name, number, order, start in attempts(problem):
         solver = Solver(siconos, problem, order)
-        impulses, iterations = solver.solve(number, start(found[0] if found else None), 1e-15, most)
+        impulses, iterations = solver.solve(number, start(found[0] if found else None), 1e-15, MOST_ITERATIONS)
         if number == LEMKE and problem.residual(impulses) < GOOD_START * scale:
-            impulses, sweeps = solver.solve(NSGS, impulses, 1e-15, most)
+            impulses, sweeps = solver.solve(NSGS, impulses, 1e-15, MOST_ITERATIONS)
             iterations += sweeps
         elif number == LEMKE:
             impulses = None
