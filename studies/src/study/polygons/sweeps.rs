@@ -32,7 +32,7 @@ pub fn parts(scale: Scale) -> Vec<Part> {
     };
     let mut parts = vec![Part::new(
         super::SHAPES,
-        &text(&size, &SIDES, &""),
+        &text(&size, &SIDES, ""),
         size.seeds,
     )];
     if scale == Scale::Full {
@@ -41,7 +41,7 @@ pub fn parts(scale: Scale) -> Vec<Part> {
             ..size
         };
         let changes = CHANGES.iter().map(|(name, axis)| {
-            let text = text(&tested, &TESTED, axis);
+            let text = text(&tested, &TESTED, &axis.replace("NUMBERS", &numbers()));
             Part::new(name, &text, tested.seeds)
         });
         parts.extend(changes);
@@ -106,6 +106,13 @@ labels = ["3e-3", "1e-3", "3e-4", "1e-4"]
     ),
 ];
 
+/// Numbers of bodies with widths of the box. A hexagon's width serves all shapes here.
+fn numbers() -> String {
+    let one = |bodies: u32| format!("[{bodies}, {:?}]", width(6, bodies));
+    let all = [200, 400, 800].map(one);
+    format!("[{}]", all.join(", "))
+}
+
 /// A sweep over shapes and, besides, over another axis.
 fn text(size: &Size, shapes: &[u32], axis: &str) -> String {
     let end = size.strain / RATE;
@@ -115,7 +122,10 @@ fn text(size: &Size, shapes: &[u32], axis: &str) -> String {
         format!("[{sides}, {width:?}]")
     };
     let values: Vec<String> = shapes.iter().map(numbers).collect();
-    let labels: Vec<String> = shapes.iter().map(|&sides| format!("{:?}", name(sides))).collect();
+    let labels: Vec<String> = shapes
+        .iter()
+        .map(|&sides| format!("{:?}", name(sides)))
+        .collect();
     let interval = end / 300.0;
     let steps = interval / 0.05;
     let mut text = format!(
