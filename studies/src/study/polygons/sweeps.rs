@@ -117,10 +117,13 @@ fn numbers() -> String {
 fn text(size: &Size, shapes: &[u32], axis: &str) -> String {
     let end = size.strain / RATE;
     let half = 0.5 * end;
-    let numbers = |sides: &u32| {
-        let width = width(*sides, size.bodies);
-        format!("[{sides}, {width:?}]")
+    // An axis that changes the number of bodies changes the width, too.
+    let has_width = !axis.contains("box.width");
+    let numbers = |sides: &u32| match has_width {
+        true => format!("[{sides}, {:?}]", width(*sides, size.bodies)),
+        false => format!("[{sides}]"),
     };
+    let width_key = if has_width { ", \"box.width\"" } else { "" };
     let values: Vec<String> = shapes.iter().map(numbers).collect();
     let labels: Vec<String> = shapes
         .iter()
@@ -131,7 +134,7 @@ fn text(size: &Size, shapes: &[u32], axis: &str) -> String {
     let mut text = format!(
         "scene = \"sheared-polygons\"\n\
          set = [\"setup.particles={}\", \"time.end={end:?}\", \"output.interval={interval:?}\"]\n\n\
-         [[axis]]\nname = \"shape\"\nkeys = [\"setup.sides\", \"box.width\"]\nvalues = [{}]\nlabels = [{}]\n{}\n\
+         [[axis]]\nname = \"shape\"\nkeys = [\"setup.sides\"{width_key}]\nvalues = [{}]\nlabels = [{}]\n{}\n\
          [seeds]\nsetup = \"SEEDS\"\n",
         size.bodies,
         values.join(", "),
