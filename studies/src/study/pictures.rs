@@ -11,28 +11,32 @@ const FOLDER: &str = "pictures";
 /// Seed of the runs that are shown.
 const SEED: &str = "0";
 
-/// A run whose final state is shown: part of the study, law and pressure in units of the normal strength.
+/// A run whose final state is shown: its part of the study, and its values of some axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
     /// Part of the study.
     pub part: &'static str,
-    /// Law of friction.
-    pub law: &'static str,
-    /// Pressure.
-    pub pressure: f64,
+    /// Axes and their values.
+    pub axes: &'static [(&'static str, &'static str)],
 }
 
 impl Shown {
     fn path(&self, folder: &Path) -> PathBuf {
-        let name = format!("{}-{}-{}.svg", self.part, self.law, self.pressure);
-        folder.join(FOLDER).join(name)
+        let values = self.axes.iter().map(|(_, value)| value.replace(' ', "-"));
+        let name: Vec<String> = [self.part.to_owned()].into_iter().chain(values).collect();
+        folder.join(FOLDER).join(name.join("-") + ".svg")
     }
 
     fn is_of(&self, run: &Run) -> bool {
-        run.part == self.part
-            && run.law() == self.law
-            && run.pressure() == self.pressure
-            && run.seed() == SEED
+        let has = |(axis, value): &(&str, &str)| run.text(axis) == *value;
+        run.part == self.part && self.axes.iter().all(has) && run.seed() == SEED
+    }
+
+    fn caption(&self) -> String {
+        let axes = self.axes.iter().map(|(axis, value)| format!("{axis} {value}"));
+        let axes: Vec<String> = axes.collect();
+        let part = self.part;
+        format!("Final state, {}, seed {SEED} ({part}).", axes.join(", "))
     }
 
     /// The picture: that of a run below `out`, or the one that an earlier study kept.
@@ -64,13 +68,7 @@ pub fn keep(
         let folder = path.parent().unwrap_or(out);
         std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
         write_whole(&path, &bytes)?;
-        let Shown {
-            part,
-            law,
-            pressure,
-        } = shown;
-        let caption =
-            format!("Final state, law {law}, {pressure} of the strength, seed {SEED} ({part}).");
+        let caption = shown.caption();
         pictures.push((caption, String::from_utf8_lossy(&bytes).into_owned()));
     }
     Ok(pictures)

@@ -8,6 +8,7 @@ mod sweeps;
 mod tables;
 
 use super::Study;
+use super::pictures::Shown;
 use maud::{Markup, html};
 
 /// The study.
@@ -20,8 +21,18 @@ pub static STUDY: Study = Study {
     rules: || claims::RULES.iter().collect(),
     figures: |results, _| figures::figures(results),
     tables: tables::tables,
-    pictures: &[],
+    pictures: &[
+        shown(&[("shape", "disc")]),
+        shown(&[("shape", "10 sides")]),
+        shown(&[("shape", "pentagon")]),
+        shown(&[("shape", "triangle")]),
+    ],
 };
+
+/// Pictures as in figures 7 and 14 of the paper.
+const fn shown(axes: &'static [(&'static str, &'static str)]) -> Shown {
+    Shown { part: SHAPES, axes }
+}
 
 /// The part with all shapes.
 const SHAPES: &str = "shapes";

@@ -27,25 +27,23 @@ pub static STUDY: Study = Study {
     rules: || claims::rules().chain(&table::RULES).collect(),
     figures: figures::all,
     tables,
-    pictures: &[
-        shown("thesis-full", 0.0125),
-        shown("thesis-full", 0.15),
-        shown("thesis-full", 0.5),
-        shown("thesis-full", 0.7),
-        shown("corrected-full", 0.0125),
-        shown("corrected-full", 0.15),
-        shown("corrected-full", 0.4),
-        shown("corrected-full", 0.8),
-    ],
+    pictures: &PICTURES,
 };
 
-/// A picture as in thesis figure 11.
-const fn shown(part: &'static str, pressure: f64) -> Shown {
-    Shown {
-        part,
-        law: "HW",
-        pressure,
-    }
+/// Pictures as in thesis figure 11.
+static PICTURES: [Shown; 8] = [
+    shown("thesis-full", &[("law", "HW"), ("pressure", "0.0125")]),
+    shown("thesis-full", &[("law", "HW"), ("pressure", "0.15")]),
+    shown("thesis-full", &[("law", "HW"), ("pressure", "0.5")]),
+    shown("thesis-full", &[("law", "HW"), ("pressure", "0.7")]),
+    shown("corrected-full", &[("law", "HW"), ("pressure", "0.0125")]),
+    shown("corrected-full", &[("law", "HW"), ("pressure", "0.15")]),
+    shown("corrected-full", &[("law", "HW"), ("pressure", "0.4")]),
+    shown("corrected-full", &[("law", "HW"), ("pressure", "0.8")]),
+];
+
+const fn shown(part: &'static str, axes: &'static [(&'static str, &'static str)]) -> Shown {
+    Shown { part, axes }
 }
 
 /// The sweep files.
