@@ -39,6 +39,7 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
+mod replay;
 mod restart;
 mod restitution;
 mod rock;

@@ -5,6 +5,7 @@ mod calibrate;
 mod compare;
 mod help;
 mod progress;
+mod replay;
 mod study;
 mod sweep;
 mod terminal;
@@ -21,6 +22,7 @@ use gouge_runner::machine::{COMPILED_FOR, CallingThread, instruction_names, star
 use gouge_runner::scene::{Overrides, Scene, builtin};
 use gouge_runner::{commands, run};
 use gouge_studies::sweep::Program;
+use replay::ReplayArguments;
 use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -105,6 +107,9 @@ enum Command {
     /// Find the parameters of scenes that agree with what was measured
     #[command(after_help = help::CALIBRATE)]
     Calibrate(CalibrateArguments),
+    /// Repeat worked examples of other programs and write what is found, as JSON
+    #[command(after_help = help::REPLAY)]
+    Replay(ReplayArguments),
     /// Run the checks and write report.html and report.json
     #[command(after_help = help::VERIFY)]
     Verify {
@@ -220,6 +225,7 @@ fn execute(command: Command, program: &Program) -> Result<(), Error> {
         Command::Sweep(arguments) => return sweep::launch(&arguments, program),
         Command::Study(arguments) => return study::launch(&arguments, program),
         Command::Calibrate(arguments) => return calibrate::launch(&arguments, program),
+        Command::Replay(arguments) => return replay::launch(&arguments),
         Command::Verify { only, out } => return verify::launch(program, only.as_deref(), &out),
         Command::Links { scene } => commands::links(&scene.load()?)?,
         Command::Stability { scene } => commands::stability(&scene.load()?)?,
