@@ -387,6 +387,24 @@ fn a_column_shows_its_weight() {
 }
 
 #[test]
+fn points_on_an_incline_have_their_heights() {
+    let angle: f64 = 0.2;
+    let mut system = System::new(1e-3, law(FRICTION, 0.0, GapRule::Predicted));
+    let at = (-0.5 * angle.sin(), 0.5 * angle.cos());
+    system.body(4, 0.5f64.sqrt(), at, angle + FRAC_PI_4, Velocity::default());
+    system.floor(angle);
+    system.gravity(0.0, -10.0);
+    system.steps(1);
+    // The side of length 1 has its middle at the origin; the tangent points down.
+    let points = points_of(&system);
+    assert_eq!(points.len(), 2);
+    for point in points {
+        near(point.arms[1].t.abs(), 0.5, 1e-12);
+        near(point.height, -point.arms[1].t * angle.sin(), 1e-12);
+    }
+}
+
+#[test]
 fn moments_of_bodies_are_those_of_contacts() {
     let points = points_of(&column());
     let mut moments = [Tensor::default(); 2];

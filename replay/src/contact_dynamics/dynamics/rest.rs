@@ -8,7 +8,7 @@ use gouge_contact_dynamics::law::GapRule;
 use gouge_contact_dynamics::step::Scheme;
 use serde_json::{Value, json};
 
-/// Radius of the disc that meets the floor: small, so that rounding its height does not round the gap.
+/// Largest radius of the disc that meets the floor: small, so that rounding its height does not round the gap.
 const SMALL: f64 = 1.0 / 1024.0;
 
 /// A disc meets the floor with a predicted gap.
@@ -19,7 +19,7 @@ pub fn gap_closes(setup: &Setup) -> Result<Value, Fault> {
     let friction = fields.number_or("mu", 0.4)?;
     let restitution = fields.number_or("e_n", 0.0)?;
     let law = law(friction, restitution, 0.0, GapRule::Predicted);
-    let radius = SMALL * (gap * 64.0).max(f64::MIN_POSITIVE).min(1.0);
+    let radius = SMALL * (gap * 64.0).min(1.0);
     let mut motion = Motion::new(time_step, law, 1.0, speed.abs())?;
     motion.settings.detection.alert_distance = 2.0 * gap;
     motion.add(Solid {
