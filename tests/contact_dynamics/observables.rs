@@ -153,7 +153,7 @@ fn fourier_network(put_in: &Anisotropies, direction: f64, count: usize) -> Vec<C
         let part = |mean: f64, even: f64, odd: f64| [mean * (1.0 + even * cos), -mean * odd * sin];
         let forces = part(2.0, a.normal_force, a.tangential_force);
         let branches = part(0.7, a.normal_branch, a.tangential_branch);
-        let kind = KINDS[usize::from(k % 4 == 0)];
+        let kind = KINDS[usize::from(k.is_multiple_of(4))];
         contact(low + direction, kind, forces, branches)
     };
     (0..count).map(one).collect()
