@@ -237,6 +237,14 @@ fn mistakes_in_a_set_up_are_named() {
 }
 
 #[test]
+fn mistakes_in_scenes_of_contact_dynamics_are_named() {
+    let list = include_str!("bad_input/polygons.txt");
+    assert!(check_list(include_str!("bad_input/polygons.toml"), list) > 30);
+    let list = include_str!("bad_input/packings.txt");
+    assert!(check_list(include_str!("bad_input/packings.toml"), list) > 12);
+}
+
+#[test]
 fn mistakes_in_csv_files_are_named() {
     let list = include_str!("bad_input/beside.txt");
     assert!(check_list(include_str!("bad_input/beside.toml"), list) > 35);

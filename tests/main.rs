@@ -34,6 +34,7 @@ mod observations;
 mod original_program;
 mod overrides;
 mod page;
+mod polygons;
 mod pay_for_use;
 mod program;
 mod readings;

@@ -83,6 +83,25 @@ pub enum Error {
         /// The cause.
         source: gouge_dem::StepError,
     },
+    /// A run of contact dynamics stopped at an error of the kernel.
+    #[error("the run stopped in phase '{phase}': {source}")]
+    ContactDynamicsStep {
+        /// The phase of the run.
+        phase: String,
+        /// The cause.
+        source: gouge_contact_dynamics::error::StepError,
+    },
+    /// A packing did not settle.
+    #[error(
+        "the packing has not settled after {steps} steps; give setup.compaction.max_steps or settled_distance other values"
+    )]
+    Unsettled {
+        /// Number of steps.
+        steps: u64,
+    },
+    /// The kernel of contact dynamics refused the bodies of a scene.
+    #[error("the scene cannot be set up: {0}")]
+    ContactDynamicsSetup(#[from] gouge_contact_dynamics::error::SetupError),
     /// An energy overflowed although the state itself is still finite.
     #[error(
         "the run stopped in phase '{phase}': the {name} energy is not finite at {time:.6e} s; likely \
@@ -132,7 +151,12 @@ impl Error {
     pub fn is_of_state(&self) -> bool {
         matches!(
             self,
-            Self::Step { .. } | Self::Energy { .. } | Self::Setup(_)
+            Self::Step { .. }
+                | Self::Energy { .. }
+                | Self::Setup(_)
+                | Self::ContactDynamicsStep { .. }
+                | Self::ContactDynamicsSetup(_)
+                | Self::Unsettled { .. }
         )
     }
 

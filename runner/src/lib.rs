@@ -1,8 +1,10 @@
 //! Scenes in, outputs out: scene files, built-in scenes, runs, checkpoints, pictures, comparisons.
 
+pub mod any_scene;
 pub mod build;
 pub mod commands;
 pub mod compare;
+pub mod contact_dynamics;
 pub mod error;
 pub mod machine;
 pub mod references;

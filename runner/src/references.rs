@@ -1,7 +1,8 @@
 //! The cases of the folder `references` as scenes: runs that other programs computed as well.
 //!
 //! A case is a folder `ENGINE/NAME`: `case.toml` lists the runs, and `scene.toml` is our scene with
-//! `${variables}` of the runs. The program embeds a copy of all of them.
+//! `${variables}` of the runs. The program embeds a copy of all of them. Folders without `scene.toml` belong to kernels
+//! without scenes, whose tests read them.
 
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
@@ -46,11 +47,11 @@ pub fn file_text(folder: &Path, name: &str) -> Result<&'static str, String> {
     text.ok_or_else(|| format!("{name} is missing"))
 }
 
-/// Paths of all cases, in alphabetical order.
+/// Paths of all cases that have a scene, in alphabetical order.
 pub fn paths() -> impl Iterator<Item = String> {
     let folders = FOLDER.dirs().flat_map(Dir::dirs);
-    let with_case = folders.filter(|folder| folder.contains(folder.path().join("case.toml")));
-    let mut paths: Vec<String> = with_case
+    let with_scene = folders.filter(|folder| folder.contains(folder.path().join("scene.toml")));
+    let mut paths: Vec<String> = with_scene
         .map(|folder| folder.path().display().to_string())
         .collect();
     paths.sort();

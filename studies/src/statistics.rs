@@ -28,7 +28,7 @@ impl Mean {
     }
 
     /// Standard error of the mean.
-    fn error(&self) -> f64 {
+    pub fn error(&self) -> f64 {
         self.deviation / (self.number as f64).sqrt()
     }
 

@@ -1,5 +1,7 @@
 //! What `gouge run` prints at its end: the files, what the run shows, and how to look at it.
 
+use gouge_runner::any_scene::AnyScene;
+use gouge_runner::contact_dynamics;
 use gouge_runner::run::{Friction, Summary};
 use gouge_runner::scene::{Scene, Trajectory};
 use std::fmt::Write;
@@ -9,7 +11,15 @@ use std::path::Path;
 const MOST_SCARCE: f64 = 40.0;
 
 /// The account of a finished run in a folder.
-pub fn account(scene: &Scene, summary: &Summary, folder: &Path) -> String {
+pub fn account(scene: &AnyScene, summary: &Summary, folder: &Path) -> String {
+    match scene {
+        AnyScene::Dem(scene) => account_of_grains(scene, summary, folder),
+        AnyScene::ContactDynamics(scene) => account_of_bodies(scene, summary, folder),
+    }
+}
+
+/// The account of a run of the thesis's model.
+fn account_of_grains(scene: &Scene, summary: &Summary, folder: &Path) -> String {
     let mut text = String::new();
     let mut line = |name: &str, content: &str| {
         let _ = writeln!(text, "{name:16}{content}");
@@ -45,7 +55,7 @@ pub fn account(scene: &Scene, summary: &Summary, folder: &Path) -> String {
         },
     );
     text.push('\n');
-    text + &files(scene, folder)
+    text + &listed(files(scene), folder)
 }
 
 fn balance(summary: &Summary) -> String {
@@ -108,7 +118,7 @@ fn friction_lines(friction: &Friction) -> Vec<(&'static str, String)> {
     lines
 }
 
-fn files(scene: &Scene, folder: &Path) -> String {
+fn files(scene: &Scene) -> Vec<(&'static str, &'static str)> {
     let mut files = vec![
         (
             "run.html",
@@ -159,6 +169,72 @@ fn files(scene: &Scene, folder: &Path) -> String {
         }
         _ => {}
     }
+    files
+}
+
+/// The account of a run of contact dynamics.
+fn account_of_bodies(scene: &contact_dynamics::Scene, summary: &Summary, folder: &Path) -> String {
+    let warnings = match summary.warnings.len() {
+        0 => "none".to_owned(),
+        number => format!("{number}, listed in summary.json"),
+    };
+    let run = format!(
+        "{} bodies, {} steps until {:.4e} s, in {:.1} s of wall time",
+        summary.particles, summary.steps, summary.time, summary.wall_seconds
+    );
+    let lines = [
+        ("status", summary.status.clone()),
+        ("run", run),
+        ("energy balance", balance(summary)),
+        ("warnings", warnings),
+    ];
+    let mut text = String::new();
+    for (name, content) in lines {
+        let _ = writeln!(text, "{name:16}{content}");
+    }
+    text.push('\n');
+    text + &listed(files_of_bodies(scene), folder)
+}
+
+fn files_of_bodies(scene: &contact_dynamics::Scene) -> Vec<(&'static str, &'static str)> {
+    let frames = match scene.output.trajectory {
+        Trajectory::None => None,
+        Trajectory::Vtk => Some(("trajectory/run.vtk.series", "frames; opens in ParaView")),
+        Trajectory::Extxyz => Some(("trajectory/frame_000000.xyz", "frames; opens in OVITO")),
+    };
+    let files = [
+        (
+            "run.html",
+            "verdict, figures and picture; opens in a browser",
+        ),
+        (
+            "picture.svg",
+            "final state with its forces; opens in a browser",
+        ),
+        (
+            "series.csv",
+            "stresses, work, sweeps and overlap over time; opens in pandas",
+        ),
+        (
+            "network.csv",
+            "sums over the contact network over time; opens in pandas",
+        ),
+        (
+            "particles.csv",
+            "final bodies; another scene can read them as particles_file",
+        ),
+        (
+            "contacts.csv",
+            "contact points of the last step, with forces and impulses",
+        ),
+        ("summary.json", "this account and more"),
+        ("checkpoint", "final state to the bit, for --resume"),
+    ];
+    files.into_iter().chain(frames).collect()
+}
+
+/// The files that exist, with their paths.
+fn listed(mut files: Vec<(&'static str, &'static str)>, folder: &Path) -> String {
     files.retain(|(name, _)| folder.join(name).exists());
     let path = |name: &str| folder.join(name).display().to_string();
     let width = files.iter().map(|(name, _)| path(name).len()).max();

@@ -17,9 +17,10 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 use compare::CompareArguments;
+use gouge_runner::any_scene::AnyScene;
 use gouge_runner::error::Error;
 use gouge_runner::machine::{COMPILED_FOR, CallingThread, instruction_names, start_pool};
-use gouge_runner::scene::{Overrides, Scene, builtin};
+use gouge_runner::scene::{Overrides, builtin};
 use gouge_runner::{commands, run};
 use gouge_studies::sweep::Program;
 use replay::ReplayArguments;
@@ -151,22 +152,17 @@ struct SceneArguments {
 }
 
 impl SceneArguments {
-    fn load(&self) -> Result<Scene, Error> {
+    fn load(&self) -> Result<AnyScene, Error> {
         let overrides = Overrides::parse(&self.set)?;
         if self.scene != "-" {
             self.tell_of_ambiguity();
-            return Scene::load_with(&self.scene, &overrides);
+            return AnyScene::load_with(&self.scene, &overrides);
         }
         let mut bytes = Vec::new();
         let read = std::io::stdin().read_to_end(&mut bytes);
         read.map_err(|error| Error::file("read", Path::new("standard input"), error))?;
         let folder = Path::new(".");
-        Ok(Scene::parse_with(
-            "standard input",
-            &bytes,
-            folder,
-            &overrides,
-        )?)
+        AnyScene::parse_with("standard input", &bytes, folder, &overrides)
     }
 
     /// Say so if both a file and a built-in scene have the name.
@@ -212,7 +208,7 @@ fn execute(command: Command, program: &Program) -> Result<(), Error> {
                 checkpoint_interval,
             };
             let scene = scene.load()?;
-            let summary = run::run(&scene, &out, options, &mut Terminal::new(quiet)?)?;
+            let summary = scene.run(&out, options, &mut Terminal::new(quiet)?)?;
             if !quiet {
                 print(&account(&scene, &summary, &out))?;
             }
@@ -221,14 +217,16 @@ fn execute(command: Command, program: &Program) -> Result<(), Error> {
                 false => Ok(()),
             };
         }
-        Command::Compare { scene, data } => return compare::launch(&scene.load()?, data),
+        Command::Compare { scene, data } => {
+            return compare::launch(&scene.load()?.dem("compare")?, data);
+        }
         Command::Sweep(arguments) => return sweep::launch(&arguments, program),
         Command::Study(arguments) => return study::launch(&arguments, program),
         Command::Calibrate(arguments) => return calibrate::launch(&arguments, program),
         Command::Replay(arguments) => return replay::launch(&arguments),
         Command::Verify { only, out } => return verify::launch(program, only.as_deref(), &out),
-        Command::Links { scene } => commands::links(&scene.load()?)?,
-        Command::Stability { scene } => commands::stability(&scene.load()?)?,
+        Command::Links { scene } => scene.load()?.links()?,
+        Command::Stability { scene } => scene.load()?.stability()?,
         Command::Scenes { name } => commands::scenes(name.as_deref())?,
         Command::Completions { shell } => completions(shell),
         Command::Man { command } => manual(command.as_deref())?,

@@ -1,7 +1,7 @@
 //! Shows the warnings of a run and, if standard error is a terminal, a progress bar.
 
 use gouge_runner::error::Error;
-use gouge_runner::run::{Event, Observer, Phase};
+use gouge_runner::run::{Event, NamedPhase, Observer};
 use indicatif::{ProgressBar, ProgressStyle};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
@@ -108,7 +108,7 @@ struct PhaseBar {
 }
 
 impl PhaseBar {
-    fn new(phases: &[Phase]) -> Self {
+    fn new(phases: &[NamedPhase]) -> Self {
         let mut starts = vec![0_u64];
         for phase in phases {
             starts.push(starts[starts.len() - 1].saturating_add(phase.steps));

@@ -175,6 +175,12 @@ impl Assembly {
         Ok(())
     }
 
+    /// Area of a body in m².
+    pub fn area(&self, body: usize) -> f64 {
+        let area = self.shapes.outline(self.shape[body]).measures.area;
+        area * self.scale[body] * self.scale[body]
+    }
+
     fn require_shape(&self, shape: ShapeId) -> Result<(), SetupError> {
         match self.shapes.contains(shape) {
             true => Ok(()),

@@ -67,7 +67,12 @@ impl PointKinematics {
     /// Velocity of the second unit relative to the first at the point in m/s.
     #[inline]
     pub fn relative_velocity(&self, velocities: &[Velocity]) -> Components {
-        let [first, second] = self.units.map(|unit| velocities[unit as usize]);
+        self.velocity_of(self.units.map(|unit| velocities[unit as usize]))
+    }
+
+    /// Velocity of the second unit relative to the first at the point in m/s, from the velocities of the two.
+    #[inline]
+    pub fn velocity_of(&self, [first, second]: [Velocity; 2]) -> Components {
         let [one, other] = self.arms;
         let linear = second.linear - first.linear;
         Components {

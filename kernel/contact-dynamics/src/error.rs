@@ -1,4 +1,4 @@
-//! Errors of the set-up. A step cannot fail.
+//! What can go wrong.
 
 use thiserror::Error;
 
@@ -27,6 +27,12 @@ pub enum SetupError {
         /// Index of the vertex.
         vertex: usize,
     },
+    /// No body is near a wall to which bodies should be glued.
+    #[error("no body is near {near}")]
+    Nothing {
+        /// Which wall.
+        near: &'static str,
+    },
     /// A body refers to a shape or a rigid unit that does not exist.
     #[error("{what} {index} does not exist: there are only {count}")]
     Missing {
@@ -36,6 +42,39 @@ pub enum SetupError {
         index: usize,
         /// Number of existing items.
         count: usize,
+    },
+}
+
+/// A step that failed.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum StepError {
+    /// The velocity of a unit is no longer finite.
+    #[error(
+        "the velocity of rigid unit {unit} is not finite at {time:.6e} s, after {steps} steps; likely cause: forces or \
+         velocities are too large"
+    )]
+    NotFinite {
+        /// The unit.
+        unit: usize,
+        /// Time in s.
+        time: f64,
+        /// Number of steps, with the one that failed.
+        steps: u64,
+    },
+    /// A body moves so far per step that it may pass others unseen.
+    #[error(
+        "body {body} moves {distance:.3e} m in the step to {time:.6e} s, more than its diameter of {limit:.3e} m, and may \
+         pass others unseen; likely cause: the time step is too long for this speed"
+    )]
+    TooFast {
+        /// The body.
+        body: usize,
+        /// How far it moves in m.
+        distance: f64,
+        /// Its diameter in m.
+        limit: f64,
+        /// Time in s.
+        time: f64,
     },
 }
 

@@ -7,7 +7,7 @@ use crate::error::{SetupError, require};
 use crate::law::ContactLaw;
 use crate::local::Components;
 use crate::sweep::{ContactInput, Solver, SweepReport, SweepSettings};
-use crate::units::InverseMass;
+use crate::units::{InverseMass, Velocity};
 use crate::warm_start::{Memory, PointKey};
 use gouge_common::geometry::{Metric, Vec2, WithMetric};
 use gouge_common::neighbors::{Neighbors, SearchSpheres};
@@ -90,6 +90,7 @@ pub struct Workspace {
     keys: Vec<PointKey>,
     points: Vec<ContactInput>,
     guesses: Vec<Components>,
+    before: Vec<Velocity>,
     solver: Solver,
 }
 
@@ -129,6 +130,7 @@ impl Workspace {
             keys: Vec::new(),
             points: Vec::new(),
             guesses: Vec::new(),
+            before: Vec::new(),
             solver: Solver::new(),
         }
     }
@@ -141,6 +143,11 @@ impl Workspace {
     /// Identities of the contact points of the latest step.
     pub fn keys(&self) -> &[PointKey] {
         &self.keys
+    }
+
+    /// Velocities of the units before the latest step.
+    pub fn velocities_before(&self) -> &[Velocity] {
+        &self.before
     }
 
     /// Contact points of the latest step as they were detected.
@@ -189,7 +196,8 @@ impl Workspace {
             point.impulse = *guess;
         }
         let masses = &assembly.inverse_mass;
-        let before = &state.configuration.velocity;
+        self.before.clone_from(&state.configuration.velocity);
+        let before = &self.before;
         let solver = &mut self.solver;
         solver.prepare(
             &self.points,

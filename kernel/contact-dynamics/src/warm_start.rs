@@ -52,6 +52,11 @@ impl Memory {
         self.impulses.push(impulse);
     }
 
+    /// The points with their impulses.
+    pub fn iter(&self) -> impl Iterator<Item = (&PointKey, &Components)> {
+        self.keys.iter().zip(&self.impulses)
+    }
+
     /// The impulses of the same points in the previous step, or zero, one per key.
     ///
     /// Of the points of the same pair, the one with the same feature is the same; without it, the nearest within a

@@ -8,7 +8,7 @@ mod table;
 pub use read::{Data, Frame, Kind, When, read};
 
 use crate::error::Error;
-use crate::run::{Event, Observer, Phase, begin_phase, phases};
+use crate::run::{Event, Observer, Phase, begin_phase, named, phases};
 use crate::scene::Scene;
 use gouge_dem::World;
 use quantities::Quantities;
@@ -101,7 +101,7 @@ pub fn compare(
     let mut differences = quantities.differences(data, options)?;
     let main = phases.len() - 1;
     observer.event(Event::PhaseBegan {
-        phases: &phases,
+        phases: &named(&phases),
         index: main,
     });
     for frame in &data.frames {
@@ -142,7 +142,10 @@ fn particles(data: &Data, all: usize) -> Option<[usize; 3]> {
 fn set_up(scene: &Scene, phases: &[Phase], observer: &mut dyn Observer) -> Result<World, Error> {
     let mut world = begin_phase(scene, phases, 0, None)?;
     for index in 0..phases.len() - 1 {
-        observer.event(Event::PhaseBegan { phases, index });
+        observer.event(Event::PhaseBegan {
+            phases: &named(phases),
+            index,
+        });
         advance(&mut world, phases[index].steps, phases, index, observer)?;
         world = begin_phase(scene, phases, index + 1, Some(world))?;
     }

@@ -1,8 +1,7 @@
 //! Checkpoints, from which `--resume` continues: written completely or not at all, and checked before use.
 //!
-//! A checkpoint begins with the magic bytes, the fingerprint of the scene and the version of the format, and ends
-//! with a checksum. Between them are the progress of the run, the keys of the scene, and the state as the tag of its
-//! model and named columns. All numbers are words of eight bytes, the least significant byte first.
+//! Between the ends that all checkpoints have (`sealed.rs`) are the progress of the run, the keys of the scene, and the
+//! state as the tag of its model and named columns.
 
 use super::balance::Balance;
 use super::bytes::{Reader, put_record, put_text, put_words};
@@ -11,27 +10,19 @@ use super::fingerprint::{Fingerprint, Kinship};
 use super::folder::write_whole;
 use super::friction::DriveSample;
 use super::phases::{PhaseKind, phase_model, phases};
+use super::sealed;
 use crate::error::Error;
 use crate::machine::with_chosen_execution;
 use crate::scene::{Keys, Scene};
 use gouge_common::geometry::Vec2;
 use gouge_common::record::Record;
 use gouge_dem::World;
-use sha2::{Digest, Sha256};
 use std::path::Path;
 
-/// First bytes of every checkpoint.
-const MAGIC: &[u8; 16] = b"gouge checkpoint";
-/// Version of the format.
-const VERSION: u64 = 8;
-/// Bytes of a checksum or fingerprint.
-const DIGEST: usize = 32;
-/// Bytes before the version.
-const PREFIX: usize = MAGIC.len() + DIGEST;
 /// Why a state is refused that is whole, but not one of the scene.
-const UNFIT: &str = "its state does not fit the scene";
-/// Number of words of the version and of the progress of the run.
-const HEAD: usize = 8;
+pub(crate) const UNFIT: &str = "its state does not fit the scene";
+/// Number of words of the progress of the run.
+const HEAD: usize = 7;
 
 /// Progress and state of a run at one step.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,10 +63,8 @@ impl Checkpoint {
     /// # Errors
     /// Failures of the file system; the earlier checkpoint then still exists.
     pub fn write(&self, path: &Path, fingerprint: &Fingerprint) -> Result<(), Error> {
-        let mut bytes = MAGIC.to_vec();
-        bytes.extend(fingerprint.0);
+        let mut bytes = sealed::begin(fingerprint);
         let head = [
-            VERSION,
             self.phase,
             self.samples,
             self.series_bytes,
@@ -95,9 +84,7 @@ impl Checkpoint {
         put_text(&mut bytes, &self.keys.to_text());
         put_text(&mut bytes, &self.warnings);
         put_record(&mut bytes, &self.state);
-        let digest = Sha256::digest(&bytes);
-        bytes.extend(digest);
-        write_whole(path, &bytes)
+        write_whole(path, &sealed::seal(bytes))
     }
 
     /// Read a checkpoint from a file, and whether it belongs to a scene.
@@ -114,17 +101,9 @@ impl Checkpoint {
     /// # Errors
     /// What is wrong with it.
     pub fn parse(bytes: &[u8], scene: &Scene) -> Result<(Self, Kinship), &'static str> {
-        if bytes.len() < PREFIX + 8 * HEAD + DIGEST || !bytes.starts_with(MAGIC) {
-            return Err("it is not a checkpoint, or its beginning is damaged");
-        }
-        let (content, digest) = bytes.split_at(bytes.len() - DIGEST);
-        if Sha256::digest(content)[..] != *digest {
-            return Err("it is damaged: its checksum does not match its content");
-        }
-        let mut rest = Reader(&content[PREFIX..]);
+        let (fingerprint, mut rest) = sealed::open(bytes)?;
         let head = rest.words(HEAD as u64).unwrap_or_default();
         let [
-            version,
             phase,
             samples,
             series_bytes,
@@ -136,11 +115,7 @@ impl Checkpoint {
         else {
             return Err("it is damaged: its beginning is missing");
         };
-        if version != VERSION {
-            return Err("it was written by another version of the program");
-        }
         let rest = Rest::read(rest).ok_or(UNFIT)?;
-        let fingerprint = &content[MAGIC.len()..PREFIX];
         let kinship = Kinship::of(scene, fingerprint, &rest.keys);
         let saved = Self {
             phase,
@@ -222,7 +197,7 @@ fn drive_samples(rest: &mut Reader) -> Option<Vec<DriveSample>> {
     Some(samples.iter().map(sample).collect())
 }
 
-fn refusal(path: &Path, reason: &str) -> Error {
+pub(crate) fn refusal(path: &Path, reason: &str) -> Error {
     Error::Checkpoint {
         path: path.to_owned(),
         reason: reason.to_owned(),

@@ -4,13 +4,17 @@ use super::displacements::Displacements;
 use super::friction::DriveSample;
 use super::links;
 use super::measures::{measured, names as measured_names};
+use super::page::{DRIVEN, FIXED, Grain, SINGLE};
 use super::series::{Sample, Value};
 use super::table::{Kinds, Table, Values};
 use super::trajectory::{Frame, LinkFrame, Shapes};
 use crate::scene::{Scene, role_name};
 use gouge_common::geometry::Vec2;
-use gouge_dem::estimators::{Energy, fragments, friction_feedback, friction_load};
+use gouge_dem::estimators::{
+    Energy, fragments, friction_feedback, friction_load, particle_pressures,
+};
 use gouge_dem::forces::Interaction;
+use gouge_dem::laws::characteristic_length;
 use gouge_dem::particles::{Particles, Role, sphere_mass};
 use gouge_dem::{Drive, World};
 
@@ -231,4 +235,30 @@ pub fn lines(scene: &Scene, world: &World) -> impl Iterator<Item = (usize, usize
     let bonded = world.bonds().map_or(&[][..], |bonds| bonds.pairs());
     let pairs = bonded.iter().map(|pair| pair.indices());
     pairs.filter(move |&(i, j)| (position[i].x - position[j].x).abs() <= half)
+}
+
+/// What the motion on the page shows of every particle.
+pub fn grains(world: &World) -> Vec<Grain> {
+    let p = world.particles();
+    let fragments = fragments(world.state());
+    let mut sizes = vec![0_usize; fragments.number];
+    fragments.label.iter().for_each(|&label| sizes[label] += 1);
+    let thickness = characteristic_length(&p.radius);
+    let pressures = particle_pressures(p, &world.interactions(), thickness);
+    let grain = |i: usize| Grain {
+        numbers: [
+            p.position[i].x as f32,
+            p.position[i].y as f32,
+            p.angle[i] as f32,
+            p.velocity[i].norm() as f32,
+            pressures[i] as f32,
+        ],
+        colour: match (p.role[i], sizes[fragments.label[i]]) {
+            (Role::Fixed, _) => FIXED,
+            (Role::Driven, _) => DRIVEN,
+            (Role::Free, 1) => SINGLE,
+            (Role::Free, _) => (fragments.label[i] % usize::from(SINGLE)) as u8,
+        },
+    };
+    (0..p.len()).map(grain).collect()
 }

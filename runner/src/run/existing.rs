@@ -11,13 +11,28 @@ use std::path::Path;
 
 /// How a run begins.
 #[derive(Debug)]
-pub enum Beginning {
+pub enum Beginning<C> {
     /// From the scene.
     Fresh,
     /// From a checkpoint of the same scene, possibly with an earlier end.
-    Checkpoint(Box<Checkpoint>),
+    Checkpoint(Box<C>),
     /// Not at all: the run is already complete, and this is its summary.
     Complete(Box<Summary>),
+}
+
+/// A checkpoint of the scenes of a model.
+pub trait Saved<S>: Sized {
+    /// Read a checkpoint from a file, and whether it belongs to a scene.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is damaged.
+    fn read(path: &Path, scene: &S) -> Result<(Self, Kinship), Error>;
+}
+
+impl Saved<Scene> for Checkpoint {
+    fn read(path: &Path, scene: &Scene) -> Result<(Self, Kinship), Error> {
+        Self::read(path, scene)
+    }
 }
 
 /// The scene with the interval between samples of the run in a folder, if the scene gives none and that run is one of
@@ -37,7 +52,11 @@ pub fn with_interval_of_earlier_run(scene: &Scene, folder: &Path) -> Option<Scen
 ///
 /// # Errors
 /// Outputs that the run would replace, nothing to resume from, or a failure of the file system.
-pub fn beginning(scene: &Scene, folder: &Path, options: RunOptions) -> Result<Beginning, Error> {
+pub fn beginning<S, C: Saved<S>>(
+    scene: &S,
+    folder: &Path,
+    options: RunOptions,
+) -> Result<Beginning<C>, Error> {
     let found = outputs(folder)?;
     if options.overwrite {
         return Ok(Beginning::Fresh);
@@ -58,7 +77,7 @@ pub fn beginning(scene: &Scene, folder: &Path, options: RunOptions) -> Result<Be
         let what = format!("{}, and {trouble}", first.display());
         return Err(refusal(folder, &what, ""));
     }
-    let read = Checkpoint::read(&path, scene);
+    let read = C::read(&path, scene);
     let (saved, kinship) = read.map_err(|error| match error {
         Error::Checkpoint { reason, .. } if !options.resume => {
             refusal(folder, &format!("a checkpoint, but {reason}"), "")
@@ -97,7 +116,7 @@ fn refusal(folder: &Path, what: &str, advice: &str) -> Error {
 }
 
 /// A finished run needs nothing, unless a part of its results was removed.
-fn complete(folder: &Path, summary: Summary) -> Result<Beginning, Error> {
+fn complete<C>(folder: &Path, summary: Summary) -> Result<Beginning<C>, Error> {
     let missing = [SERIES, PARTICLES, PICTURE]
         .into_iter()
         .find(|name| !folder.join(name).exists());

@@ -1,8 +1,7 @@
 //! Whether a checkpoint belongs to a scene.
 
-use crate::scene::{Keys, Place, Scene};
+use crate::scene::{Keys, SceneText};
 use sha2::{Digest, Sha256};
-use std::path::PathBuf;
 
 /// Most keys that an error message lists.
 const MOST_KEYS: usize = 3;
@@ -24,8 +23,8 @@ pub enum Kinship {
 
 impl Fingerprint {
     /// The fingerprint of a scene.
-    pub fn of(scene: &Scene) -> Self {
-        Self::digest(&content(scene))
+    pub fn of(scene: &impl SceneText) -> Self {
+        Self::digest(&scene.content_until(scene.end()))
     }
 
     fn digest(content: &str) -> Self {
@@ -36,21 +35,18 @@ impl Fingerprint {
 
 impl Kinship {
     /// How a scene is related to that of a checkpoint with the given fingerprint and keys.
-    pub fn of(scene: &Scene, fingerprint: &[u8], keys: &Keys) -> Self {
+    pub fn of(scene: &impl SceneText, fingerprint: &[u8], keys: &Keys) -> Self {
         if fingerprint == Fingerprint::of(scene).0 {
             return Self::Same;
         }
-        let end = keys.number("time.end").filter(|&end| end < scene.end);
+        let end = keys.number("time.end").filter(|&end| end < scene.end());
         if let Some(end) = end {
-            let shorter = Scene {
-                end,
-                ..scene.clone()
-            };
-            if fingerprint == Fingerprint::of(&shorter).0 {
+            let shorter = Fingerprint::digest(&scene.content_until(end));
+            if fingerprint == shorter.0 {
                 return Self::Shorter(end);
             }
         }
-        Self::Other(match keys.differences(&scene.keys).as_slice() {
+        Self::Other(match keys.differences(scene.keys()).as_slice() {
             [] => "it belongs to another version of the program".to_owned(),
             all => {
                 let (shown, rest) = all.split_at(all.len().min(MOST_KEYS));
@@ -62,34 +58,4 @@ impl Kinship {
             }
         })
     }
-}
-
-/// Everything in a scene that affects the bits of a run, as text.
-fn content(scene: &Scene) -> String {
-    let mut anonymous = Scene {
-        file: String::new(),
-        files: Vec::new(),
-        title: String::new(),
-        sha256: String::new(),
-        keys: Keys::default(),
-        laws: toml::Table::new(),
-        has_default_interval: false,
-        ..scene.clone()
-    };
-    let nowhere = Place {
-        file: String::new(),
-        line: 0,
-        key: String::new(),
-    };
-    if let Some(start) = &mut anonymous.start {
-        start.path = PathBuf::new();
-        start.refusal = nowhere.error(String::new(), String::new());
-    }
-    for (_, place) in &mut anonymous.bonds {
-        place.clone_from(&nowhere);
-    }
-    for (_, place) in &mut anonymous.contacts {
-        place.clone_from(&nowhere);
-    }
-    format!("{anonymous:?}")
 }

@@ -2,7 +2,7 @@
 
 use super::trajectory::{FOLDER, is_frame};
 use crate::error::Error;
-use crate::scene::Scene;
+use crate::scene::SceneText;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -29,12 +29,16 @@ pub const RESTART_PARTICLES: &str = "restart-particles.csv";
 /// The contacts of that scene.
 pub const RESTART_CONTACTS: &str = "restart-contacts.csv";
 
+/// Sums over the contact network of contact dynamics.
+pub const NETWORK: &str = "network.csv";
+/// The contact points of the last step of contact dynamics.
+pub const CONTACTS: &str = "contacts.csv";
 /// The picture of stresses over strains.
 pub const STRESS_STRAIN: &str = "stress-strain.svg";
 
 /// The files of a run outside the trajectory, in the order in which a new run removes them. If the removal is
 /// interrupted, what remains looks like results without a checkpoint, which nothing replaces unasked.
-const FILES: [&str; 12] = [
+const FILES: [&str; 14] = [
     CHECKPOINT,
     SUMMARY,
     SERIES,
@@ -47,6 +51,8 @@ const FILES: [&str; 12] = [
     RESTART_PARTICLES,
     RESTART_CONTACTS,
     STRESS_STRAIN,
+    NETWORK,
+    CONTACTS,
 ];
 
 /// All files in a folder that have the name of an output.
@@ -86,13 +92,13 @@ fn exists(path: &Path) -> bool {
 ///
 /// # Errors
 /// A folder with a file that would be replaced.
-pub fn refuse_replacing_inputs(scene: &Scene, folder: &Path) -> Result<(), Error> {
+pub fn refuse_replacing_inputs(scene: &impl SceneText, folder: &Path) -> Result<(), Error> {
     for output in outputs(folder)? {
         let Ok(place) = output.canonicalize() else {
             continue;
         };
         let is_it = |file: &&PathBuf| file.canonicalize().is_ok_and(|file| file == place);
-        if let Some(file) = scene.files.iter().find(is_it) {
+        if let Some(file) = scene.files().iter().find(is_it) {
             return Err(Error::Argument(format!(
                 "the run would replace {}, which the scene reads; choose another output folder than {}",
                 file.display(),

@@ -1,6 +1,5 @@
 //! Events that a run reports. The runner prints nothing; the observer decides what is shown.
 
-use super::phases::Phase;
 use super::warning::Warning;
 use std::path::Path;
 
@@ -13,7 +12,7 @@ pub enum Event<'a> {
     /// A phase begins, or a run is resumed in it.
     PhaseBegan {
         /// All phases of the run, in order.
-        phases: &'a [Phase],
+        phases: &'a [NamedPhase],
         /// Position of this phase among them.
         index: usize,
     },
@@ -52,6 +51,15 @@ pub enum Event<'a> {
         /// The folder.
         folder: &'a Path,
     },
+}
+
+/// A phase of a run, of any model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NamedPhase {
+    /// Name in progress and error messages.
+    pub name: String,
+    /// Number of steps, at most.
+    pub steps: u64,
 }
 
 /// A receiver of the events of a run.

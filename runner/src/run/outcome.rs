@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// Status of a finished run.
-pub const DONE: &str = "done";
+const DONE: &str = "done";
 /// Status of a finished run whose energy balance cannot be trusted.
 pub const UNTRUSTED: &str = "untrusted";
 /// Status of a run that was stopped by the user.
@@ -65,12 +65,30 @@ pub struct Summary {
     /// Friction of a driven block; absent if nothing slides.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub friction: Option<Friction>,
+    /// Means over the contact networks of the second half of a run of contact dynamics, if the scene measures them.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub network: Option<serde_json::Map<String, serde_json::Value>>,
     /// Number of times the neighbour list was built; resuming a run builds it once more.
     #[serde(default)]
     pub neighbor_rebuilds: u64,
 }
 
 impl Summary {
+    /// Status of a finished run.
+    pub const DONE: &str = DONE;
+    /// Status of a run that was stopped by the user.
+    pub const INTERRUPTED: &str = INTERRUPTED;
+
+    /// Status of a run that an error of the model stopped.
+    pub fn failed(error: &Error) -> String {
+        format!("{FAILED}{error}")
+    }
+
+    /// Whether a status is that of a run that an error of the model stopped.
+    pub fn is_failure(status: &str) -> bool {
+        status.starts_with(FAILED)
+    }
+
     /// The summary of the run in a folder.
     ///
     /// # Errors
@@ -94,7 +112,7 @@ impl Summary {
 
     /// Whether an error of the model stopped the run.
     pub fn is_failed(&self) -> bool {
-        self.status.starts_with(FAILED)
+        Self::is_failure(&self.status)
     }
 
     /// Whether the run finished without anything to show because its first state could not be made.
@@ -102,8 +120,9 @@ impl Summary {
         self.is_failed() && self.particles == 0
     }
 
-    /// The summary of a run of which nothing is known but its status.
-    fn empty(scene: &Scene, status: String) -> Self {
+    /// The summary of a run of which nothing is known but the hash of its scene, whether the balance is watched, and its
+    /// status.
+    pub fn empty(scene_sha256: &str, balance_watched: bool, status: String) -> Self {
         Self {
             status,
             steps: 0,
@@ -116,13 +135,14 @@ impl Summary {
             link_steps_per_second: 0.0,
             version: env!("CARGO_PKG_VERSION").to_owned(),
             commit: COMMIT.to_owned(),
-            scene_sha256: scene.sha256.clone(),
+            scene_sha256: scene_sha256.to_owned(),
             energy: None,
             series_columns: Vec::new(),
             warnings: Vec::new(),
-            balance_watched: scene.output.energy,
+            balance_watched,
             balance_error: None,
             friction: None,
+            network: None,
             neighbor_rebuilds: 0,
         }
     }
@@ -132,10 +152,15 @@ impl Summary {
     /// # Errors
     /// Failures of the file system.
     pub fn write_stillborn(scene: &Scene, folder: &Path, error: &Error) -> Result<(), Error> {
-        Self::empty(scene, format!("{FAILED}{error}")).write(folder)
+        let status = Self::failed(error);
+        Self::empty(&scene.sha256, scene.output.energy, status).write(folder)
     }
 
-    fn write(&self, folder: &Path) -> Result<(), Error> {
+    /// Write the summary into a folder.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn write(&self, folder: &Path) -> Result<(), Error> {
         let path = folder.join(SUMMARY);
         let text = serde_json::to_string_pretty(self)
             .map_err(|error| Error::file("write", &path, std::io::Error::other(error)))?;
@@ -169,7 +194,7 @@ impl SceneRun<'_> {
             Some(error) if error.is_interruption() => INTERRUPTED.to_owned(),
             Some(error) => {
                 self.world = self.world.with_state(self.last_good.clone());
-                format!("{FAILED}{error}")
+                Summary::failed(error)
             }
         };
         let summary = Summary {
@@ -229,7 +254,7 @@ impl SceneRun<'_> {
             balance_watched: scene.output.energy,
             balance_error: scene.output.energy.then(|| self.balance.ratio()),
             friction: Friction::of(&self.drive_samples, mean(&world.particles().radius)),
-            ..Summary::empty(scene, status)
+            ..Summary::empty(&scene.sha256, scene.output.energy, status)
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The phases of a run: those of the set-up, then the scene proper.
 
+use super::observer::NamedPhase;
 use crate::scene::{PhaseTable, Scene, steps_for};
 use gouge_dem::model::{BondLaws, ContactLaws, Model};
 
@@ -54,6 +55,15 @@ pub fn phases(scene: &Scene) -> Vec<Phase> {
         steps: scene.steps(),
     });
     phases
+}
+
+/// The phases as observers see them.
+pub fn named(phases: &[Phase]) -> Vec<NamedPhase> {
+    let named = |phase: &Phase| NamedPhase {
+        name: phase.name.clone(),
+        steps: phase.steps,
+    };
+    phases.iter().map(named).collect()
 }
 
 /// The model of a phase.

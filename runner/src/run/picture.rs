@@ -5,6 +5,7 @@ use super::folder::{PICTURE, write_whole};
 use super::scale_bar::ScaleBar;
 use crate::error::Error;
 use crate::scene::Scene;
+use gouge_common::geometry::Vec2;
 use gouge_dem::World;
 use gouge_dem::estimators::fragments;
 use gouge_dem::particles::{Particles, Role};
@@ -26,32 +27,40 @@ const MARGIN: f64 = 16.0;
 const LETTERS: f64 = 32.0;
 
 /// The region that the picture shows.
-struct View {
+pub struct View {
     low: [f64; 2],
     high: [f64; 2],
 }
 
 impl View {
     fn of(scene: &Scene, particles: &Particles) -> Self {
+        let discs = particles.position.iter().zip(&particles.radius);
+        let corners = discs.flat_map(|(&x, &r)| [x - Vec2::new(r, r), x + Vec2::new(r, r)]);
+        Self::around(corners, scene.domain.period())
+    }
+    /// The region around some points; as wide as the period, if there is one.
+    pub fn around(points: impl Iterator<Item = Vec2>, period: Option<f64>) -> Self {
         let mut view = Self {
             low: [f64::INFINITY; 2],
             high: [f64::NEG_INFINITY; 2],
         };
-        for (x, &r) in particles.position.iter().zip(&particles.radius) {
-            for (axis, x) in [x.x, x.y].into_iter().enumerate() {
-                view.low[axis] = view.low[axis].min(x - r);
-                view.high[axis] = view.high[axis].max(x + r);
+        for point in points {
+            for (axis, x) in [point.x, point.y].into_iter().enumerate() {
+                view.low[axis] = view.low[axis].min(x);
+                view.high[axis] = view.high[axis].max(x);
             }
         }
-        if let Some(width) = scene.domain.period() {
+        if let Some(width) = period {
             (view.low[0], view.high[0]) = (0.0, width);
         }
         view
     }
-    fn scale(&self) -> f64 {
+    /// Pixels per metre.
+    pub fn scale(&self) -> f64 {
         SIZE / (self.high[0] - self.low[0]).max(self.high[1] - self.low[1])
     }
-    fn at(&self, x: f64, y: f64) -> [f64; 2] {
+    /// The place of a point in pixels.
+    pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
         let scale = self.scale();
         [(x - self.low[0]) * scale, (self.high[1] - y) * scale]
     }
@@ -80,33 +89,34 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, is_untrusted: bool) ->
 /// The state of a scene as a picture with a scale bar.
 pub fn draw_picture(scene: &Scene, world: &World) -> Document {
     let view = View::of(scene, world.particles());
+    let title = format!("{}, t = {:.6e} s", scene.title, world.time());
+    let parts = [grains(&view, world), bonds(&view, scene, world)];
+    framed(&view, &title, parts)
+}
+
+/// A picture of some parts with a scale bar below them.
+pub fn framed(view: &View, title: &str, parts: [Group; 2]) -> Document {
     let [mut width, mut height] = view.at(view.high[0], view.low[1]);
     let mut below = Group::new();
     if let Some(bar) = ScaleBar::within(LONGEST_BAR * SIZE / view.scale()) {
-        below = draw_bar(&view, &bar, height);
+        below = draw_bar(view, &bar, height);
         // A letter is about 0.6 times as wide as high.
         let label = 0.6 * LETTERS * bar.label.chars().count() as f64;
         width = width.max(bar.length * view.scale() + label + 3.0 * MARGIN);
         height += STRIP;
     }
-    Document::new()
+    let picture = Document::new()
         .set("viewBox", (0.0, 0.0, width.round(), height.round()))
         .set("width", width.round())
         .set("height", height.round())
-        .add(svg::node::element::Title::new(format!(
-            "{}, t = {:.6e} s",
-            scene.title,
-            world.time()
-        )))
+        .add(svg::node::element::Title::new(title))
         .add(
             Rectangle::new()
                 .set("width", "100%")
                 .set("height", "100%")
                 .set("fill", "white"),
-        )
-        .add(grains(&view, world))
-        .add(bonds(&view, scene, world))
-        .add(below)
+        );
+    parts.into_iter().fold(picture, Document::add).add(below)
 }
 
 /// The scale bar on a white strip below the given height in pixels, which hides what protrudes from the box.
@@ -201,6 +211,6 @@ fn bonds(view: &View, scene: &Scene, world: &World) -> Group {
 }
 
 /// The number rounded to two decimals, which is enough for a picture.
-fn rounded(x: f64) -> f64 {
+pub fn rounded(x: f64) -> f64 {
     (x * 100.0).round() / 100.0
 }

@@ -71,10 +71,13 @@ impl SceneRun<'_> {
         }
         self.write_breaks()?;
         if let Some(frames) = &mut self.frames {
-            frames.write(self.scene, self.samples, &self.world)?;
+            let links = self.scene.output.links;
+            let links = links.then(|| dem::link_frame(self.scene, &self.world));
+            let frame = dem::frame(self.scene, &self.world);
+            frames.write(self.samples, &frame, links.as_ref())?;
         }
         if let Some(animation) = &mut self.animation {
-            animation.write(&self.world)?;
+            animation.write(&dem::grains(&self.world))?;
         }
         Ok(())
     }

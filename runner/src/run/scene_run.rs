@@ -12,9 +12,9 @@ use super::friction::DriveSample;
 use super::lock::Lock;
 use super::outcome::Summary;
 use super::page::Animation;
-use super::phases::{Phase, phases};
+use super::phases::{Phase, named, phases};
 use super::series::Series;
-use super::trajectory::Frames;
+use super::trajectory::{FramePlan, Frames};
 use super::transitions::begin_phase;
 use super::warning::in_phase;
 use super::{Event, Observer, RunOptions, Warning};
@@ -163,7 +163,8 @@ impl<'a> SceneRun<'a> {
             let bytes = run.without_early_sample(saved.series_bytes)?;
             run.series = Some(run.open_series(Some(bytes))?);
             run.breaks = run.open_breaks(Some(saved.breaks_bytes))?;
-            run.frames = Frames::open(scene, folder, run.samples)?;
+            run.frames =
+                Frames::open(&frames_of(scene), folder, &sample_times(scene, run.samples))?;
             run.animation = run.open_animation()?;
         }
         let _ = std::fs::remove_file(folder.join(SUMMARY));
@@ -293,7 +294,7 @@ impl<'a> SceneRun<'a> {
         if self.is_main() {
             self.series = Some(self.open_series(None)?);
             self.breaks = self.open_breaks(None)?;
-            self.frames = Frames::open(self.scene, &self.folder, 0)?;
+            self.frames = Frames::open(&frames_of(self.scene), &self.folder, &[])?;
             self.animation = self.open_animation()?;
         }
         Ok(())
@@ -320,8 +321,9 @@ impl<'a> SceneRun<'a> {
     }
 
     fn report_phase(&mut self) {
+        let phases = named(&self.phases);
         self.observer.event(Event::PhaseBegan {
-            phases: &self.phases,
+            phases: &phases,
             index: self.phase,
         });
     }
@@ -463,4 +465,18 @@ impl<'a> SceneRun<'a> {
         });
         Ok(())
     }
+}
+
+/// What frames a scene asks for.
+fn frames_of(scene: &Scene) -> FramePlan {
+    FramePlan {
+        trajectory: scene.output.trajectory,
+        has_links: scene.output.links,
+    }
+}
+
+/// Times of the first samples in s.
+fn sample_times(scene: &Scene, samples: u64) -> Vec<f64> {
+    let time = |sample| scene.sample_step(sample) as f64 * scene.step;
+    (0..samples).map(time).collect()
 }

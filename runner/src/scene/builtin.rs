@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 /// Name, purpose and text of every built-in scene.
-pub const SCENES: [(&str, &str, &str); 14] = [
+pub const SCENES: [(&str, &str, &str); 16] = [
     (
         "granite-fault",
         "two blocks of granite, 100 mm, sheared under pressure for 50 ms (thesis section 4.2)",
@@ -75,6 +75,16 @@ pub const SCENES: [(&str, &str, &str); 14] = [
         "hexagonal-lattice-tension",
         "a lattice of equal grains is pulled apart; its elastic constants are known exactly",
         include_str!("../scenes/hexagonal-lattice-tension.toml"),
+    ),
+    (
+        "sheared-polygons",
+        "hexagons between rough walls are sheared, by contact dynamics; takes half a minute",
+        include_str!("../scenes/sheared-polygons.toml"),
+    ),
+    (
+        "square-on-incline",
+        "a square slides down an incline, by contact dynamics",
+        include_str!("../scenes/square-on-incline.toml"),
     ),
 ];
 

@@ -18,7 +18,7 @@ pub struct Keys(BTreeMap<String, String>);
 
 impl Keys {
     /// The keys of a scene file with its overrides.
-    pub(super) fn of(source: &Source, table: &DeTable) -> Self {
+    pub(crate) fn of(source: &Source, table: &DeTable) -> Self {
         let mut keys = Self::default();
         keys.add_table(source, "", table);
         keys.0.remove("title");
@@ -39,7 +39,7 @@ impl Keys {
     }
 
     /// Set a key; long values are hashed.
-    pub(super) fn set(&mut self, key: &str, value: &str) {
+    pub(crate) fn set(&mut self, key: &str, value: &str) {
         let value = match value.len() {
             0..=LONGEST => value.to_owned(),
             _ => format!("a long value with the hash {}", hash(value.as_bytes())),
@@ -48,7 +48,7 @@ impl Keys {
     }
 
     /// Add the hash of the file that a key names.
-    pub(super) fn set_file(&mut self, key: &str, name: &str, content: &[u8]) {
+    pub(crate) fn set_file(&mut self, key: &str, name: &str, content: &[u8]) {
         self.set(key, &format!("{name:?} with the hash {}", hash(content)));
     }
 

@@ -2,25 +2,29 @@
 
 pub mod builtin;
 mod check;
+mod file;
 mod history;
 mod keys;
 mod laws;
 mod output;
 mod overrides;
+mod scene_text;
 mod particles;
-mod rows;
+pub(crate) mod rows;
 mod setup;
 mod shape;
 mod strength;
-mod table;
+pub(crate) mod table;
 mod text;
 
+pub use file::{MODELS, SceneFile};
 pub use history::{History, initial_angles};
 pub use keys::Keys;
 pub use laws::DrivingTable;
 pub use output::{Measure, Output, Trajectory};
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
+pub use scene_text::SceneText;
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
 pub use shape::{Rectangle, Shape};
 pub use strength::BondStrength;
@@ -39,8 +43,7 @@ use gouge_dem::particles::{Particle, Particles};
 use gouge_dem::{ModelError, Number, Start, World};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use table::{Range, Source, Table};
-use text::{syntax_error, text_of};
+use table::{Range, Table};
 use toml::de::DeTable;
 
 type Result<T> = std::result::Result<T, SceneError>;
@@ -172,26 +175,7 @@ impl Scene {
         name: impl AsRef<Path>,
         overrides: &Overrides,
     ) -> std::result::Result<Self, Error> {
-        let path = name.as_ref();
-        if let Some((name, text)) = (!path.is_file()).then(|| builtin::of_path(path)).flatten() {
-            let folder = Path::new(".");
-            return Ok(Self::parse_with(name, text.as_bytes(), folder, overrides)?);
-        }
-        let name = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|error| SceneError {
-            file: name.clone(),
-            line: 0,
-            key: String::new(),
-            value: String::new(),
-            accepted: format!(
-                "must be a readable scene file or one of the built-in scenes {}: {error}",
-                builtin::names().join(", ")
-            ),
-        })?;
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let mut scene = Self::parse_with(&name, &bytes, folder, overrides)?;
-        path.clone_into(&mut scene.files[0]);
-        Ok(scene)
+        Ok(Self::read(&SceneFile::load(name)?, overrides)?)
     }
 
     /// Read a scene from the bytes of a file; its CSV files are read from `folder`.
@@ -212,22 +196,21 @@ impl Scene {
         folder: &Path,
         overrides: &Overrides,
     ) -> Result<Self> {
-        let text = text_of(file, bytes)?;
-        let breaks = Source::breaks(text);
-        let source = Source {
-            file,
-            text,
-            breaks: &breaks,
-            overrides: overrides.list(),
-        };
-        let table = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
-        let table = overrides.apply(table.into_inner(), text.len() + 1)?;
-        let root = Table::root(source, &table);
-        let mut scene = Self::from_table(&root, folder)?;
-        scene.sha256 = hex(&overrides.sha256(bytes));
-        scene.keys = keys(&root, &table, folder, &scene)?;
-        scene.laws = laws_of(&table);
-        scene.check(&root)?;
+        Self::read(&SceneFile::new(file, bytes, folder), overrides)
+    }
+
+    pub(crate) fn read(file: &SceneFile, overrides: &Overrides) -> Result<Self> {
+        let mut scene = file.read(overrides, |root, table, folder| {
+            let mut scene = Self::from_table(root, folder)?;
+            scene.keys = keys(root, table, folder, &scene)?;
+            scene.laws = laws_of(table);
+            scene.check(root)?;
+            Ok(scene)
+        })?;
+        scene.sha256 = file.sha256(overrides);
+        if let Some(path) = file.path() {
+            path.clone_into(&mut scene.files[0]);
+        }
         Ok(scene)
     }
 
@@ -401,7 +384,7 @@ pub fn wrap<S: Real>(domain: &Domain, particles: &mut Particles<S>) {
     }
 }
 
-fn domain(root: &Table) -> Result<Domain> {
+pub(crate) fn domain(root: &Table) -> Result<Domain> {
     let Some(table) = root.optional_table("box")? else {
         return Ok(Domain {
             width: None,
@@ -484,4 +467,44 @@ fn files(root: &Table, folder: &Path) -> Result<Vec<PathBuf>> {
     }
     files.extend(strength::file(root, folder)?.map(|(_, path)| path));
     Ok(files)
+}
+
+impl SceneText for Scene {
+    fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+    fn keys(&self) -> &Keys {
+        &self.keys
+    }
+    fn end(&self) -> f64 {
+        self.end
+    }
+    fn content_until(&self, end: f64) -> String {
+        let mut anonymous = Self {
+            end,
+            file: String::new(),
+            files: Vec::new(),
+            title: String::new(),
+            sha256: String::new(),
+            keys: Keys::default(),
+            laws: toml::Table::new(),
+            has_default_interval: false,
+            ..self.clone()
+        };
+        let nowhere = Place {
+            file: String::new(),
+            line: 0,
+            key: String::new(),
+        };
+        if let Some(start) = &mut anonymous.start {
+            start.path = PathBuf::new();
+            start.refusal = nowhere.error(String::new(), String::new());
+        }
+        let bonds = anonymous.bonds.iter_mut().map(|(_, place)| place);
+        let contacts = anonymous.contacts.iter_mut().map(|(_, place)| place);
+        bonds
+            .chain(contacts)
+            .for_each(|place| place.clone_from(&nowhere));
+        format!("{anonymous:?}")
+    }
 }

@@ -65,6 +65,15 @@ const MEASURES: [(&str, Measure); 7] = [
     ("strain", Measure::Strain),
 ];
 
+impl Trajectory {
+    /// Read the key `trajectory` of `[output]`.
+    pub(crate) fn read(table: &Table) -> Result<Self> {
+        Ok(table
+            .optional_choice("trajectory", &FORMATS)?
+            .unwrap_or(Self::None))
+    }
+}
+
 const FORMATS: [(&str, Trajectory); 3] = [
     ("none", Trajectory::None),
     ("vtk", Trajectory::Vtk),
@@ -96,9 +105,7 @@ pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
     if let Some(interval) = table.optional_number("interval", Range::Positive)? {
         output.interval = interval;
     }
-    if let Some(trajectory) = table.optional_choice("trajectory", &FORMATS)? {
-        output.trajectory = trajectory;
-    }
+    output.trajectory = Trajectory::read(&table)?;
     output.links = table.optional_truth("links")?.unwrap_or(false);
     if output.links && output.trajectory == Trajectory::None {
         let accepted = "needs frames: output.trajectory = \"vtk\" or \"extxyz\"";

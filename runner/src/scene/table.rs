@@ -18,7 +18,7 @@ pub struct Source<'a> {
     /// Positions of all line breaks in the text.
     pub breaks: &'a [usize],
     /// The overrides. Their values have the byte positions after the text and one more byte.
-    pub overrides: &'a [Override],
+    pub(super) overrides: &'a [Override],
 }
 
 impl<'a> Source<'a> {
@@ -387,6 +387,28 @@ impl<'a> Table<'a> {
     pub fn pair(&self, key: &str) -> Result<[f64; 2]> {
         self.optional_pair(key)?
             .ok_or_else(|| self.missing(key, "must be an array of two finite numbers"))
+    }
+
+    /// An array of pairs of finite numbers.
+    pub fn pairs(&self, key: &str) -> Result<Vec<[f64; 2]>> {
+        let accepted = "must be an array of pairs of numbers";
+        let Some(value) = self.value(key) else {
+            return Err(self.missing(key, accepted));
+        };
+        let DeValue::Array(items) = value.get_ref() else {
+            return Err(self.error(key, accepted));
+        };
+        let pair = |item: &Spanned<DeValue>| {
+            let DeValue::Array(numbers) = item.get_ref() else {
+                return None;
+            };
+            let numbers = numbers.iter().map(|one| number_of(one.get_ref()));
+            let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
+            let is_finite = numbers.iter().all(|number| number.is_finite());
+            numbers.try_into().ok().filter(|_| is_finite)
+        };
+        let pairs = items.iter().map(pair).collect::<Option<_>>();
+        pairs.ok_or_else(|| self.error(key, accepted))
     }
 
     /// An array of numbers.

@@ -229,6 +229,7 @@ impl Place<'_> {
     fn observed(&self, spanned: &Spanned<ObserveKeys>) -> Result<Observed, SceneError> {
         let keys = spanned.get_ref();
         let observation = Observation {
+            network: keys.network.clone(),
             name: keys.name.clone(),
             quantity: keys.quantity,
             column: keys.column.clone(),

@@ -4,8 +4,9 @@ use super::calibration::{Calibration, Test};
 use super::file_keys::{FileKeys, TestKeys};
 use super::sobol;
 use crate::text::Place;
+use gouge_runner::any_scene::AnyScene;
 use gouge_runner::error::{Error, SceneError};
-use gouge_runner::scene::{Overrides, Scene};
+use gouge_runner::scene::Overrides;
 use toml::Spanned;
 
 /// Most points of the ranges at which a scene is tried.
@@ -63,11 +64,11 @@ impl Place<'_> {
 
 /// The scene of a test at the middle of the ranges or, if it refuses the values there, at the first point that it
 /// accepts; what it says about the middle if it accepts none.
-fn usable_scene(calibration: &Calibration, test: &Test) -> Result<Scene, Error> {
+fn usable_scene(calibration: &Calibration, test: &Test) -> Result<AnyScene, Error> {
     let seed = test.seeds_at(0).first().copied().flatten();
     let load = |point: &[f64]| {
         let overrides = calibration.overrides(test, point, seed);
-        Scene::load_with(&test.scene, &Overrides::parse(&overrides)?)
+        AnyScene::load_with(&test.scene, &Overrides::parse(&overrides)?)
     };
     let dimensions = calibration.parameters.len();
     load(&vec![0.5; dimensions]).or_else(|error| {

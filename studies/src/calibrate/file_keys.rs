@@ -83,6 +83,7 @@ pub struct ObserveKeys {
     pub quantity: Option<Quantity>,
     pub column: Option<String>,
     pub statistic: Option<Statistic>,
+    pub network: Option<String>,
     pub against: Option<String>,
     pub range: Option<[f64; 2]>,
     pub level: Option<f64>,

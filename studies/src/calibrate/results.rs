@@ -140,7 +140,7 @@ fn outcome(run: &Planned, test: &Test, out: &Path) -> (Result<Vec<f64>, String>,
     let outcome = match (status, &summary) {
         (Status::Done, Some(summary)) => {
             let folder = run.folder(out);
-            let read_scene = || run.load().ok();
+            let read_scene = || run.load().ok()?.into_dem();
             let finished = crate::sweep::Finished::new(&folder, summary, &read_scene);
             let observed = test.observed.iter();
             observed

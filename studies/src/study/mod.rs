@@ -6,6 +6,7 @@ mod curves;
 mod media;
 mod page;
 mod pictures;
+mod polygons;
 mod results;
 mod rocks;
 mod sample;
@@ -47,11 +48,12 @@ pub struct Study {
 }
 
 /// All studies.
-pub static STUDIES: [&Study; 4] = [
+pub static STUDIES: [&Study; 5] = [
     &thesis::STUDY,
     &strength::STUDY,
     &media::STUDY,
     &rocks::STUDY,
+    &polygons::STUDY,
 ];
 
 /// How much is run.

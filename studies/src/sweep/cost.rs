@@ -1,14 +1,19 @@
 //! What runs will cost, from short pilot runs.
 
 use super::plan::Planned;
+use gouge_runner::any_scene::AnyScene;
 use gouge_runner::error::Error;
 use gouge_runner::run::{begin_phase, phases};
+use gouge_runner::scene::Scene;
 use std::time::Instant;
 
 /// Number of runs that are tried.
 const PILOTS: usize = 5;
 /// Steps of a pilot run.
 const STEPS: u64 = 2000;
+/// Time in s per body and step of contact dynamics. The first steps tell nothing of the later ones, which need many
+/// sweeps: sheared packings took 1 to 4 microseconds.
+const PER_BODY: f64 = 3e-6;
 /// Bytes of a row of the series per column, and of the outputs per particle.
 const BYTES: [f64; 2] = [20.0, 1200.0];
 
@@ -47,8 +52,23 @@ pub fn estimate(runs: &[&Planned]) -> Cost {
 
 fn pilot_run(run: &Planned) -> Result<Cost, Error> {
     let scene = run.load()?;
-    let phases = phases(&scene);
-    let mut world = begin_phase(&scene, &phases, 0, None)?.with_threads(1);
+    let [per_step, particles] = match &scene {
+        AnyScene::Dem(scene) => steps_of_grains(scene)?,
+        AnyScene::ContactDynamics(scene) => {
+            let bodies = scene.number_of_bodies() as f64;
+            [PER_BODY * bodies, bodies]
+        }
+    };
+    Ok(Cost {
+        core_hours: per_step * scene.steps() as f64 / 3600.0,
+        bytes: BYTES[0] * 16.0 * scene.samples() + BYTES[1] * particles,
+    })
+}
+
+/// Time per step in s at the beginning of a run, and the number of particles.
+fn steps_of_grains(scene: &Scene) -> Result<[f64; 2], Error> {
+    let phases = phases(scene);
+    let mut world = begin_phase(scene, &phases, 0, None)?.with_threads(1);
     let steps = STEPS.min(phases[0].steps).max(1);
     let began = Instant::now();
     for _ in 0..steps {
@@ -58,10 +78,5 @@ fn pilot_run(run: &Planned) -> Result<Cost, Error> {
         }
     }
     let per_step = began.elapsed().as_secs_f64() / steps as f64;
-    let all: u64 = phases.iter().map(|phase| phase.steps).sum();
-    let samples = scene.end / scene.output.interval;
-    Ok(Cost {
-        core_hours: per_step * all as f64 / 3600.0,
-        bytes: BYTES[0] * 16.0 * samples + BYTES[1] * world.particles().len() as f64,
-    })
+    Ok([per_step, world.particles().len() as f64])
 }

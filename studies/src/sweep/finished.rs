@@ -3,9 +3,10 @@
 use crate::columns::Columns;
 use crate::decay::Decay;
 use crate::final_state::FinalState;
+use gouge_runner::contact_dynamics::Means;
 use gouge_runner::run::Summary;
 use gouge_runner::scene::Scene;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::path::Path;
 
 /// A finished run.
@@ -19,6 +20,8 @@ pub struct Finished<'a> {
     series: OnceCell<Option<Columns>>,
     decay: OnceCell<Option<Decay>>,
     final_state: OnceCell<Option<FinalState>>,
+    /// Means over contact networks, by the time in s after which samples count.
+    networks: RefCell<Vec<(f64, Option<Means>)>>,
 }
 
 impl<'a> Finished<'a> {
@@ -36,6 +39,7 @@ impl<'a> Finished<'a> {
             series: OnceCell::new(),
             decay: OnceCell::new(),
             final_state: OnceCell::new(),
+            networks: RefCell::default(),
         }
     }
 
@@ -57,6 +61,16 @@ impl<'a> Finished<'a> {
             Decay::fit(series.get("time")?, series.get("friction_load")?)
         };
         self.decay.get_or_init(fit).as_ref()
+    }
+
+    /// A mean over its contact networks after a time in s.
+    pub(super) fn network(&self, after: f64, name: &str) -> Option<f64> {
+        let mut known = self.networks.borrow_mut();
+        if !known.iter().any(|(time, _)| *time == after) {
+            known.push((after, Means::between(self.folder, after, f64::INFINITY)));
+        }
+        let means = known.iter().find(|(time, _)| *time == after);
+        means.and_then(|(_, means)| means.as_ref()?.get(name))
     }
 
     /// Fragments and cracks at its end.

@@ -2,8 +2,8 @@
 
 use super::finished::Finished;
 use super::quantity::Quantity;
-use gouge_runner::run::series_columns;
-use gouge_runner::scene::Scene;
+use gouge_runner::any_scene::AnyScene;
+use gouge_runner::contact_dynamics::Means;
 use serde::Deserialize;
 
 /// A number taken from a finished run.
@@ -18,6 +18,8 @@ pub struct Observation {
     pub column: Option<String>,
     /// What is taken of the column.
     pub statistic: Option<Statistic>,
+    /// A mean over the contact networks of contact dynamics.
+    pub network: Option<String>,
     /// Another column, for the statistics that need one.
     pub against: Option<String>,
     /// The range of values of the other column that count; all if absent.
@@ -83,6 +85,7 @@ impl Observation {
         let is_finite = |number: Option<f64>| number.is_none_or(f64::is_finite);
         let [low, high] = self.range.unwrap_or([0.0, 1.0]);
         let (key, accepted) = match (&self.quantity, &self.column, &self.statistic) {
+            _ if self.network.is_some() => return self.check_network(),
             (None, Some(_), None) => (
                 "statistic",
                 "a column needs one of mean, deviation, minimum, maximum, last, slope, at-peak, at-trough, at-level and at-change",
@@ -90,7 +93,7 @@ impl Observation {
             (Some(_), Some(_), _) => ("column", "must not be given beside quantity"),
             (None, None, _) => (
                 "quantity",
-                "must have either quantity, or column and statistic",
+                "must have either quantity, or column and statistic, or network",
             ),
             (Some(_), None, Some(_)) => ("statistic", "is for a column, not for a quantity"),
             _ if of_two && self.against.is_none() => ("against", "must name another column"),
@@ -115,15 +118,47 @@ impl Observation {
         Err((key, accepted.to_owned()))
     }
 
+    /// Check an observation of contact networks.
+    fn check_network(&self) -> Result<(), Mistake> {
+        let others = [
+            ("quantity", self.quantity.is_some()),
+            ("column", self.column.is_some()),
+            ("statistic", self.statistic.is_some()),
+            ("against", self.against.is_some()),
+            ("range", self.range.is_some()),
+            ("level", self.level.is_some()),
+        ];
+        if let Some((key, _)) = others.into_iter().find(|(_, is_given)| *is_given) {
+            return Err((key, "must not be given beside network".to_owned()));
+        }
+        let names = Means::names();
+        let is_known = self
+            .network
+            .as_ref()
+            .is_some_and(|name| names.contains(name));
+        match is_known {
+            true => Ok(()),
+            false => Err(("network", format!("must be one of {}", names.join(", ")))),
+        }
+    }
+
     /// Check that runs of a scene can have a value.
     ///
     /// # Errors
     /// The key at fault and what is accepted.
-    pub fn check_in(&self, scene: &Scene) -> Result<(), Mistake> {
-        if let Some(needed) = self.quantity.and_then(|one| one.lacks(scene)) {
+    pub fn check_in(&self, scene: &AnyScene) -> Result<(), Mistake> {
+        let lacks = |quantity: Quantity| match scene.as_dem() {
+            Some(scene) => quantity.lacks(scene),
+            None => Some("model = \"dem\"; columns of its series can be observed"),
+        };
+        if let Some(needed) = self.quantity.and_then(lacks) {
             return Err(("quantity", format!("needs a scene with {needed}")));
         }
-        let columns = series_columns(scene);
+        if self.network.is_some() && !scene.measures_network() {
+            let accepted = "needs a scene of contact dynamics with output.measure = [\"network\"]";
+            return Err(("network", accepted.to_owned()));
+        }
+        let columns = scene.series_columns();
         for (key, column) in [("column", &self.column), ("against", &self.against)] {
             let is_known = |name: &String| columns.contains(&name.as_str());
             if !column.as_ref().is_none_or(is_known) {
@@ -131,9 +166,9 @@ impl Observation {
                 return Err((key, format!("must be a column of the series: {list}")));
             }
         }
-        match self.after > scene.end {
+        match self.after > scene.end() {
             true => {
-                let end = scene.end;
+                let end = scene.end();
                 Err(("after", format!("must not be above time.end = {end:?}")))
             }
             false => Ok(()),
@@ -142,12 +177,13 @@ impl Observation {
 
     /// The name in tables.
     pub fn name(&self) -> String {
+        let network = || self.network.clone().unwrap_or_default();
         let default = || match (&self.quantity, &self.column, &self.statistic) {
             (Some(quantity), ..) => quantity.name().to_owned(),
             (None, Some(column), Some(statistic)) => {
                 format!("{column}_{}", format!("{statistic:?}").to_lowercase())
             }
-            _ => String::new(),
+            _ => network(),
         };
         self.name.clone().unwrap_or_else(default)
     }
@@ -167,7 +203,7 @@ impl Observation {
         let value = match (self.quantity, &self.column, self.statistic) {
             (Some(quantity), ..) => quantity.value(run),
             (None, Some(column), Some(statistic)) => self.statistic(run, column, statistic),
-            _ => None,
+            _ => run.network(self.after, self.network.as_deref().unwrap_or_default()),
         };
         let value = value.map(|value| self.times.unwrap_or(1.0) * value);
         let value = value.filter(|value| value.is_finite());

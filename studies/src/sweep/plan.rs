@@ -3,9 +3,10 @@
 use super::file::{Axis, Sweep};
 use super::state::State;
 use crate::text::Place;
+use gouge_runner::any_scene::AnyScene;
 use gouge_runner::error::Error;
-use gouge_runner::run::{phases, write_whole};
-use gouge_runner::scene::{Overrides, Scene, hex};
+use gouge_runner::run::write_whole;
+use gouge_runner::scene::{Overrides, hex};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -54,16 +55,15 @@ impl Planned {
     /// Number of steps of the run, those of its set-up included; zero if its scene is refused. Runs of a sweep differ
     /// in cost mainly by this.
     pub fn steps(&self) -> u64 {
-        let steps = |scene: Scene| phases(&scene).iter().map(|phase| phase.steps).sum();
-        self.load().map_or(0, steps)
+        self.load().map_or(0, |scene| scene.steps())
     }
 
     /// The scene of the run.
     ///
     /// # Errors
     /// A scene that cannot be used.
-    pub fn load(&self) -> Result<Scene, Error> {
-        Scene::load_with(&self.scene, &Overrides::parse(&self.overrides)?)
+    pub fn load(&self) -> Result<AnyScene, Error> {
+        AnyScene::load_with(&self.scene, &Overrides::parse(&self.overrides)?)
     }
 }
 
@@ -115,9 +115,9 @@ pub fn open<'a>(runs: &'a [Planned], out: &Path) -> Vec<&'a Planned> {
 }
 
 /// Refuse an observation that no run can have; `first` is the first scene that accepts its values.
-fn refuse_unavailable(sweep: &Sweep, runs: &[Planned], first: &Scene) -> Result<(), Error> {
+fn refuse_unavailable(sweep: &Sweep, runs: &[Planned], first: &AnyScene) -> Result<(), Error> {
     for observation in &sweep.observations {
-        let check = |scene: &Scene| observation.get_ref().check_in(scene);
+        let check = |scene: &AnyScene| observation.get_ref().check_in(scene);
         let Err((key, accepted)) = check(first) else {
             continue;
         };
@@ -157,19 +157,19 @@ struct Names {
 
 impl Names {
     /// The names of a sweep; `scene` is one of its scenes.
-    fn of(sweep: &Sweep, scene: &Scene, out: &Path) -> Self {
+    fn of(sweep: &Sweep, scene: &AnyScene, out: &Path) -> Self {
         let mut hash = Sha256::new_with_prefix(env!("CARGO_PKG_VERSION"));
         hash.update(format!(
             "{:?} {:?} {:?} {:?}",
             sweep.scene, sweep.set, sweep.axes, sweep.seeds
         ));
-        hash.update(scene.sha256.as_bytes());
+        hash.update(scene.sha256().as_bytes());
         let folder = sweep.scene.parent().unwrap_or(Path::new("."));
         let values = sweep
             .all_axes()
             .flat_map(|axis| axis.values.iter().flatten());
         let named = values.map(|value| folder.join(value.trim_matches('"')));
-        for file in scene.files.iter().cloned().chain(named) {
+        for file in scene.files().iter().cloned().chain(named) {
             hash.update(std::fs::read(&file).unwrap_or_default());
         }
         Self {
@@ -200,7 +200,7 @@ impl Names {
 fn name(run: &Planned) -> String {
     // A combination that the scene refuses is a run, too: it will say so when it is run.
     let keys = match run.load() {
-        Ok(scene) => scene.keys.to_text(),
+        Ok(scene) => scene.keys().to_text(),
         Err(_) => run.overrides.join("\n"),
     };
     let content = format!("{keys}{}", env!("CARGO_PKG_VERSION"));

@@ -68,7 +68,7 @@ fn row(sweep: &Sweep, axes: &[&Axis], run: &Planned, out: &Path) -> Vec<String> 
         _ => false,
     };
     let summary = state.summary.as_ref();
-    let scene = || run.load().ok();
+    let scene = || run.load().ok()?.into_dem();
     let summary_of_observed = summary.filter(|_| is_observed);
     let finished = summary_of_observed.map(|summary| Finished::new(&folder, summary, &scene));
     let observe = |one: &Observation| finished.as_ref().map(|run| one.value(run));

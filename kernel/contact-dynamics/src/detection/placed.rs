@@ -49,6 +49,14 @@ impl<'a> Placed<'a> {
         self.outline.sides[k].offset * self.scale
     }
 
+    /// Distance in m from the centroid to the farthest point in a direction, a unit vector.
+    pub fn reach(&self, direction: Vec2) -> f64 {
+        match self.disc_radius() {
+            Some(radius) => radius,
+            None => self.scale * self.outline.support(self.to_body(direction)).1,
+        }
+    }
+
     /// Radius of the circle that contains the shape, in m.
     #[inline]
     pub fn circumradius(&self) -> f64 {

@@ -26,6 +26,16 @@ impl Feature {
         Self(vertex as u32 | OF_SECOND)
     }
 
+    /// The number behind the identity.
+    pub(crate) fn to_word(self) -> u32 {
+        self.0
+    }
+
+    /// The identity behind a number.
+    pub(crate) fn from_word(word: u32) -> Self {
+        Self(word)
+    }
+
     /// A vertex of the first or the second shape.
     pub(crate) fn of(is_second: bool, vertex: usize) -> Self {
         match is_second {

@@ -10,6 +10,7 @@ mod network;
 mod points;
 mod solid_fraction;
 mod sums;
+mod columns;
 
 pub use angular::{AngularSums, Bin};
 pub use anisotropy::Anisotropies;

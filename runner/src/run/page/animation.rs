@@ -2,10 +2,6 @@
 
 use crate::error::Error;
 use crate::run::trajectory::FOLDER;
-use gouge_dem::World;
-use gouge_dem::estimators::{fragments, particle_pressures};
-use gouge_dem::laws::characteristic_length;
-use gouge_dem::particles::Role;
 use std::fs::File;
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -83,9 +79,9 @@ impl Animation {
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn write(&mut self, world: &World) -> Result<(), Error> {
-        let mut bytes = Vec::with_capacity(WIDTH * world.particles().len());
-        for grain in grains(world) {
+    pub fn write(&mut self, grains: &[Grain]) -> Result<(), Error> {
+        let mut bytes = Vec::with_capacity(WIDTH * grains.len());
+        for grain in grains {
             grain
                 .numbers
                 .iter()
@@ -97,31 +93,6 @@ impl Animation {
     }
 }
 
-fn grains(world: &World) -> Vec<Grain> {
-    let p = world.particles();
-    let fragments = fragments(world.state());
-    let mut sizes = vec![0_usize; fragments.number];
-    fragments.label.iter().for_each(|&label| sizes[label] += 1);
-    let thickness = characteristic_length(&p.radius);
-    let pressures = particle_pressures(p, &world.interactions(), thickness);
-    let grain = |i: usize| Grain {
-        numbers: [
-            p.position[i].x as f32,
-            p.position[i].y as f32,
-            p.angle[i] as f32,
-            p.velocity[i].norm() as f32,
-            pressures[i] as f32,
-        ],
-        colour: match (p.role[i], sizes[fragments.label[i]]) {
-            (Role::Fixed, _) => FIXED,
-            (Role::Driven, _) => DRIVEN,
-            (Role::Free, 1) => SINGLE,
-            (Role::Free, _) => (fragments.label[i] % usize::from(SINGLE)) as u8,
-        },
-    };
-    (0..p.len()).map(grain).collect()
-}
-
 /// The samples of a run that ended.
 pub struct Recording {
     bytes: Vec<u8>,
@@ -130,11 +101,11 @@ pub struct Recording {
 
 impl Recording {
     /// The samples in the folder of a run; a file that cannot be read has none.
-    pub fn read(folder: &Path, world: &World) -> Self {
+    pub fn read(folder: &Path, particles: usize) -> Self {
         let bytes = std::fs::read(folder.join(FOLDER).join(NAME));
         Self {
             bytes: bytes.unwrap_or_default(),
-            particles: world.particles().len(),
+            particles,
         }
     }
 

@@ -1,6 +1,7 @@
 //! The samples of a run as few bytes, for the script of the page.
 
 use super::animation::{Grain, Recording};
+use super::player::Drawn;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde::Serialize;
@@ -33,6 +34,9 @@ pub struct Motion {
     pressure: f32,
     /// Radii in parts of the extent.
     radii: String,
+    /// Numbers of sides, 0 for discs; empty if there are only discs.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    sides: Vec<u16>,
     /// The samples, each as columns: x, y, angles, colours, speeds, pressures.
     samples: String,
     /// Whether grains are outside of the view in some sample.
@@ -56,8 +60,9 @@ pub fn chosen(recording: &Recording, particles: usize) -> Vec<usize> {
 }
 
 impl Motion {
-    /// The motion of grains with the given radii in m, in samples with the given times in s.
-    pub fn new(recording: &Recording, samples: &[usize], times: Vec<f64>, radii: &[f64]) -> Self {
+    /// The motion of grains in samples with the given times in s.
+    pub fn new(recording: &Recording, samples: &[usize], times: Vec<f64>, drawn: &Drawn) -> Self {
+        let radii = drawn.radii;
         let view = View::of(recording, samples, radii);
         let all = || samples.iter().flat_map(|&sample| recording.sample(sample));
         let speed = quantile(all().map(|grain| grain.numbers[3]).collect());
@@ -102,6 +107,7 @@ impl Motion {
             speed,
             pressure,
             radii: BASE64_STANDARD.encode(radii),
+            sides: drawn.sides.to_vec(),
             samples: BASE64_STANDARD.encode(bytes),
             loses_grains,
         }

@@ -8,7 +8,7 @@ use gouge_page::{Axis, Curve, Figure, Guide};
 use maud::{Markup, html};
 
 /// A figure: its title, the quantity and its unit, and the columns with their labels.
-type Plan = (
+pub type Plan = (
     &'static str,
     [&'static str; 2],
     &'static [(&'static str, &'static str)],
@@ -127,7 +127,7 @@ pub fn chapter(scene: &Scene, summary: &Summary, series: &Columns) -> Markup {
 }
 
 /// A figure of the columns that are there and not zero throughout; none if there are no such columns.
-fn figure((title, [quantity, unit], columns): &Plan, series: &Columns) -> Option<Figure> {
+pub fn figure((title, [quantity, unit], columns): &Plan, series: &Columns) -> Option<Figure> {
     let shows = |curve: &Curve| {
         curve
             .points

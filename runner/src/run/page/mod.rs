@@ -5,7 +5,9 @@ mod embedded;
 mod figures;
 mod player;
 
-pub use animation::{Animation, NAME as ANIMATION};
+pub use animation::{Animation, DRIVEN, FIXED, Grain, NAME as ANIMATION, SINGLE};
+pub use figures::{Plan, figure};
+pub use player::Drawn;
 
 use super::columns::Columns;
 use super::folder::{PAGE, SERIES, write_soon};
@@ -43,14 +45,21 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> 
         h2 { "Files" }
         (files(scene, world))
     };
-    write_soon(
-        &folder.join(PAGE),
-        styled_page(title, STYLE, body).into_string().as_bytes(),
-    )
+    write_soon(&folder.join(PAGE), with_style(title, body).as_bytes())
+}
+
+/// A page as text.
+pub fn with_style(title: &str, body: Markup) -> String {
+    styled_page(title, STYLE, body).into_string()
+}
+
+/// The motion in the folder of a run; `time` is that of a sample in s.
+pub fn motion(folder: &Path, drawn: &Drawn, time: &dyn Fn(u64) -> f64) -> Markup {
+    player::show(&Recording::read(folder, drawn.radii.len()), drawn, time)
 }
 
 /// How the run ended, and whether its results can be trusted.
-fn verdict(summary: &Summary) -> Markup {
+pub fn verdict(summary: &Summary) -> Markup {
     let balance = match summary.balance_error {
         Some(error) => format!("The energy balance closes to {error:.1e} of the energy exchanged."),
         None => "The energy balance was not watched, because output.energy is false.".to_owned(),
@@ -131,7 +140,15 @@ fn animation(folder: &Path, scene: &Scene, world: &World) -> Markup {
             p.about { "With " code { "output.trajectory" } " the page shows the motion, too." }
         };
     }
-    player::show(&Recording::read(folder, world), scene, world)
+    let radii = &world.particles().radius;
+    let time = |sample| scene.sample_step(sample) as f64 * scene.step;
+    let drawn = Drawn {
+        radii,
+        sides: &[],
+        label: "fragment",
+        pressure: "that of contacts and bonds in a grain",
+    };
+    motion(folder, &drawn, &time)
 }
 
 fn files(scene: &Scene, world: &World) -> Markup {

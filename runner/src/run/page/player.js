@@ -2,7 +2,7 @@
   "use strict";
   const motion = JSON.parse(document.getElementById("motion-data").textContent);
   const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const { grains, times, size, extent } = motion;
+  const { grains, times, size, extent, sides = [] } = motion;
   const data = bytes(motion.samples);
   const pairs = bytes(motion.radii);
   const radii = Array.from({ length: grains }, (_, i) => pairs[2 * i] + 256 * pairs[2 * i + 1]);
@@ -51,13 +51,21 @@
       if (x === OUTSIDE) continue;
       const r = Math.max(radii[i] * unit, 0.5);
       const [cx, cy] = [x * unit, canvas.height - y * unit];
+      const angle = data[start + 4 * grains + i] / 256 * 2 * Math.PI;
       context.fillStyle = palette[data[start + column * grains + i]];
       context.beginPath();
-      context.arc(cx, cy, r, 0, 7);
+      if (sides[i] > 0) {
+        for (let k = 0; k < sides[i]; k += 1) {
+          const at = angle + 2 * Math.PI * k / sides[i];
+          context.lineTo(cx + r * Math.cos(at), cy - r * Math.sin(at));
+        }
+        context.closePath();
+      } else {
+        context.arc(cx, cy, r, 0, 7);
+      }
       context.fill();
       if (r > 2) context.stroke();
       if (r > 4) {
-        const angle = data[start + 4 * grains + i] / 256 * 2 * Math.PI;
         context.beginPath();
         context.moveTo(cx, cy);
         context.lineTo(cx + r * Math.cos(angle), cy - r * Math.sin(angle));

@@ -2,15 +2,26 @@
 
 use super::animation::Recording;
 use super::embedded::{Motion, chosen};
-use crate::scene::Scene;
-use gouge_dem::World;
 use maud::{Markup, PreEscaped, html};
 
 const SCRIPT: &str = include_str!("player.js");
 
-/// The motion of all grains, or why it is not shown.
-pub fn show(recording: &Recording, scene: &Scene, world: &World) -> Markup {
-    let radii = &world.particles().radius;
+/// What the motion shows of all grains.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn<'a> {
+    /// Radii of discs or of circumscribed circles in m.
+    pub radii: &'a [f64],
+    /// Numbers of sides, 0 for discs; empty if there are only discs.
+    pub sides: &'a [u16],
+    /// What the colour that is neither speed nor pressure tells.
+    pub label: &'static str,
+    /// What pressure means.
+    pub pressure: &'static str,
+}
+
+/// The motion of all grains, or why it is not shown. `time` is that of a sample in s.
+pub fn show(recording: &Recording, drawn: &Drawn, time: &dyn Fn(u64) -> f64) -> Markup {
+    let radii = drawn.radii;
     let (number, samples) = (recording.len(), chosen(recording, radii.len()));
     if samples.is_empty() {
         let reason = match number {
@@ -19,10 +30,8 @@ pub fn show(recording: &Recording, scene: &Scene, world: &World) -> Markup {
         };
         return html! { p.about { "The motion is not shown: " (reason) "." } };
     }
-    let times = samples
-        .iter()
-        .map(|&sample| scene.sample_step(sample as u64) as f64 * scene.step);
-    let motion = Motion::new(recording, &samples, times.collect(), radii);
+    let times = samples.iter().map(|&sample| time(sample as u64));
+    let motion = Motion::new(recording, &samples, times.collect(), drawn);
     let Ok(data) = serde_json::to_string(&motion) else {
         return html! { p.about { "The motion cannot be shown." } };
     };
@@ -35,14 +44,14 @@ pub fn show(recording: &Recording, scene: &Scene, world: &World) -> Markup {
                 output {}
                 label { "Colour "
                     select {
-                        option value="fragment" { "fragment" }
+                        option value="fragment" { (drawn.label) }
                         option value="speed" { "speed" }
                         option value="pressure" { "pressure" }
                     }
                 }
             }
             div.scale hidden { span {} i {} span {} }
-            figcaption { (caption(&motion, samples.len(), number)) }
+            figcaption { (caption(&motion, drawn, samples.len(), number)) }
         }
         noscript { p.about { "The motion needs JavaScript." } }
         script #motion-data type="application/json" { (PreEscaped(data)) }
@@ -50,9 +59,9 @@ pub fn show(recording: &Recording, scene: &Scene, world: &World) -> Markup {
     }
 }
 
-fn caption(motion: &Motion, shown: usize, number: usize) -> Markup {
+fn caption(motion: &Motion, drawn: &Drawn, shown: usize, number: usize) -> Markup {
     html! {
-        "A line in each grain shows how it turns. Pressure is that of contacts and bonds in a grain, positive in compression; the colours cover 99.5 % of all values. "
+        "A line in each grain shows how it turns. Pressure is " (drawn.pressure) ", positive in compression; the colours cover 99.5 % of all values. "
         @if shown < number {
             (shown) " of " (number) " samples are shown, so that the page stays small; " code { "trajectory/" } " has all. "
         }

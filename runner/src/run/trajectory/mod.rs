@@ -5,14 +5,12 @@ mod extxyz;
 mod list;
 mod vtk;
 
-use super::dem;
 use super::folder::write_soon;
 use super::page::ANIMATION;
 use super::table::Table;
 use crate::error::Error;
-use crate::scene::{Scene, Trajectory};
+use crate::scene::Trajectory;
 use gouge_common::geometry::{Domain, Vec2};
-use gouge_dem::World;
 use std::ffi::OsStr;
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -52,12 +50,14 @@ pub struct Frame {
 pub enum Shapes {
     /// Discs of the given radii in m.
     Discs(Vec<f64>),
+    /// Polygons: the radii of their circumscribed circles, and their corners, both in m. Discs have many corners.
+    Polygons(Vec<f64>, Vec<Vec<Vec2>>),
 }
 
 impl Frame {
-    /// The radii of discs.
+    /// The radii of discs or of circumscribed circles.
     fn radii(&self) -> &[f64] {
-        let Shapes::Discs(radii) = &self.shapes;
+        let (Shapes::Discs(radii) | Shapes::Polygons(radii, _)) = &self.shapes;
         radii
     }
 }
@@ -79,56 +79,70 @@ pub struct LinkFrame {
     pub links: Table,
 }
 
+/// What frames a run writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FramePlan {
+    /// Format of the frames.
+    pub trajectory: Trajectory,
+    /// Whether each is accompanied by one of the contacts and bonds.
+    pub has_links: bool,
+}
+
 /// The frames of a run.
 #[derive(Debug)]
 pub struct Frames {
+    plan: FramePlan,
     folder: PathBuf,
     /// Files that are not safe from a power failure yet.
     unsafe_files: Vec<PathBuf>,
 }
 
 impl Frames {
-    /// The frames of a run that has written a number of samples; none if the scene has no trajectory.
+    /// The frames of a run that has written samples at the given times in s; none if there is no trajectory.
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn open(scene: &Scene, folder: &Path, samples: u64) -> Result<Option<Self>, Error> {
-        if scene.output.trajectory == Trajectory::None {
+    pub fn open(plan: &FramePlan, folder: &Path, times: &[f64]) -> Result<Option<Self>, Error> {
+        if plan.trajectory == Trajectory::None {
             return Ok(None);
         }
         let folder = folder.join(FOLDER);
         std::fs::create_dir_all(&folder).map_err(|error| Error::file("create", &folder, error))?;
-        for list in lists(scene) {
-            list::write(list, scene, &folder, samples)?;
+        for list in lists(plan) {
+            list::write(list, &folder, times)?;
         }
         Ok(Some(Self {
+            plan: *plan,
             folder,
             unsafe_files: Vec::new(),
         }))
     }
 
-    /// Write the frame of a sample.
+    /// Write the frame of a sample, and that of its links if the plan has them.
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn write(&mut self, scene: &Scene, sample: u64, world: &World) -> Result<(), Error> {
-        let is_vtk = scene.output.trajectory == Trajectory::Vtk;
-        let frame = dem::frame(scene, world);
+    pub fn write(
+        &mut self,
+        sample: u64,
+        frame: &Frame,
+        links: Option<&LinkFrame>,
+    ) -> Result<(), Error> {
+        let is_vtk = self.plan.trajectory == Trajectory::Vtk;
         let (ending, text) = match is_vtk {
-            true => ("vtk", vtk::text(&frame)?),
-            false => ("xyz", extxyz::text(&frame)),
+            true => ("vtk", vtk::text(frame)?),
+            false => ("xyz", extxyz::text(frame)),
         };
         self.put(&format!("frame_{sample:06}.{ending}"), &text)?;
-        if scene.output.links {
-            let frame = dem::link_frame(scene, world);
+        if let Some(links) = links {
             let (ending, text) = match is_vtk {
-                true => ("vtk", vtk::links(&frame)?),
-                false => ("dump", dump::text(&frame)),
+                true => ("vtk", vtk::links(links)?),
+                false => ("dump", dump::text(links)),
             };
             self.put(&format!("links_{sample:06}.{ending}"), &text)?;
         }
-        for list in lists(scene) {
-            list::append(list, scene, &self.folder, sample)?;
+        for list in lists(&self.plan) {
+            list::append(list, &self.folder, (sample, frame.time))?;
         }
         Ok(())
     }
@@ -153,11 +167,11 @@ impl Frames {
     }
 }
 
-/// The lists of frames that a scene needs.
-fn lists(scene: &Scene) -> impl Iterator<Item = list::List> {
-    let is_vtk = scene.output.trajectory == Trajectory::Vtk;
+/// The lists of frames that a run needs.
+fn lists(plan: &FramePlan) -> impl Iterator<Item = list::List> + use<> {
+    let is_vtk = plan.trajectory == Trajectory::Vtk;
     let grains = is_vtk.then_some(list::GRAINS);
-    let links = (is_vtk && scene.output.links).then_some(list::LINKS);
+    let links = (is_vtk && plan.has_links).then_some(list::LINKS);
     grains.into_iter().chain(links)
 }
 

@@ -1,7 +1,7 @@
-//! Legacy VTK files: one vertex per particle, one segment per line.
+//! Legacy VTK files: one vertex per disc or one cell per polygon, one segment per line.
 
 use super::super::table::Values;
-use super::{Frame, LinkFrame};
+use super::{Frame, LinkFrame, Shapes};
 use crate::error::Error;
 use gouge_common::geometry::Vec2;
 use std::path::Path;
@@ -14,7 +14,11 @@ use vtkio::model::{
 /// # Errors
 /// A frame that the library cannot write.
 pub fn text(frame: &Frame) -> Result<String, Error> {
-    file(frame.time, piece(frame))
+    let piece = match &frame.shapes {
+        Shapes::Discs(_) => piece(frame),
+        Shapes::Polygons(_, outlines) => polygons(frame, outlines),
+    };
+    file(frame.time, piece)
 }
 
 /// Links as text: a segment from the centre of i to that of j, or beyond the seam to its image; their data belong to
@@ -73,12 +77,6 @@ fn piece(frame: &Frame) -> PolyDataPiece {
         .iter()
         .flat_map(|&(i, j)| [2, i as u32, j as u32])
         .collect();
-    let radii = Attribute::scalars("radius", 1).with_data(frame.radii().to_vec());
-    let vectors = frame
-        .vectors
-        .iter()
-        .map(|(name, column)| Attribute::vectors(*name).with_data(flat(column)));
-    let scalars = frame.scalars.columns.iter().map(scalar);
     PolyDataPiece {
         points: flat(&frame.positions).into(),
         verts: Some(VertexNumbers::Legacy {
@@ -92,10 +90,47 @@ fn piece(frame: &Frame) -> PolyDataPiece {
         polys: None,
         strips: None,
         data: Attributes {
-            point: [radii].into_iter().chain(vectors).chain(scalars).collect(),
+            point: attributes(frame).collect(),
             cell: vec![],
         },
     }
+}
+
+/// One cell per polygon, to which its data belong.
+fn polygons(frame: &Frame, outlines: &[Vec<Vec2>]) -> PolyDataPiece {
+    let mut corners = 0;
+    let mut cells = Vec::new();
+    for outline in outlines {
+        let number = outline.len() as u32;
+        cells.push(number);
+        cells.extend(corners..corners + number);
+        corners += number;
+    }
+    let points: Vec<Vec2> = outlines.iter().flatten().copied().collect();
+    PolyDataPiece {
+        points: flat(&points).into(),
+        verts: None,
+        lines: None,
+        polys: Some(VertexNumbers::Legacy {
+            num_cells: outlines.len() as u32,
+            vertices: cells,
+        }),
+        strips: None,
+        data: Attributes {
+            point: vec![],
+            cell: attributes(frame).collect(),
+        },
+    }
+}
+
+fn attributes(frame: &Frame) -> impl Iterator<Item = Attribute> + '_ {
+    let radii = Attribute::scalars("radius", 1).with_data(frame.radii().to_vec());
+    let vectors = frame
+        .vectors
+        .iter()
+        .map(|(name, column)| Attribute::vectors(*name).with_data(flat(column)));
+    let scalars = frame.scalars.columns.iter().map(scalar);
+    [radii].into_iter().chain(vectors).chain(scalars)
 }
 
 fn scalar((name, values): &(&'static str, Values)) -> Attribute {

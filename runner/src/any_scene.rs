@@ -1,0 +1,179 @@
+//! A scene of any model, for commands that serve all of them.
+
+use crate::error::Error;
+use crate::run::{Observer, RunOptions, Summary, phases, series_columns};
+use crate::scene::{Keys, Overrides, Scene, SceneFile, SceneText};
+use crate::{commands, contact_dynamics, run};
+use std::path::{Path, PathBuf};
+
+/// A scene of any model.
+#[derive(Clone, Debug)]
+pub enum AnyScene {
+    /// `model = "dem"`.
+    Dem(Box<Scene>),
+    /// `model = "contact-dynamics"`.
+    ContactDynamics(Box<contact_dynamics::Scene>),
+}
+
+impl AnyScene {
+    /// Read a scene file, or a built-in scene by its name, with some keys overridden.
+    ///
+    /// # Errors
+    /// An unreadable file, or any mistake in it.
+    pub fn load_with(name: impl AsRef<Path>, overrides: &Overrides) -> Result<Self, Error> {
+        Self::read(&SceneFile::load(name)?, overrides)
+    }
+
+    /// Read a scene from the bytes of a file; its CSV files are read from `folder`.
+    ///
+    /// # Errors
+    /// Any mistake in it.
+    pub fn parse_with(
+        file: &str,
+        bytes: &[u8],
+        folder: &Path,
+        overrides: &Overrides,
+    ) -> Result<Self, Error> {
+        Self::read(&SceneFile::new(file, bytes, folder), overrides)
+    }
+
+    fn read(file: &SceneFile, overrides: &Overrides) -> Result<Self, Error> {
+        Ok(match file.model(overrides)? {
+            "contact-dynamics" => {
+                let scene = contact_dynamics::Scene::read(file, overrides)?;
+                Self::ContactDynamics(Box::new(scene))
+            }
+            _ => Self::Dem(Box::new(Scene::read(file, overrides)?)),
+        })
+    }
+
+    /// The scene, if it is one of the thesis's model.
+    ///
+    /// # Errors
+    /// A scene of another model, which `what` cannot use.
+    pub fn dem(self, what: &str) -> Result<Scene, Error> {
+        match self {
+            Self::Dem(scene) => Ok(*scene),
+            Self::ContactDynamics(scene) => Err(Error::Argument(format!(
+                "{}: model = \"contact-dynamics\": {what} needs a scene with model = \"dem\"",
+                scene.file
+            ))),
+        }
+    }
+
+    /// The scene, if it is one of the thesis's model.
+    pub fn as_dem(&self) -> Option<&Scene> {
+        match self {
+            Self::Dem(scene) => Some(scene),
+            Self::ContactDynamics(_) => None,
+        }
+    }
+
+    /// The scene, if it is one of the thesis's model.
+    pub fn into_dem(self) -> Option<Scene> {
+        match self {
+            Self::Dem(scene) => Some(*scene),
+            Self::ContactDynamics(_) => None,
+        }
+    }
+
+    /// Run the scene, write its outputs into a folder, report what happens to an observer, and return the summary.
+    ///
+    /// # Errors
+    /// As [`run::run`].
+    pub fn run(
+        &self,
+        folder: &Path,
+        options: RunOptions,
+        observer: &mut dyn Observer,
+    ) -> Result<Summary, Error> {
+        match self {
+            Self::Dem(scene) => run::run(scene, folder, options, observer),
+            Self::ContactDynamics(scene) => contact_dynamics::run(scene, folder, options, observer),
+        }
+    }
+
+    /// Every pair that interacts at t = 0, as CSV; of contact dynamics, the contact points of the first step.
+    ///
+    /// # Errors
+    /// Scenes that the kernel refuses.
+    pub fn links(&self) -> Result<String, Error> {
+        match self {
+            Self::Dem(scene) => commands::links(scene),
+            Self::ContactDynamics(scene) => contact_dynamics::contacts(scene),
+        }
+    }
+
+    /// The time-step bounds of the scene, as JSON.
+    ///
+    /// # Errors
+    /// Scenes that the kernel refuses.
+    pub fn stability(&self) -> Result<String, Error> {
+        match self {
+            Self::Dem(scene) => commands::stability(scene),
+            Self::ContactDynamics(scene) => contact_dynamics::stability(scene),
+        }
+    }
+
+    fn text(&self) -> &dyn SceneText {
+        match self {
+            Self::Dem(scene) => &**scene,
+            Self::ContactDynamics(scene) => &**scene,
+        }
+    }
+
+    /// All files that were read.
+    pub fn files(&self) -> &[PathBuf] {
+        self.text().files()
+    }
+
+    /// All keys with their values.
+    pub fn keys(&self) -> &Keys {
+        self.text().keys()
+    }
+
+    /// End time in s.
+    pub fn end(&self) -> f64 {
+        self.text().end()
+    }
+
+    /// SHA-256 of the file and the overrides.
+    pub fn sha256(&self) -> &str {
+        match self {
+            Self::Dem(scene) => &scene.sha256,
+            Self::ContactDynamics(scene) => &scene.sha256,
+        }
+    }
+
+    /// Number of steps of a run, those of its set-up included; of a compaction, the largest number.
+    pub fn steps(&self) -> u64 {
+        match self {
+            Self::Dem(scene) => phases(scene).iter().map(|phase| phase.steps).sum(),
+            Self::ContactDynamics(scene) => scene.steps(),
+        }
+    }
+
+    /// Number of samples of a run.
+    pub fn samples(&self) -> f64 {
+        match self {
+            Self::Dem(scene) => scene.end / scene.output.interval,
+            Self::ContactDynamics(scene) => scene.end / scene.output.interval,
+        }
+    }
+
+    /// Whether runs measure contact networks.
+    pub fn measures_network(&self) -> bool {
+        match self {
+            Self::Dem(_) => false,
+            Self::ContactDynamics(scene) => scene.measures_network(),
+        }
+    }
+
+    /// Columns of the series of a run.
+    pub fn series_columns(&self) -> Vec<&'static str> {
+        match self {
+            Self::Dem(scene) => series_columns(scene),
+            Self::ContactDynamics(scene) => contact_dynamics::series_columns(scene),
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! Scenes of rigid discs and polygons by contact dynamics: what they say, and how they run.
+
+mod means;
+mod run;
+mod scene;
+
+pub use means::Means;
+pub use run::{contacts, run, series_columns, stability};
+pub use scene::{Bodies, CellTable, Compaction, Glue, PackingTable, Scene, ShearTable, Sizes};
