@@ -13,13 +13,14 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 /// Folders with source files.
-const FOLDERS: [&str; 11] = [
+const FOLDERS: [&str; 12] = [
     "benches",
     "cli",
     "examples",
     "kernel",
     "page",
     "python",
+    "replay",
     "runner",
     "studies",
     "tests",

@@ -33,7 +33,7 @@ fn commands() -> Vec<String> {
 #[test]
 fn every_command_shows_examples_that_it_accepts() {
     let commands = commands();
-    assert_eq!(commands.len(), 11, "{commands:?}");
+    assert_eq!(commands.len(), 12, "{commands:?}");
     let mut examples = 0;
     for command in commands.iter().map(Some).chain([None]) {
         let help = match command {

@@ -7,11 +7,12 @@ use std::path::Path;
 const EXCEPTIONS: [(&str, &str); 1] = [("model", "integrators")];
 
 /// Crates with their folders, from the lowest to the highest: each may depend only on earlier ones.
-const CRATES: [(&str, &str); 9] = [
+const CRATES: [(&str, &str); 10] = [
     ("gouge-page", "page"),
     ("gouge-common", "kernel/common"),
     ("gouge-dem", "kernel/dem"),
     ("gouge-contact-dynamics", "kernel/contact-dynamics"),
+    ("gouge-replay", "replay"),
     ("gouge-scalars", "validation/scalars"),
     ("gouge-runner", "runner"),
     ("gouge-validation", "validation"),

@@ -40,6 +40,7 @@ mod program;
 mod readings;
 mod recorded;
 mod register;
+mod replay;
 mod restart;
 mod restitution;
 mod rock;

@@ -24,6 +24,7 @@
 #[doc(inline)]
 pub use gouge_dem::*;
 
+pub use gouge_replay as replay;
 pub use gouge_runner as runner;
 pub use gouge_studies as studies;
 

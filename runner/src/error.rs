@@ -141,6 +141,9 @@ pub enum Error {
     /// Some checks failed.
     #[error("{0} of {1} checks failed")]
     Checks(usize, usize),
+    /// Some worked examples of other programs could not be repeated.
+    #[error("{0} of {1} cases have no result")]
+    Cases(usize, usize),
 }
 
 impl Error {

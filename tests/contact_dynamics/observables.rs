@@ -153,7 +153,7 @@ fn fourier_network(put_in: &Anisotropies, direction: f64, count: usize) -> Vec<C
         let part = |mean: f64, even: f64, odd: f64| [mean * (1.0 + even * cos), -mean * odd * sin];
         let forces = part(2.0, a.normal_force, a.tangential_force);
         let branches = part(0.7, a.normal_branch, a.tangential_branch);
-        let kind = KINDS[usize::from(k % 4 == 0)];
+        let kind = KINDS[usize::from(k.is_multiple_of(4))];
         contact(low + direction, kind, forces, branches)
     };
     (0..count).map(one).collect()
@@ -383,6 +383,24 @@ fn a_column_shows_its_weight() {
         let mut sums = Sums::new();
         sums.add(&network, slab, 1.0);
         near(sums.stress().yy, pressure, 1e-9);
+    }
+}
+
+#[test]
+fn points_on_an_incline_have_their_heights() {
+    let angle: f64 = 0.2;
+    let mut system = System::new(1e-3, law(FRICTION, 0.0, GapRule::Predicted));
+    let at = (-0.5 * angle.sin(), 0.5 * angle.cos());
+    system.body(4, 0.5f64.sqrt(), at, angle + FRAC_PI_4, Velocity::default());
+    system.floor(angle);
+    system.gravity(0.0, -10.0);
+    system.steps(1);
+    // The side of length 1 has its middle at the origin; the tangent points down.
+    let points = points_of(&system);
+    assert_eq!(points.len(), 2);
+    for point in points {
+        near(point.arms[1].t.abs(), 0.5, 1e-12);
+        near(point.height, -point.arms[1].t * angle.sin(), 1e-12);
     }
 }
 

@@ -53,6 +53,13 @@ Examples:
   gouge calibrate rebound --print > mine.toml           a calibration of your own to start from
   gouge calibrate rebound --recover --out out/recover   are its intervals right?";
 
+pub const REPLAY: &str = "\
+Examples:
+  gouge replay cases --out results.json
+  gouge replay cases --out results.json --quiet         list only cases without a result
+
+A case that cannot be solved is listed, and the results of the others are written; the exit status is then 1.";
+
 pub const VERIFY: &str = "\
 Examples:
   gouge verify

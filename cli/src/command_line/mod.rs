@@ -5,6 +5,7 @@ mod calibrate;
 mod compare;
 mod help;
 mod progress;
+mod replay;
 mod study;
 mod sweep;
 mod terminal;
@@ -22,6 +23,7 @@ use gouge_runner::machine::{COMPILED_FOR, CallingThread, instruction_names, star
 use gouge_runner::scene::{Overrides, builtin};
 use gouge_runner::{commands, run};
 use gouge_studies::sweep::Program;
+use replay::ReplayArguments;
 use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -106,6 +108,9 @@ enum Command {
     /// Find the parameters of scenes that agree with what was measured
     #[command(after_help = help::CALIBRATE)]
     Calibrate(CalibrateArguments),
+    /// Repeat worked examples of other programs and write what is found, as JSON
+    #[command(after_help = help::REPLAY)]
+    Replay(ReplayArguments),
     /// Run the checks and write report.html and report.json
     #[command(after_help = help::VERIFY)]
     Verify {
@@ -218,6 +223,7 @@ fn execute(command: Command, program: &Program) -> Result<(), Error> {
         Command::Sweep(arguments) => return sweep::launch(&arguments, program),
         Command::Study(arguments) => return study::launch(&arguments, program),
         Command::Calibrate(arguments) => return calibrate::launch(&arguments, program),
+        Command::Replay(arguments) => return replay::launch(&arguments),
         Command::Verify { only, out } => return verify::launch(program, only.as_deref(), &out),
         Command::Links { scene } => scene.load()?.links()?,
         Command::Stability { scene } => scene.load()?.stability()?,

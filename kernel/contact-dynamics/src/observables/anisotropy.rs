@@ -17,7 +17,7 @@ use gouge_equations::rendered;
 /// along $\theta_s$ resist by $f_t = -a_{ft} f_n \sin 2\Delta$ with $a_{ft} \ge 0$. (7) prints no minus sign.
 ///
 /// # Errata and departures
-/// These moments are not the coefficients of (7), which [`Self::fourier`] gives: azema C8.
+/// These moments are not the coefficients of (7), which [`Self::fourier`] gives: azema C10.
 #[rendered]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Anisotropies {

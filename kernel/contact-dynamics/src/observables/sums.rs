@@ -179,7 +179,7 @@ impl Sums {
         self.total().stress * ratio(1.0, self.steps)
     }
 
-    /// Mean stress in Pa that contacts of a kind carry, azema (10).
+    /// Mean stress in Pa that contacts of a kind carry, azema (9)-(10).
     pub fn stress_of(&self, kind: ContactKind) -> Tensor {
         self.of(kind).stress * ratio(1.0, self.steps)
     }
@@ -203,7 +203,7 @@ impl Sums {
         ratio(part, stress.mean())
     }
 
-    /// The share of contacts of a kind, $k_{sv}$ or $k_{ss}$, azema (9).
+    /// The share of contacts of a kind, $k_{sv}$ or $k_{ss}$.
     pub fn share(&self, kind: ContactKind) -> f64 {
         ratio(self.of(kind).contacts.sum, self.total().contacts.sum)
     }

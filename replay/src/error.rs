@@ -1,0 +1,86 @@
+//! What can go wrong with files and cases.
+
+use gouge_contact_dynamics::error::SetupError;
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// A folder or a file that cannot be used.
+#[derive(Debug, Error)]
+pub enum ReplayError {
+    /// The folder does not exist, or is none.
+    #[error("{}: not a folder", .0.display())]
+    NotAFolder(PathBuf),
+    /// The folder has none of the files.
+    #[error("{}: has none of {accepted}", folder.display())]
+    NothingKnown {
+        /// The folder.
+        folder: PathBuf,
+        /// Names of the files that are read.
+        accepted: String,
+    },
+    /// A file cannot be read.
+    #[error("cannot read {}: {source}", file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// The cause.
+        source: std::io::Error,
+    },
+    /// A file is not JSON.
+    #[error("{}: not JSON: {source}", file.display())]
+    Syntax {
+        /// The file.
+        file: PathBuf,
+        /// The cause, with line and column.
+        source: serde_json::Error,
+    },
+    /// A file is JSON, but has no list of cases.
+    #[error("{}: {fault}", file.display())]
+    Structure {
+        /// The file.
+        file: PathBuf,
+        /// What is missing.
+        fault: Fault,
+    },
+}
+
+/// A case without a result.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{file}: {case}: {fault}")]
+pub struct CaseError {
+    /// Name of the file.
+    pub file: String,
+    /// Identity of the case, or its place if it has none.
+    pub case: String,
+    /// What is wrong.
+    pub fault: Fault,
+}
+
+/// What is wrong with a case.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Fault {
+    /// A key is missing.
+    #[error("{key} is missing: must be {accepted}")]
+    Missing {
+        /// The key, as a path.
+        key: String,
+        /// What it must be.
+        accepted: String,
+    },
+    /// The value of a key cannot be used.
+    #[error("{key} is {value}: must be {accepted}")]
+    Value {
+        /// The key, as a path.
+        key: String,
+        /// The value.
+        value: String,
+        /// What it must be.
+        accepted: String,
+    },
+    /// The kernel refuses a body or a setting.
+    #[error("{0}")]
+    Setup(#[from] SetupError),
+    /// A number of the result is not finite.
+    #[error("the result {0} is not finite")]
+    NotFinite(String),
+}

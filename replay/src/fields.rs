@@ -1,0 +1,211 @@
+//! Values of a case, read by key; errors name the key and what is accepted.
+
+use crate::error::Fault;
+use gouge_common::geometry::Vec2;
+use serde_json::Value;
+
+/// Longest value that an error message shows in full.
+const LONGEST: usize = 60;
+
+/// A value with the path that leads to it.
+#[derive(Clone, Debug)]
+pub struct Fields<'a> {
+    value: &'a Value,
+    path: String,
+}
+
+impl<'a> Fields<'a> {
+    /// The whole of a file or a case.
+    pub fn root(value: &'a Value) -> Self {
+        Self {
+            value,
+            path: String::new(),
+        }
+    }
+
+    fn path_of(&self, key: &str) -> String {
+        match self.path.is_empty() {
+            true => key.to_owned(),
+            false => format!("{}.{key}", self.path),
+        }
+    }
+
+    /// The value of a key; nothing if it is absent or null.
+    pub fn optional(&self, key: &str) -> Option<Self> {
+        let value = self.value.get(key).filter(|value| !value.is_null())?;
+        let path = self.path_of(key);
+        Some(Self { value, path })
+    }
+
+    fn required(&self, key: &str, accepted: &str) -> Result<Self, Fault> {
+        self.optional(key).ok_or_else(|| Fault::Missing {
+            key: self.path_of(key),
+            accepted: accepted.to_owned(),
+        })
+    }
+
+    /// An error about this value.
+    pub fn refuse(&self, accepted: impl Into<String>) -> Fault {
+        let mut value = self.value.to_string();
+        if value.chars().count() > LONGEST {
+            value = value.chars().take(LONGEST).collect::<String>() + "...";
+        }
+        let key = match self.path.is_empty() {
+            true => "it".to_owned(),
+            false => self.path.clone(),
+        };
+        Fault::Value {
+            key,
+            value,
+            accepted: accepted.into(),
+        }
+    }
+
+    /// This value as a number.
+    pub fn as_number(&self) -> Result<f64, Fault> {
+        let number = self.value.as_f64().filter(|number| number.is_finite());
+        number.ok_or_else(|| self.refuse("a number"))
+    }
+
+    fn as_items(&self) -> Result<Vec<Self>, Fault> {
+        let Some(items) = self.value.as_array() else {
+            return Err(self.refuse("a list"));
+        };
+        let item = |(k, value)| Self {
+            value,
+            path: format!("{}[{k}]", self.path),
+        };
+        Ok(items.iter().enumerate().map(item).collect())
+    }
+
+    /// This value as a list of numbers.
+    pub fn as_numbers(&self) -> Result<Vec<f64>, Fault> {
+        self.as_items()?.iter().map(Self::as_number).collect()
+    }
+
+    /// This value as a fixed number of numbers.
+    pub fn as_array<const N: usize>(&self) -> Result<[f64; N], Fault> {
+        let numbers = self.as_numbers()?;
+        let refused = |_| self.refuse(format!("{N} numbers"));
+        numbers.try_into().map_err(refused)
+    }
+
+    /// This value as a whole number below a limit.
+    pub fn as_index(&self, limit: usize, accepted: &str) -> Result<usize, Fault> {
+        let whole = |x: f64| (x >= 0.0 && x < limit as f64 && x == x.floor()).then_some(x as usize);
+        let index = self.value.as_f64().and_then(whole);
+        index.ok_or_else(|| self.refuse(accepted))
+    }
+
+    /// This value as a vector.
+    pub fn as_vector(&self) -> Result<Vec2, Fault> {
+        let [x, y] = self.as_array()?;
+        Ok(Vec2::new(x, y))
+    }
+
+    /// The value of a key that holds more keys.
+    pub fn inside(&self, key: &str) -> Result<Self, Fault> {
+        let inside = self.required(key, "an object")?;
+        match inside.value.is_object() {
+            true => Ok(inside),
+            false => Err(inside.refuse("an object")),
+        }
+    }
+
+    /// A number.
+    pub fn number(&self, key: &str) -> Result<f64, Fault> {
+        self.required(key, "a number")?.as_number()
+    }
+
+    /// A number, or another one if the key is absent.
+    pub fn number_or(&self, key: &str, default: f64) -> Result<f64, Fault> {
+        self.optional(key)
+            .map_or(Ok(default), |value| value.as_number())
+    }
+
+    /// A positive number.
+    pub fn positive(&self, key: &str) -> Result<f64, Fault> {
+        let value = self.required(key, "a positive number")?;
+        let number = value.as_number()?;
+        match number > 0.0 {
+            true => Ok(number),
+            false => Err(value.refuse("a positive number")),
+        }
+    }
+
+    /// A whole number from `least` to `most`.
+    pub fn count(&self, key: &str, least: usize, most: usize) -> Result<usize, Fault> {
+        let accepted = format!("a whole number from {least} to {most}");
+        let value = self.required(key, &accepted)?;
+        let count = value.as_index(most + 1, &accepted)?;
+        match count >= least {
+            true => Ok(count),
+            false => Err(value.refuse(accepted)),
+        }
+    }
+
+    /// An index of a list of the case.
+    pub fn index(&self, key: &str, list: &str, length: usize) -> Result<usize, Fault> {
+        let accepted = format!("an index of {list}, below {length}");
+        self.required(key, &accepted)?.as_index(length, &accepted)
+    }
+
+    /// A text.
+    pub fn text(&self, key: &str) -> Result<&'a str, Fault> {
+        let value = self.required(key, "a text")?;
+        value.value.as_str().ok_or_else(|| value.refuse("a text"))
+    }
+
+    /// True or false.
+    pub fn flag(&self, key: &str) -> Result<bool, Fault> {
+        let value = self.required(key, "true or false")?;
+        let flag = value.value.as_bool();
+        flag.ok_or_else(|| value.refuse("true or false"))
+    }
+
+    /// One of several words.
+    pub fn word(&self, key: &str, accepted: &[&str]) -> Result<&'a str, Fault> {
+        let words = format!("one of: {}", accepted.join(", "));
+        let value = self.required(key, &words)?;
+        let found = value.value.as_str().filter(|word| accepted.contains(word));
+        found.ok_or_else(|| value.refuse(words))
+    }
+
+    /// A fixed number of numbers.
+    pub fn array<const N: usize>(&self, key: &str) -> Result<[f64; N], Fault> {
+        self.required(key, &format!("{N} numbers"))?.as_array()
+    }
+
+    /// A vector.
+    pub fn vector(&self, key: &str) -> Result<Vec2, Fault> {
+        self.required(key, "2 numbers")?.as_vector()
+    }
+
+    /// A list.
+    pub fn list(&self, key: &str) -> Result<Vec<Self>, Fault> {
+        self.required(key, "a list")?.as_items()
+    }
+
+    /// A list of numbers.
+    pub fn numbers(&self, key: &str) -> Result<Vec<f64>, Fault> {
+        self.required(key, "a list of numbers")?.as_numbers()
+    }
+
+    /// A list with a fixed number of items.
+    pub fn list_of(&self, key: &str, length: usize) -> Result<Vec<Self>, Fault> {
+        let list = self.required(key, "a list")?;
+        let items = list.as_items()?;
+        match items.len() == length {
+            true => Ok(items),
+            false => Err(list.refuse(format!("a list of {length} items"))),
+        }
+    }
+
+    /// A list with a fixed number of numbers.
+    pub fn numbers_of(&self, key: &str, length: usize) -> Result<Vec<f64>, Fault> {
+        self.list_of(key, length)?
+            .iter()
+            .map(Self::as_number)
+            .collect()
+    }
+}
