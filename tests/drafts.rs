@@ -168,7 +168,7 @@ fn a_draft_is_the_scene_that_a_user_writes() {
 
 #[test]
 fn built_in_scenes_keep_their_meaning() {
-    for name in builtin::names() {
+    for name in builtin::names_of_dem() {
         let text = builtin::text(name).expect("built in");
         let scene = Draft::builtin(name).scene().expect("a scene");
         assert_eq!(meaning(&scene), meaning(&parsed(text)), "{name}");

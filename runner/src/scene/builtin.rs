@@ -108,6 +108,16 @@ pub fn of_path(path: &Path) -> Option<(&str, Cow<'static, str>)> {
     named_text(name).map(|text| (name, text))
 }
 
+/// Names of the built-in scenes of the thesis's model.
+pub fn names_of_dem() -> Vec<&'static str> {
+    let is_dem = |(_, _, text): &&(&str, &str, &str)| !text.contains("\nmodel = ");
+    SCENES
+        .iter()
+        .filter(is_dem)
+        .map(|(name, _, _)| *name)
+        .collect()
+}
+
 /// Names of all built-in scenes.
 pub fn names() -> Vec<&'static str> {
     SCENES.iter().map(|(name, _, _)| *name).collect()

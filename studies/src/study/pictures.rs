@@ -33,7 +33,10 @@ impl Shown {
     }
 
     fn caption(&self) -> String {
-        let axes = self.axes.iter().map(|(axis, value)| format!("{axis} {value}"));
+        let axes = self
+            .axes
+            .iter()
+            .map(|(axis, value)| format!("{axis} {value}"));
         let axes: Vec<String> = axes.collect();
         let part = self.part;
         format!("Final state, {}, seed {SEED} ({part}).", axes.join(", "))

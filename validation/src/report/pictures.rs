@@ -26,7 +26,7 @@ fn steps_of(scene: &Scene, particles: usize) -> u64 {
     scene.steps().min(MOST_STEPS).min(affordable)
 }
 
-/// Pictures of all built-in scenes, at their end, or as far as a short run gets.
+/// Pictures of all built-in scenes of the thesis's model, at their end, or as far as a short run gets.
 ///
 /// # Errors
 /// States that are no longer finite.
@@ -43,7 +43,12 @@ pub fn pictures() -> Result<Vec<Picture>, Error> {
             svg: draw_picture(&scene, &world).to_string(),
         })
     };
-    builtin::SCENES.par_iter().map(draw).collect()
+    let names = builtin::names_of_dem();
+    let scenes = builtin::SCENES.par_iter();
+    scenes
+        .filter(|(name, _, _)| names.contains(name))
+        .map(draw)
+        .collect()
 }
 
 /// The time of a picture, and what part of the scene that is.

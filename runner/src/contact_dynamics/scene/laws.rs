@@ -37,7 +37,13 @@ pub(super) fn settings(
         "point_line",
         "gap",
     ])?;
-    let restitution = |key| table.optional_number(key, Range::Finite);
+    let restitution = |key, low: f64| {
+        let given = table.optional_number(key, Range::Finite)?.unwrap_or(0.0);
+        match (low..=1.0).contains(&given) {
+            true => Ok(given),
+            false => Err(table.error(key, &format!("must be a number from {low:?} to 1.0"))),
+        }
+    };
     let length = |key, default: f64| {
         let given = table.optional_number(key, Range::NonNegative)?;
         Ok(given.unwrap_or(default))
@@ -67,8 +73,8 @@ pub(super) fn settings(
         law: ContactLaw {
             friction: table.number("friction", Range::NonNegative)?,
             restitution: Components {
-                n: restitution("normal_restitution")?.unwrap_or(0.0),
-                t: restitution("tangential_restitution")?.unwrap_or(0.0),
+                n: restitution("normal_restitution", 0.0)?,
+                t: restitution("tangential_restitution", -1.0)?,
             },
             gap: gap(&table)?,
         },
@@ -97,8 +103,12 @@ fn gap(contact: &Table) -> Result<GapRule> {
         return Ok(law);
     }
     table.allow(&["law", "fraction", "allowed_overlap"])?;
+    let fraction = table.number("fraction", Range::NonNegative)?;
+    if fraction > 1.0 {
+        return Err(table.error("fraction", "must be a number from 0.0 to 1.0"));
+    }
     Ok(GapRule::Stabilized {
-        fraction: table.number("fraction", Range::NonNegative)?,
+        fraction,
         allowed_overlap: table.number("allowed_overlap", Range::NonNegative)?,
     })
 }
