@@ -4,10 +4,10 @@ use crate::errors::raised;
 use crate::tables::columns;
 use crate::values::{dict_of_toml, scene_of};
 use crate::watch::{Callback, abandonable, watched};
+use gouge::runner::build;
 use gouge::runner::commands;
-use gouge::runner::run::{Event, Observer, RunOptions, links_of, run_setup};
+use gouge::runner::run::{Event, Observer, RunOptions};
 use gouge::runner::scene::builtin;
-use gouge::runner::{build, run as runs};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -46,7 +46,7 @@ pub fn links<'py>(
     overrides: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let scene = scene_of(scene, overrides)?;
-    let table = abandonable(py, move || run_setup(&scene).map(|world| links_of(&world)));
+    let table = abandonable(py, move || scene.links());
     columns(py, table?)
 }
 
@@ -59,7 +59,7 @@ pub fn stability(
     overrides: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<String> {
     let scene = scene_of(scene, overrides)?;
-    abandonable(py, move || commands::stability(&scene))
+    abandonable(py, move || scene.stability())
 }
 
 /// Run a scene into a folder; the summary as JSON, the warnings, and the account of the run.
@@ -92,7 +92,7 @@ pub fn run(
             steps: Vec::new(),
             warnings: &warnings,
         };
-        let outcome = runs::run(&scene, &out, options, &mut watcher);
+        let outcome = scene.run(&out, options, &mut watcher);
         told.outcome(outcome)
     })?;
     let text = serde_json::to_string(&summary).unwrap_or_default();

@@ -38,7 +38,8 @@ impl Simulation {
         scene: &Bound<'_, PyAny>,
         overrides: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let scene = scene_of(scene, overrides)?;
+        let scene = scene_of(scene, overrides)?.dem("Simulation");
+        let scene = scene.map_err(|error| raised(&error))?;
         let phases = phases(&scene);
         let begin = |index, before| begin_phase(&scene, &phases, index, before);
         let mut world = py

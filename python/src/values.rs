@@ -2,9 +2,10 @@
 
 use crate::errors::{DICT, bad_argument, raised};
 use ::toml::{Table, Value};
-use gouge::runner::error::SceneError;
+use gouge::runner::any_scene::AnyScene;
+use gouge::runner::error::{Error, SceneError};
 use gouge::runner::machine;
-use gouge::runner::scene::{Overrides, Scene};
+use gouge::runner::scene::Overrides;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 use pythonize::{depythonize, pythonize};
@@ -14,20 +15,23 @@ use std::path::{Path, PathBuf};
 pub fn scene_of(
     scene: &Bound<'_, PyAny>,
     overrides: Option<&Bound<'_, PyDict>>,
-) -> PyResult<Scene> {
+) -> PyResult<AnyScene> {
     // Refuses what the environment says wrongly about instructions and threads.
     machine::chosen().map_err(|error| raised(&error))?;
     let overrides = overrides_of(overrides)?;
     match scene.cast::<PyMapping>() {
         Ok(mapping) => {
             let text = toml(mapping)?;
-            let scene = Scene::parse_with(DICT, text.as_bytes(), Path::new("."), &overrides);
+            let scene = AnyScene::parse_with(DICT, text.as_bytes(), Path::new("."), &overrides);
             // A dict has no lines.
-            scene.map_err(|error| raised(&SceneError { line: 0, ..error }.into()))
+            scene.map_err(|error| match error {
+                Error::Scene(error) => raised(&SceneError { line: 0, ..error }.into()),
+                other => raised(&other),
+            })
         }
         Err(_) => {
             let path: PathBuf = scene.extract()?;
-            Scene::load_with(path, &overrides).map_err(|error| raised(&error))
+            AnyScene::load_with(path, &overrides).map_err(|error| raised(&error))
         }
     }
 }

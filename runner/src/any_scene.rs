@@ -1,7 +1,9 @@
 //! A scene of any model, for commands that serve all of them.
 
 use crate::error::Error;
-use crate::run::{Observer, RunOptions, Summary, phases, series_columns};
+use crate::run::{
+    Observer, RunOptions, Summary, Table, links_of, phases, run_setup, series_columns,
+};
 use crate::scene::{Keys, Overrides, Scene, SceneFile, SceneText};
 use crate::{commands, contact_dynamics, run};
 use std::path::{Path, PathBuf};
@@ -93,13 +95,13 @@ impl AnyScene {
         }
     }
 
-    /// Every pair that interacts at t = 0, as CSV; of contact dynamics, the contact points of the first step.
+    /// Every pair that interacts at t = 0; of contact dynamics, the contact points of the first step.
     ///
     /// # Errors
     /// Scenes that the kernel refuses.
-    pub fn links(&self) -> Result<String, Error> {
+    pub fn links(&self) -> Result<Table, Error> {
         match self {
-            Self::Dem(scene) => commands::links(scene),
+            Self::Dem(scene) => Ok(links_of(&run_setup(scene)?)),
             Self::ContactDynamics(scene) => contact_dynamics::contacts(scene),
         }
     }

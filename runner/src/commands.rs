@@ -1,20 +1,12 @@
-//! The commands of the program, without the parsing of arguments.
+//! Commands of the program, without the parsing of arguments.
 
 use crate::error::Error;
 use crate::references;
-use crate::run::{Phase, links_of, run_setup, run_setup_with};
+use crate::run::{Phase, run_setup_with};
 use crate::scene::{Scene, builtin, integrator_name};
 use crate::stability::{Bound, bounds, pair_bounds, smallest};
 use gouge_dem::World;
 use serde_json::{Value, json};
-
-/// Every pair that interacts at t = 0, after the set-up, as CSV.
-///
-/// # Errors
-/// Scenes that the kernel refuses.
-pub fn links(scene: &Scene) -> Result<String, Error> {
-    Ok(links_of(&run_setup(scene)?).to_csv())
-}
 
 /// The time-step bounds of a scene and its integrator at t = 0, after the set-up, and of the phases of the set-up, as
 /// JSON.

@@ -225,7 +225,7 @@ fn execute(command: Command, program: &Program) -> Result<(), Error> {
         Command::Calibrate(arguments) => return calibrate::launch(&arguments, program),
         Command::Replay(arguments) => return replay::launch(&arguments),
         Command::Verify { only, out } => return verify::launch(program, only.as_deref(), &out),
-        Command::Links { scene } => scene.load()?.links()?,
+        Command::Links { scene } => scene.load()?.links()?.to_csv(),
         Command::Stability { scene } => scene.load()?.stability()?,
         Command::Scenes { name } => commands::scenes(name.as_deref())?,
         Command::Completions { shell } => completions(shell),

@@ -7,18 +7,18 @@ use crate::run::table::{Kinds, Table, Values};
 use gouge_contact_dynamics::observables::point_forces;
 use gouge_contact_dynamics::world::World;
 
-/// The contact points of the first step from t = 0, after the compaction, as CSV.
+/// The contact points of the first step from t = 0, after the compaction.
 ///
 /// # Errors
 /// Scenes that the kernel refuses, or a step that fails.
-pub fn contacts(scene: &Scene) -> Result<String, Error> {
+pub fn contacts(scene: &Scene) -> Result<Table, Error> {
     let mut world = at_beginning(scene)?;
     let step = |source| Error::ContactDynamicsStep {
         phase: "run".to_owned(),
         source,
     };
     world.step().map_err(step)?;
-    Ok(table_of_points(scene, &world).to_csv())
+    Ok(table_of_points(scene, &world))
 }
 
 /// The world at t = 0 of the scene proper, without any output.
