@@ -1,6 +1,8 @@
 //! The impulses of all contact points, by Gauss-Seidel sweeps over body velocities.
 
+mod unit;
 mod row;
+mod changes;
 mod settings;
 mod residual;
 mod solver;
