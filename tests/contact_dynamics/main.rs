@@ -10,5 +10,6 @@ mod assemblies;
 mod delassus;
 mod shapes;
 mod steps;
+mod solvers;
 mod sweeps;
 mod systems;

@@ -9,7 +9,7 @@ use gouge_contact_dynamics::detection::{DetectionSettings, HalfPlane};
 use gouge_contact_dynamics::error::SetupError;
 use gouge_contact_dynamics::law::ContactLaw;
 use gouge_contact_dynamics::shape::{ShapeId, Shapes};
-use gouge_contact_dynamics::step::{Scheme, State, StepSettings, Workspace, step};
+use gouge_contact_dynamics::step::{Scheme, State, StepReport, StepSettings, Workspace, step};
 use gouge_contact_dynamics::sweep::{StopCriterion, SweepSettings};
 use gouge_contact_dynamics::units::{InverseMass, Velocity};
 
@@ -216,9 +216,14 @@ impl System {
     /// Shear by some steps.
     pub fn shear(&mut self, steps: usize, workspace: &mut Workspace) {
         for _ in 0..steps {
-            self.drive();
-            step(&self.assembly, &self.settings, &mut self.state, workspace);
+            self.step(workspace);
         }
+    }
+
+    /// Advance by a step.
+    pub fn step(&mut self, workspace: &mut Workspace) -> StepReport {
+        self.drive();
+        step(&self.assembly, &self.settings, &mut self.state, workspace)
     }
 
     /// Give the upper wall the velocity of the rate of shear.

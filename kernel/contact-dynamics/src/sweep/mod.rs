@@ -5,6 +5,7 @@ mod row;
 mod changes;
 mod settings;
 mod residual;
+mod momentum;
 mod solver;
 
 pub use row::{ContactInput, Row};

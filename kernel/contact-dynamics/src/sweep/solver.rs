@@ -1,6 +1,7 @@
 //! The sweeps.
 
 use super::changes::Changes;
+use super::momentum::Momentum;
 use super::residual::natural_map;
 use super::unit::{MovingUnit, gather, scatter};
 use super::{ContactInput, Row, Rule, StopCriterion, SweepOrder, SweepSettings};
@@ -13,6 +14,7 @@ use crate::units::{InverseMass, Velocity};
 pub struct Solver {
     rows: Vec<Row>,
     units: Vec<MovingUnit>,
+    momentum: Momentum,
     friction: f64,
 }
 
@@ -88,14 +90,17 @@ impl Solver {
     ) -> SweepReport {
         let mut report = SweepReport::default();
         let mut mean = self.mean_normal_impulse();
+        if settings.momentum > 0.0 {
+            self.momentum.begin(&self.rows, &self.units);
+        }
         while report.sweeps < settings.max_sweeps && !report.has_converged {
-            let is_backward = settings.order == SweepOrder::Alternating && report.sweeps % 2 == 1;
-            let changes = match settings.stop {
-                StopCriterion::Relative { floor, .. } => {
-                    self.sweep::<R, true>(rule, is_backward, floor * mean)
-                }
-                _ => self.sweep::<R, false>(rule, is_backward, 0.0),
-            };
+            let is_odd = report.sweeps % 2 == 1;
+            if settings.momentum > 0.0 && report.sweeps > 0 && !is_odd {
+                let (rows, units) = (&mut self.rows, &mut self.units);
+                self.momentum.extrapolate(settings.momentum, rows, units);
+            }
+            let is_backward = settings.order == SweepOrder::Alternating && is_odd;
+            let changes = self.sweep(rule, settings, is_backward, mean);
             report.sweeps += 1;
             mean = changes.mean();
             report.has_converged = match settings.stop {
@@ -112,22 +117,27 @@ impl Solver {
         report
     }
 
-    /// Visit all points once.
-    fn sweep<R: LocalRule, const IS_RELATIVE: bool>(
+    /// Visit all points once. `mean` is the mean normal impulse.
+    fn sweep<R: LocalRule>(
         &mut self,
         rule: R,
+        settings: &SweepSettings,
         is_backward: bool,
-        floor: f64,
+        mean: f64,
     ) -> Changes {
-        let visits = Visits {
+        let mut visits = Visits {
             rule,
             friction: self.friction,
-            floor,
+            floor: 0.0,
             units: &mut self.units,
         };
-        match is_backward {
-            false => visits.run::<IS_RELATIVE>(self.rows.iter_mut()),
-            true => visits.run::<IS_RELATIVE>(self.rows.iter_mut().rev()),
+        let rows = self.rows.as_mut_slice();
+        match settings.stop {
+            StopCriterion::Relative { floor, .. } => {
+                visits.floor = floor * mean;
+                visits.run_all::<true>(rows, is_backward)
+            }
+            _ => visits.run_all::<false>(rows, is_backward),
         }
     }
 
@@ -157,17 +167,26 @@ impl Solver {
 struct Visits<'a, R> {
     rule: R,
     friction: f64,
+    /// Smallest denominator of relative changes.
     floor: f64,
     units: &'a mut [MovingUnit],
 }
 
 impl<R: LocalRule> Visits<'_, R> {
+    fn run_all<const IS_RELATIVE: bool>(self, rows: &mut [Row], is_backward: bool) -> Changes {
+        match is_backward {
+            false => self.run::<IS_RELATIVE>(rows.iter_mut()),
+            true => self.run::<IS_RELATIVE>(rows.iter_mut().rev()),
+        }
+    }
+
     #[inline(never)]
     fn run<'a, const IS_RELATIVE: bool>(self, rows: impl Iterator<Item = &'a mut Row>) -> Changes {
         let mut changes = Changes::default();
+        let (friction, floor) = (self.friction, self.floor);
         for row in rows {
-            let change = row.update(self.rule, self.friction, self.units);
-            changes.add::<IS_RELATIVE>(change, row.impulse, self.floor);
+            let change = row.update(self.rule, friction, self.units);
+            changes.add::<IS_RELATIVE>(change, row.impulse(), floor);
         }
         changes
     }
