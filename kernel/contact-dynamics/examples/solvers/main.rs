@@ -30,10 +30,16 @@ fn methods() -> Vec<(&'static str, SweepSettings)> {
     vec![
         ("forward sweeps", forward),
         ("alternating sweeps", plain),
-        ("momentum 0.7", with(0.7)),
         ("momentum 0.8", with(0.8)),
         ("momentum 0.9", with(0.9)),
         ("momentum 0.95", with(0.95)),
+        (
+            "forward, momentum 0.9",
+            SweepSettings {
+                momentum: 0.9,
+                ..forward
+            },
+        ),
     ]
 }
 
