@@ -67,13 +67,12 @@ impl PointKinematics {
     /// Velocity of the second unit relative to the first at the point in m/s.
     #[inline]
     pub fn relative_velocity(&self, velocities: &[Velocity]) -> Components {
-        let [first, second] = self.units.map(|unit| velocities[unit as usize]);
-        self.difference(first, second)
+        self.velocity_of(self.units.map(|unit| velocities[unit as usize]))
     }
 
-    /// Velocity at the point of a unit with velocity `second` relative to one with velocity `first`, in m/s.
-    #[inline(always)]
-    pub(crate) fn difference(&self, first: Velocity, second: Velocity) -> Components {
+    /// Velocity of the second unit relative to the first at the point in m/s, from the velocities of the two.
+    #[inline]
+    pub fn velocity_of(&self, [first, second]: [Velocity; 2]) -> Components {
         let [one, other] = self.arms;
         let linear = second.linear - first.linear;
         Components {

@@ -93,7 +93,9 @@ impl Row {
         let [i, j] = self.kinematics.units;
         let (i, j) = (i as usize, j as usize);
         let (first, second) = (units[i], units[j]);
-        let u = self.kinematics.difference(first.velocity, second.velocity);
+        let u = self
+            .kinematics
+            .velocity_of([first.velocity, second.velocity]);
         let (w, old) = (self.w, self.impulse);
         let a = Components {
             n: (w.nn * old.n + w.nt * old.t - self.shift.n) - u.n,
