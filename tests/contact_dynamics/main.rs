@@ -17,6 +17,7 @@ mod solid_fraction;
 mod siconos;
 mod steps;
 mod stored;
+mod solvers;
 mod sweeps;
 mod systems;
 mod worlds;

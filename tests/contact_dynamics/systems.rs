@@ -54,6 +54,7 @@ impl System {
                 max_sweeps: 100_000,
                 order: SweepOrder::Alternating,
                 rule: Rule::Exact,
+                ..SweepSettings::default()
             },
             warm_start_distance: 0.3,
         };

@@ -25,6 +25,8 @@ pub struct Assembly {
     pub inverse_mass: Vec<InverseMass>,
     /// Load per unit; it may be changed between steps.
     pub load: Vec<Load>,
+    /// Whether a unit has a body, per unit.
+    has_body: Vec<bool>,
 }
 
 /// What changes from step to step, apart from the remembered impulses.
@@ -65,6 +67,7 @@ impl Assembly {
             wall_unit: Vec::new(),
             inverse_mass: Vec::new(),
             load: Vec::new(),
+            has_body: Vec::new(),
         }
     }
 
@@ -87,6 +90,7 @@ impl Assembly {
         }
         self.inverse_mass.push(inverse_mass);
         self.load.push(Load::default());
+        self.has_body.push(false);
         configuration.velocity.push(velocity);
         Ok(self.inverse_mass.len() as u32 - 1)
     }
@@ -114,7 +118,7 @@ impl Assembly {
             true,
         )?;
         require("angle", body.angle, "finite", true)?;
-        if self.unit.contains(&unit) {
+        if self.has_body[unit as usize] {
             let rotation = self.inverse_mass[unit as usize].rotation;
             let name = "inverse moment of inertia of a unit of several bodies";
             require(name, rotation, "zero", rotation == 0.0)?;
@@ -122,6 +126,7 @@ impl Assembly {
         self.shape.push(body.shape);
         self.scale.push(body.scale);
         self.unit.push(unit);
+        self.has_body[unit as usize] = true;
         configuration.position.push(body.position);
         configuration.angle.push(body.angle);
         Ok(self.shape.len() - 1)

@@ -1,6 +1,6 @@
 //! Kinematics of a contact point, and the response of its two bodies to its impulse.
 
-use crate::local::Components;
+use crate::local::{Components, LocalProblem};
 use crate::units::{InverseMass, Velocity};
 use gouge_common::geometry::Vec2;
 use gouge_equations::rendered;
@@ -76,8 +76,8 @@ impl PointKinematics {
         let [one, other] = self.arms;
         let linear = second.linear - first.linear;
         Components {
-            n: self.normal.dot(linear) - second.angular * other.t + first.angular * one.t,
-            t: self.normal.cross(linear) + second.angular * other.n - first.angular * one.n,
+            n: self.normal.dot(linear) + (first.angular * one.t - second.angular * other.t),
+            t: self.normal.cross(linear) + (second.angular * other.n - first.angular * one.n),
         }
     }
 
@@ -89,16 +89,33 @@ impl PointKinematics {
         inverse_masses: &[InverseMass],
         velocities: &mut [Velocity],
     ) {
+        let [i, j] = self.units.map(|unit| unit as usize);
+        let inverse = [inverse_masses[i], inverse_masses[j]];
+        [velocities[i], velocities[j]] =
+            self.pushed(impulse, inverse, [velocities[i], velocities[j]]);
+    }
+
+    /// The velocities of both units after an impulse in kg m/s.
+    #[inline(always)]
+    pub(crate) fn pushed(
+        &self,
+        impulse: Components,
+        inverse: [InverseMass; 2],
+        [mut first, mut second]: [Velocity; 2],
+    ) -> [Velocity; 2] {
         let vector = self.normal * impulse.n + self.normal.perpendicular() * impulse.t;
-        for (side, sign) in [(0, -1.0), (1, 1.0)] {
-            let (unit, arm) = (self.units[side] as usize, self.arms[side]);
-            let inverse = inverse_masses[unit];
-            let velocity = &mut velocities[unit];
-            let moment = arm.n * impulse.t - arm.t * impulse.n;
-            velocity.linear.x += sign * inverse.x * vector.x;
-            velocity.linear.y += sign * inverse.y * vector.y;
-            velocity.angular += sign * inverse.rotation * moment;
-        }
+        let [one, other] = self.arms;
+        let moments = [
+            one.n * impulse.t - one.t * impulse.n,
+            other.n * impulse.t - other.t * impulse.n,
+        ];
+        first.linear.x -= inverse[0].x * vector.x;
+        first.linear.y -= inverse[0].y * vector.y;
+        first.angular -= inverse[0].rotation * moments[0];
+        second.linear.x += inverse[1].x * vector.x;
+        second.linear.y += inverse[1].y * vector.y;
+        second.angular += inverse[1].rotation * moments[1];
+        [first, second]
     }
 
     /// The Delassus operator of the point.
@@ -115,5 +132,20 @@ impl PointKinematics {
             w.nt += n.x * n.y * (inverse.y - inverse.x) - arm.n * arm.t * inverse.rotation;
         }
         w
+    }
+}
+
+impl Delassus {
+    /// The local problem of the point with given velocities to be stopped and friction.
+    #[inline(always)]
+    pub fn problem(self, a: Components, friction: f64) -> LocalProblem {
+        LocalProblem {
+            w_nn: self.nn,
+            w_tt: self.tt,
+            w_nt: self.nt,
+            a_n: a.n,
+            a_t: a.t,
+            friction,
+        }
     }
 }

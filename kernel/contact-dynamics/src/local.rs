@@ -76,10 +76,27 @@ pub struct LocalSolution {
     pub status: LocalStatus,
 }
 
+/// Divisions of a local problem that do not depend on velocities, so that sweeps need none.
+#[rendered]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LocalInverses {
+    /// $1/(W_{nn} W_{tt} - W_{nt}^2)$ in kg², or zero unless W is regular and the solution unique.
+    pub determinant: f64,
+    /// $1/(W_{nn} \pm \mu W_{nt})$ in kg, for sliding with positive and with negative tangential impulse.
+    pub sliding: [f64; 2],
+}
+
 /// Which impulse answers a local problem.
 pub trait LocalRule: Copy + Send + Sync {
+    /// Whether tangential impulses are all zero, so that the tangential components of the problem are not needed.
+    const IS_NORMAL: bool = false;
     /// The impulse of a contact point.
     fn solve(self, problem: &LocalProblem) -> LocalSolution;
+    /// The same impulse with fewer operations.
+    #[inline(always)]
+    fn solve_prepared(self, problem: &LocalProblem, _: &LocalInverses) -> LocalSolution {
+        self.solve(problem)
+    }
 }
 
 /// The laws of Signorini and Coulomb, azema (A1)-(A3), solved exactly by enumeration of the statuses.
@@ -99,6 +116,15 @@ pub trait LocalRule: Copy + Send + Sync {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExactRule;
 
+/// The laws without friction: [`ExactRule`] with $\mu = 0$, to the bit, whatever the coefficient of friction.
+///
+/// $$ P_n = \max(a_n, 0)/W_{nn}, \qquad P_t = 0 $$
+///
+/// The status of a point with an impulse is [`LocalStatus::Sliding`].
+#[rendered]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrictionlessRule;
+
 /// The rule printed in the text after azema (A26), for comparison only.
 ///
 /// The contact breaks if the normal impulse for sticking is negative; otherwise that impulse is kept, and the
@@ -113,10 +139,53 @@ pub struct PaperRule;
 impl LocalRule for ExactRule {
     #[inline]
     fn solve(self, problem: &LocalProblem) -> LocalSolution {
-        if problem.friction * problem.w_nt.abs() < problem.w_nn {
-            problem.unique_solution()
+        if problem.friction == 0.0 {
+            return FrictionlessRule.solve(problem);
+        }
+        self.solve_prepared(problem, &problem.inverses())
+    }
+
+    #[inline(always)]
+    fn solve_prepared(self, problem: &LocalProblem, inverses: &LocalInverses) -> LocalSolution {
+        if inverses.determinant > 0.0 {
+            problem.unique_solution(inverses)
         } else {
-            problem.enumerate()
+            let (problem, inverses) = (*problem, *inverses);
+            problem.doubtful_solution(&inverses)
+        }
+    }
+}
+
+impl LocalRule for FrictionlessRule {
+    const IS_NORMAL: bool = true;
+
+    #[inline]
+    fn solve(self, problem: &LocalProblem) -> LocalSolution {
+        let inverses = LocalProblem {
+            friction: 0.0,
+            ..*problem
+        }
+        .inverses();
+        self.solve_prepared(problem, &inverses)
+    }
+
+    #[inline(always)]
+    fn solve_prepared(self, problem: &LocalProblem, inverses: &LocalInverses) -> LocalSolution {
+        if problem.a_n <= 0.0 {
+            return LocalSolution::default();
+        }
+        if problem.w_nn <= 0.0 {
+            return LocalSolution {
+                impulse: Components::default(),
+                status: LocalStatus::NoSolution,
+            };
+        }
+        LocalSolution {
+            impulse: Components {
+                n: problem.a_n * inverses.sliding[0],
+                t: 0.0,
+            },
+            status: LocalStatus::Sliding,
         }
     }
 }
@@ -142,6 +211,24 @@ impl LocalRule for PaperRule {
 }
 
 impl LocalProblem {
+    /// The divisions that the exact rule needs.
+    #[inline]
+    pub fn inverses(&self) -> LocalInverses {
+        let determinant = self.w_nn * self.w_tt - self.w_nt * self.w_nt;
+        let is_unique = self.friction * self.w_nt.abs() < self.w_nn;
+        LocalInverses {
+            determinant: if determinant > 0.0 && is_unique {
+                1.0 / determinant
+            } else {
+                0.0
+            },
+            sliding: [
+                1.0 / (self.w_nn + self.friction * self.w_nt),
+                1.0 / (self.w_nn - self.friction * self.w_nt),
+            ],
+        }
+    }
+
     /// Velocity that enters the laws, in m/s, under an impulse.
     #[inline]
     pub fn velocity(&self, impulse: Components) -> Components {
@@ -180,10 +267,13 @@ impl LocalProblem {
 
     /// The impulse for sliding with the tangential impulse in the direction of `sign`.
     #[inline]
-    fn sliding_impulse(&self, sign: f64) -> Components {
-        let ratio = sign * self.friction;
-        let n = self.a_n / (self.w_nn + ratio * self.w_nt);
-        Components { n, t: ratio * n }
+    fn sliding_impulse(&self, sign: f64, inverses: &LocalInverses) -> Components {
+        let [positive, negative] = inverses.sliding;
+        let n = self.a_n * if sign < 0.0 { negative } else { positive };
+        Components {
+            n,
+            t: sign * self.friction * n,
+        }
     }
 
     /// Whether the sliding velocity under an impulse for sliding opposes it.
@@ -192,28 +282,50 @@ impl LocalProblem {
         impulse.n >= 0.0 && self.velocity(impulse).t * sign <= 0.0
     }
 
-    #[inline]
-    fn unique_solution(&self) -> LocalSolution {
+    /// The solution where W is regular and the solution unique.
+    ///
+    /// On the line $u_n = 0$ of the plane of impulses, $u_t$ grows with $P_t$ and vanishes at the sticking impulse, and
+    /// the line enters the Coulomb cone at negative and leaves it at positive $P_t$. A sliding impulse therefore has
+    /// the direction of the sticking one.
+    ///
+    /// Both are computed and one of them is selected: in a dense packing, a branch between them would often be
+    /// predicted wrongly.
+    #[inline(always)]
+    fn unique_solution(&self, inverses: &LocalInverses) -> LocalSolution {
         if self.a_n <= 0.0 {
             return LocalSolution::default();
         }
-        let stick = self.sticking_impulse();
-        if self.can_stick(stick) {
-            return LocalSolution {
-                impulse: stick,
-                status: LocalStatus::Sticking,
-            };
-        }
-        let likely = if stick.n >= 0.0 && stick.t != 0.0 {
-            stick.t
-        } else {
-            self.a_t
+        let stick = Components {
+            n: (self.w_tt * self.a_n - self.w_nt * self.a_t) * inverses.determinant,
+            t: (self.w_nn * self.a_t - self.w_nt * self.a_n) * inverses.determinant,
         };
-        let sign = if likely < 0.0 { -1.0 } else { 1.0 };
-        let mut impulse = self.sliding_impulse(sign);
+        let [positive, negative] = inverses.sliding;
+        let n = self.a_n * if stick.t < 0.0 { negative } else { positive };
+        let slide = Components {
+            n,
+            t: self.friction.copysign(stick.t) * n,
+        };
+        let is_sticking = stick.t.abs() <= self.friction * stick.n;
+        LocalSolution {
+            impulse: Components {
+                n: if is_sticking { stick.n } else { slide.n },
+                t: if is_sticking { stick.t } else { slide.t },
+            },
+            status: if is_sticking {
+                LocalStatus::Sticking
+            } else {
+                LocalStatus::Sliding
+            },
+        }
+    }
+
+    /// The sliding solution, where W is singular and there is exactly one solution.
+    fn singular_sliding(&self, inverses: &LocalInverses) -> LocalSolution {
+        let sign = if self.a_t < 0.0 { -1.0 } else { 1.0 };
+        let mut impulse = self.sliding_impulse(sign, inverses);
         if !self.can_slide(impulse, sign) {
             // At the boundary to sticking, rounding may refuse both directions; they differ by rounding there.
-            let other = self.sliding_impulse(-sign);
+            let other = self.sliding_impulse(-sign, inverses);
             if self.can_slide(other, -sign) {
                 impulse = other;
             }
@@ -224,11 +336,29 @@ impl LocalProblem {
         }
     }
 
-    /// All statuses, where the laws may have no solution or several.
+    /// The solution where W is singular, or the laws may have no solution or several.
     #[cold]
-    fn enumerate(&self) -> LocalSolution {
+    fn doubtful_solution(&self, inverses: &LocalInverses) -> LocalSolution {
+        if self.friction * self.w_nt.abs() >= self.w_nn {
+            return self.enumerate(inverses);
+        }
+        if self.a_n <= 0.0 {
+            return LocalSolution::default();
+        }
         let stick = self.sticking_impulse();
-        let slide = [1.0, -1.0].map(|sign| (self.sliding_impulse(sign), sign));
+        if self.can_stick(stick) {
+            return LocalSolution {
+                impulse: stick,
+                status: LocalStatus::Sticking,
+            };
+        }
+        self.singular_sliding(inverses)
+    }
+
+    /// All statuses, where the laws may have no solution or several.
+    fn enumerate(&self, inverses: &LocalInverses) -> LocalSolution {
+        let stick = self.sticking_impulse();
+        let slide = [1.0, -1.0].map(|sign| (self.sliding_impulse(sign, inverses), sign));
         let is_slide =
             slide.map(|(impulse, sign)| impulse.n > 0.0 && self.can_slide(impulse, sign));
         let candidates = [

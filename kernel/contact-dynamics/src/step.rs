@@ -48,9 +48,10 @@ impl StepSettings {
     ///
     /// # Errors
     /// [`SetupError::Parameter`] for a time step that is not positive, a negative length of detection or of warm
-    /// starts, or a law outside its range.
+    /// starts, or a law or sweeps outside their ranges.
     pub fn validate(&self) -> Result<(), SetupError> {
         self.law.validate()?;
+        self.sweeps.validate()?;
         require(
             "time step",
             self.time_step,

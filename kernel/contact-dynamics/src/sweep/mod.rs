@@ -1,8 +1,11 @@
 //! The impulses of all contact points, by Gauss-Seidel sweeps over body velocities.
 
+mod unit;
 mod row;
+mod changes;
 mod settings;
 mod residual;
+mod momentum;
 mod solver;
 
 pub use row::{ContactInput, Row};

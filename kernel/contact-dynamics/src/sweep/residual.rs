@@ -13,10 +13,10 @@ use gouge_equations::rendered;
 /// Here u is the velocity to which the laws apply.
 #[rendered]
 #[inline]
-pub(super) fn natural_map(row: &Row, velocities: &[Velocity]) -> f64 {
+pub(super) fn natural_map(row: &Row, friction: f64, velocities: &[Velocity]) -> f64 {
     let (u, p) = (row.law_velocity(velocities), row.impulse);
     let scale = row.w.nn.max(row.w.tt);
-    let limit = row.friction * p.n.max(0.0);
+    let limit = friction * p.n.max(0.0);
     let normal = p.n - (p.n - u.n / scale).max(0.0);
     let tangential = p.t - (p.t - u.t / scale).max(-limit).min(limit);
     if normal.is_nan() || tangential.is_nan() {

@@ -1,8 +1,9 @@
 //! A contact point as the sweep sees it.
 
+use super::unit::MovingUnit;
 use crate::delassus::{Delassus, PointKinematics};
 use crate::law::ContactLaw;
-use crate::local::{Components, LocalProblem, LocalRule, LocalStatus};
+use crate::local::{Components, LocalInverses, LocalRule, LocalStatus};
 use crate::units::{InverseMass, Velocity};
 
 /// A contact point to be solved.
@@ -16,14 +17,14 @@ pub struct ContactInput {
     pub impulse: Components,
 }
 
-/// A contact point with what stays constant during the sweeps. Two cache lines.
+/// A contact point with what stays constant during the sweeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     pub(super) kinematics: PointKinematics,
     pub(super) w: Delassus,
+    pub(super) inverses: LocalInverses,
     /// What is added to the velocity after the step before the laws apply to it: restitution and gap.
     pub(super) shift: Components,
-    pub(super) friction: f64,
     pub(super) impulse: Components,
     pub(super) status: LocalStatus,
 }
@@ -45,11 +46,12 @@ impl Row {
         }
         let gap = law.gap.velocity(input.gap, time_step);
         shift.n += gap.closing + gap.correcting;
+        let w = input.kinematics.delassus(inverse_masses);
         Self {
             kinematics: input.kinematics,
-            w: input.kinematics.delassus(inverse_masses),
+            w,
+            inverses: w.problem(Components::default(), law.friction).inverses(),
             shift,
-            friction: law.friction,
             impulse: input.impulse,
             status: LocalStatus::default(),
         }
@@ -81,32 +83,39 @@ impl Row {
     }
 
     /// Solve the point with all other impulses frozen, and change the velocities. Returns the change of the impulse.
-    #[inline]
+    #[inline(always)]
     pub(super) fn update<R: LocalRule>(
         &mut self,
         rule: R,
-        inverse_masses: &[InverseMass],
-        velocities: &mut [Velocity],
+        friction: f64,
+        units: &mut [MovingUnit],
     ) -> Components {
-        let u = self.law_velocity(velocities);
+        let [i, j] = self.kinematics.units;
+        let (i, j) = (i as usize, j as usize);
+        let (first, second) = (units[i], units[j]);
+        let u = self
+            .kinematics
+            .velocity_of([first.velocity, second.velocity]);
         let (w, old) = (self.w, self.impulse);
-        let problem = LocalProblem {
-            w_nn: w.nn,
-            w_tt: w.tt,
-            w_nt: w.nt,
-            a_n: w.nn * old.n + w.nt * old.t - u.n,
-            a_t: w.nt * old.n + w.tt * old.t - u.t,
-            friction: self.friction,
+        let a = Components {
+            n: (w.nn * old.n + w.nt * old.t - self.shift.n) - u.n,
+            t: (w.nt * old.n + w.tt * old.t - self.shift.t) - u.t,
         };
-        let solution = rule.solve(&problem);
+        let solution = rule.solve_prepared(&w.problem(a, friction), &self.inverses);
         self.status = solution.status;
         self.impulse = solution.impulse;
         let change = Components {
             n: self.impulse.n - old.n,
             t: self.impulse.t - old.t,
         };
-        if change != Components::default() {
-            self.kinematics.apply(change, inverse_masses, velocities);
+        if solution.status != LocalStatus::Separated || old != Components::default() {
+            let velocities = self.kinematics.pushed(
+                change,
+                [first.inverse, second.inverse],
+                [first.velocity, second.velocity],
+            );
+            units[i].velocity = velocities[0];
+            units[j].velocity = velocities[1];
         }
         change
     }

@@ -1,5 +1,6 @@
 //! How sweeps go and when they stop.
 
+use crate::error::{SetupError, require};
 use gouge_equations::rendered;
 
 /// When the impulses have converged.
@@ -56,10 +57,35 @@ pub struct SweepSettings {
     pub stop: StopCriterion,
     /// Largest number of sweeps per step.
     pub max_sweeps: usize,
+    /// Largest residual of the laws (natural map) in m/s that is accepted once the changes are small. Small changes alone
+    /// do not bound errors of velocities. `None` asks for small changes only.
+    pub largest_residual: Option<f64>,
     /// Order of the points.
     pub order: SweepOrder,
     /// Rule for a single point.
     pub rule: Rule,
+    /// Largest momentum, in [0, 1); 0 is the method without momentum.
+    ///
+    /// After each pair of sweeps, impulses and velocities are extrapolated by a part of their last change. The part
+    /// grows towards this value, and restarts from zero if a pair of sweeps turns back (Nesterov's sequence with the
+    /// restarts of O'Donoghue and Candès, Found. Comput. Math. 15, 715 (2015)). The last sweep is never followed by an
+    /// extrapolation. With 0.9, dense packings need several times fewer sweeps for the same accuracy; nearer to one,
+    /// impulses oscillate.
+    pub momentum: f64,
+}
+
+impl SweepSettings {
+    /// Check all numbers.
+    ///
+    /// # Errors
+    /// [`SetupError::Parameter`] for a momentum outside [0, 1), or a largest residual that is not positive.
+    pub fn validate(&self) -> Result<(), SetupError> {
+        if let Some(residual) = self.largest_residual {
+            require("largest residual", residual, "positive", residual > 0.0)?;
+        }
+        let is_valid = (0.0..1.0).contains(&self.momentum);
+        require("momentum", self.momentum, "in [0, 1)", is_valid)
+    }
 }
 
 impl Default for SweepSettings {
@@ -70,8 +96,10 @@ impl Default for SweepSettings {
                 floor: f64::MIN_POSITIVE,
             },
             max_sweeps: 1000,
+            largest_residual: None,
             order: SweepOrder::default(),
             rule: Rule::default(),
+            momentum: 0.0,
         }
     }
 }

@@ -1,15 +1,21 @@
 //! The sweeps.
 
+use super::changes::Changes;
+use super::momentum::Momentum;
 use super::residual::natural_map;
+use super::unit::{MovingUnit, gather, scatter};
 use super::{ContactInput, Row, Rule, StopCriterion, SweepOrder, SweepSettings};
 use crate::law::ContactLaw;
-use crate::local::{Components, ExactRule, LocalRule, PaperRule};
+use crate::local::{Components, ExactRule, FrictionlessRule, LocalRule, PaperRule};
 use crate::units::{InverseMass, Velocity};
 
 /// The contact points of a step with their impulses. Its buffers are reused from step to step.
 #[derive(Clone, Debug, Default)]
 pub struct Solver {
     rows: Vec<Row>,
+    units: Vec<MovingUnit>,
+    momentum: Momentum,
+    friction: f64,
 }
 
 /// What the sweeps of a step did.
@@ -21,15 +27,6 @@ pub struct SweepReport {
     pub has_converged: bool,
     /// Number of points whose local problem had no solution or several in the last sweep.
     pub not_unique: usize,
-}
-
-/// Changes during one sweep.
-#[derive(Clone, Copy, Debug, Default)]
-struct Changes {
-    largest: f64,
-    largest_relative: f64,
-    sum: f64,
-    positive: usize,
 }
 
 impl Solver {
@@ -48,6 +45,7 @@ impl Solver {
         inverse_masses: &[InverseMass],
     ) {
         self.rows.clear();
+        self.friction = law.friction;
         let row = |point| Row::new(point, law, time_step, before, inverse_masses);
         self.rows.extend(points.iter().map(row));
     }
@@ -67,13 +65,20 @@ impl Solver {
         inverse_masses: &[InverseMass],
         velocities: &mut [Velocity],
     ) -> SweepReport {
-        for row in &self.rows {
+        for row in &mut self.rows {
+            if self.friction == 0.0 {
+                row.impulse.t = 0.0;
+            }
             row.kinematics
                 .apply(row.impulse, inverse_masses, velocities);
         }
+        gather(&mut self.units, velocities, inverse_masses);
         match settings.rule {
-            Rule::Exact => self.iterate(ExactRule, settings, inverse_masses, velocities),
-            Rule::Paper => self.iterate(PaperRule, settings, inverse_masses, velocities),
+            Rule::Exact if self.friction == 0.0 => {
+                self.iterate(FrictionlessRule, settings, velocities)
+            }
+            Rule::Exact => self.iterate(ExactRule, settings, velocities),
+            Rule::Paper => self.iterate(PaperRule, settings, velocities),
         }
     }
 
@@ -81,55 +86,74 @@ impl Solver {
         &mut self,
         rule: R,
         settings: &SweepSettings,
-        inverse_masses: &[InverseMass],
         velocities: &mut [Velocity],
     ) -> SweepReport {
         let mut report = SweepReport::default();
         let mut mean = self.mean_normal_impulse();
+        if settings.momentum > 0.0 {
+            self.momentum.begin(&self.rows, &self.units);
+        }
         while report.sweeps < settings.max_sweeps && !report.has_converged {
-            let is_backward = settings.order == SweepOrder::Alternating && report.sweeps % 2 == 1;
-            let floor = match settings.stop {
-                StopCriterion::Relative { floor, .. } => floor * mean,
-                _ => 0.0,
-            };
-            let mut changes = Changes::default();
-            let mut visit = |row: &mut Row| {
-                let change = row.update(rule, inverse_masses, velocities);
-                changes.add(change, row.impulse, floor);
-            };
-            if is_backward {
-                self.rows.iter_mut().rev().for_each(&mut visit);
-            } else {
-                self.rows.iter_mut().for_each(&mut visit);
+            let is_odd = report.sweeps % 2 == 1;
+            if settings.momentum > 0.0 && report.sweeps > 0 && !is_odd {
+                let (rows, units) = (&mut self.rows, &mut self.units);
+                self.momentum.extrapolate(settings.momentum, rows, units);
             }
+            let is_backward = settings.order == SweepOrder::Alternating && is_odd;
+            let changes = self.sweep(rule, settings, is_backward, mean);
             report.sweeps += 1;
             mean = changes.mean();
-            report.has_converged = self.has_converged(&changes, settings.stop, velocities);
+            report.has_converged = match settings.stop {
+                StopCriterion::NaturalMap { velocity } => {
+                    scatter(&self.units, velocities);
+                    self.residual(velocities) <= velocity
+                }
+                stop => changes.are_small(stop) && self.is_near(settings, velocities),
+            };
         }
+        scatter(&self.units, velocities);
         let is_doubtful = |row: &&Row| !row.status.is_unique();
         report.not_unique = self.rows.iter().filter(is_doubtful).count();
         report
     }
 
-    fn has_converged(
-        &self,
-        changes: &Changes,
-        stop: StopCriterion,
-        velocities: &[Velocity],
-    ) -> bool {
-        match stop {
-            StopCriterion::Increment { tolerance, floor } => {
-                changes.largest <= tolerance * changes.mean().max(floor)
+    /// Whether the residual of the present state is small enough; it is evaluated only if that is asked for.
+    fn is_near(&self, settings: &SweepSettings, velocities: &mut [Velocity]) -> bool {
+        let Some(largest) = settings.largest_residual else {
+            return true;
+        };
+        scatter(&self.units, velocities);
+        self.residual(velocities) <= largest
+    }
+
+    /// Visit all points once. `mean` is the mean normal impulse.
+    fn sweep<R: LocalRule>(
+        &mut self,
+        rule: R,
+        settings: &SweepSettings,
+        is_backward: bool,
+        mean: f64,
+    ) -> Changes {
+        let mut visits = Visits {
+            rule,
+            friction: self.friction,
+            floor: 0.0,
+            units: &mut self.units,
+        };
+        let rows = self.rows.as_mut_slice();
+        match settings.stop {
+            StopCriterion::Relative { floor, .. } => {
+                visits.floor = floor * mean;
+                visits.run_all::<true>(rows, is_backward)
             }
-            StopCriterion::Relative { tolerance, .. } => changes.largest_relative <= tolerance,
-            StopCriterion::NaturalMap { velocity } => self.residual(velocities) <= velocity,
+            _ => visits.run_all::<false>(rows, is_backward),
         }
     }
 
     fn mean_normal_impulse(&self) -> f64 {
         let mut changes = Changes::default();
         for row in &self.rows {
-            changes.add(Components::default(), row.impulse, 0.0);
+            changes.add::<false>(Components::default(), row.impulse, 0.0);
         }
         changes.mean()
     }
@@ -137,7 +161,7 @@ impl Solver {
     /// Largest residual of the laws over all points in m/s (natural map), zero exactly for a solution.
     pub fn residual(&self, velocities: &[Velocity]) -> f64 {
         let larger = |largest: f64, row| {
-            let residual = natural_map(row, velocities);
+            let residual = natural_map(row, self.friction, velocities);
             if residual > largest || residual.is_nan() {
                 residual
             } else {
@@ -148,22 +172,31 @@ impl Solver {
     }
 }
 
-impl Changes {
-    #[inline]
-    fn add(&mut self, change: Components, impulse: Components, floor: f64) {
-        let size = change.n.abs().max(change.t.abs());
-        self.largest = self.largest.max(size);
-        if size > 0.0 {
-            let reference = impulse.n.abs().max(impulse.t.abs()).max(floor);
-            self.largest_relative = self.largest_relative.max(size / reference);
-        }
-        if impulse.n > 0.0 {
-            self.sum += impulse.n;
-            self.positive += 1;
+/// What all visits of a sweep share.
+struct Visits<'a, R> {
+    rule: R,
+    friction: f64,
+    /// Smallest denominator of relative changes.
+    floor: f64,
+    units: &'a mut [MovingUnit],
+}
+
+impl<R: LocalRule> Visits<'_, R> {
+    fn run_all<const IS_RELATIVE: bool>(self, rows: &mut [Row], is_backward: bool) -> Changes {
+        match is_backward {
+            false => self.run::<IS_RELATIVE>(rows.iter_mut()),
+            true => self.run::<IS_RELATIVE>(rows.iter_mut().rev()),
         }
     }
 
-    fn mean(&self) -> f64 {
-        self.sum / self.positive.max(1) as f64
+    #[inline(never)]
+    fn run<'a, const IS_RELATIVE: bool>(self, rows: impl Iterator<Item = &'a mut Row>) -> Changes {
+        let mut changes = Changes::default();
+        let (friction, floor) = (self.friction, self.floor);
+        for row in rows {
+            let change = row.update(self.rule, friction, self.units);
+            changes.add::<IS_RELATIVE>(change, row.impulse(), floor);
+        }
+        changes
     }
 }

@@ -122,7 +122,9 @@ fn sweeps(root: &Table) -> Result<SweepSettings> {
         "criterion",
         "tolerance",
         "floor",
+        "largest_residual",
         "max_sweeps",
+        "momentum",
         "order",
         "rule",
     ])?;
@@ -131,9 +133,15 @@ fn sweeps(root: &Table) -> Result<SweepSettings> {
         ("forward", SweepOrder::Forward),
     ];
     let rules = [("exact", Rule::Exact), ("paper", Rule::Paper)];
+    let momentum = table.optional_number("momentum", Range::NonNegative)?;
+    if momentum.is_some_and(|momentum| momentum >= 1.0) {
+        return Err(table.error("momentum", "must be at least 0 and less than 1"));
+    }
     let most = table.optional_whole_within("max_sweeps", 1, u64::from(u32::MAX))?;
     Ok(SweepSettings {
         stop: criterion(&table)?,
+        largest_residual: table.optional_number("largest_residual", Range::Positive)?,
+        momentum: momentum.unwrap_or(0.0),
         max_sweeps: most.unwrap_or(MOST_SWEEPS) as usize,
         order: table.optional_choice("order", &orders)?.unwrap_or_default(),
         rule: table.optional_choice("rule", &rules)?.unwrap_or_default(),
