@@ -43,7 +43,8 @@ fn introduction() -> Markup {
             "Azéma, Estrada and Radjai shear 10 000 rigid polygons of 3 to 60 sides, and discs, by contact dynamics. "
             "Here the samples are smaller: 2 000 bodies in boxes as high as wide, three samples of each shape, inertial number "
             "1e-3, strain 5e-5 per step, strain 3, means over 1.5 to 3. Friction is 0.4, the largest diameter four times the "
-            "smallest. Sweeps end when no impulse changes by more than 0.003 of the mean one, at most 1000 in a step, and a "
+            "smallest. Sweeps end when no impulse changes by more than 0.003 of the mean one and the residual of the contact laws is "
+            "below 2.5 strain rates times the mean diameter, or after 1000 in a step. A "
             "twentieth of the overlap beyond 0.002 mean diameters is removed in each step; the work that this does is part of "
             "the balance of energy. With " code { "--scale small" } " there are 300 bodies, two samples and strain 1.2."
         }
