@@ -67,7 +67,7 @@ pub fn launch(arguments: &StudyArguments, program: &Program) -> Result<(), Error
     let earlier: Vec<&Path> = arguments.earlier.iter().map(PathBuf::as_path).collect();
     let jobs = usize::from(arguments.jobs.unwrap_or_else(cores));
     let prepared = arguments.study.prepare(scale, out)?;
-    let known = known(&earlier, &prepared)?;
+    let known = known(arguments.study, &earlier, &prepared)?;
     let stop = stopped_by_signals()?;
     let mut outcome = Ok(());
     for one in &prepared {

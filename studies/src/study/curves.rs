@@ -1,4 +1,4 @@
-//! Friction and heat over time, of the runs that figures show.
+//! Two quantities over time, of the runs that figures show.
 
 use super::results::{Results, Run};
 use crate::columns::Columns;
@@ -6,33 +6,52 @@ use crate::csv_table::CsvFile;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::Path;
 
-/// Pressures whose curves are kept, in units of the normal strength: those of thesis figure 14 and one of each decade.
-pub const PRESSURES: [f64; 5] = [0.075, 0.1, 0.15, 0.3, 0.6];
-/// Columns of the file.
-const COLUMNS: [&str; 4] = ["run", "time", "friction", "heat"];
 /// Points of a curve.
 const POINTS: usize = 50;
+
+/// What the curves of a study are.
+#[derive(Clone, Copy)]
+pub struct CurvePlan {
+    /// Names of the two quantities.
+    pub names: [&'static str; 2],
+    /// Whether the curves of a run are kept.
+    pub is_shown: fn(&Run) -> bool,
+    /// The two numbers over some rows of a series; none if it lacks the columns.
+    pub numbers: fn(&Columns, Range<usize>) -> Option<[f64; 2]>,
+}
 
 /// A point of a curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// Middle of the stretch of time that the point stands for, in s.
     pub time: f64,
-    /// Mean horizontal over mean vertical driving force in that stretch.
-    pub friction: f64,
-    /// Heat at its end in J.
-    pub heat: f64,
+    /// The two quantities.
+    pub numbers: [f64; 2],
 }
 
 /// Curves by the name of their run.
-#[derive(Clone, Debug, Default)]
 pub struct Curves {
+    plan: CurvePlan,
     curves: BTreeMap<String, Vec<Point>>,
 }
 
 impl Curves {
+    /// No curves.
+    pub fn new(plan: CurvePlan) -> Self {
+        Self {
+            plan,
+            curves: BTreeMap::new(),
+        }
+    }
+
+    fn columns(&self) -> [&'static str; 4] {
+        let [one, other] = self.plan.names;
+        ["run", "time", one, other]
+    }
+
     /// The curve of a run.
     pub fn of(&self, run: &Run) -> Option<&[Point]> {
         self.curves.get(&run.name).map(Vec::as_slice)
@@ -47,9 +66,9 @@ impl Curves {
             return Ok(());
         }
         let table = CsvFile::read(path)?;
-        table.check_header(COLUMNS.into_iter())?;
+        table.check_header(self.columns().into_iter())?;
         let place = |name: &str| table.header.iter().position(|column| column == name);
-        let [run, time, friction, heat] = COLUMNS.map(|name| place(name).unwrap_or_default());
+        let [run, time, one, other] = self.columns().map(|name| place(name).unwrap_or_default());
         for (line, row) in &table.rows {
             let number = |column: usize| {
                 let cell = &row[column];
@@ -59,8 +78,7 @@ impl Curves {
             };
             let point = Point {
                 time: number(time)?,
-                friction: number(friction)?,
-                heat: number(heat)?,
+                numbers: [number(one)?, number(other)?],
             };
             self.curves
                 .entry(row[run].to_owned())
@@ -72,10 +90,12 @@ impl Curves {
 
     /// Add the curves of runs whose series stand below a folder.
     pub fn observe(&mut self, results: &Results, out: &Path) {
-        let is_shown = |run: &&Run| run.counts() && PRESSURES.contains(&run.pressure());
+        let plan = self.plan;
+        let is_shown = |run: &&Run| run.counts() && (plan.is_shown)(run);
         for run in results.runs().iter().filter(is_shown) {
             let folder = out.join(&run.part).join("runs").join(&run.name);
-            if let Some(curve) = Columns::of_series(&folder).and_then(|series| curve(&series)) {
+            let series = Columns::of_series(&folder);
+            if let Some(curve) = series.and_then(|series| curve(&plan, &series)) {
                 self.curves.insert(run.name.clone(), curve);
             }
         }
@@ -86,34 +106,26 @@ impl Curves {
     /// # Errors
     /// Failures of the file system.
     pub fn write(&self, path: &Path) -> Result<(), Error> {
-        let mut text = COLUMNS.join(",") + "\n";
+        let mut text = self.columns().join(",") + "\n";
         for (run, curve) in &self.curves {
-            for Point {
-                time,
-                friction,
-                heat,
-            } in curve
-            {
-                text += &format!("{run},{time:.6e},{friction:.5},{heat:.5e}\n");
+            for Point { time, numbers } in curve {
+                let [one, other] = numbers;
+                text += &format!("{run},{time:.6e},{one:.5},{other:.5e}\n");
             }
         }
         write_whole(path, text.as_bytes())
     }
 }
 
-fn curve(series: &Columns) -> Option<Vec<Point>> {
-    let [time, x, y, heat] =
-        ["time", "drive_force_x", "drive_force_y", "friction"].map(|name| series.get(name));
-    let (time, x, y, heat) = (time?, x?, y?, heat?);
-    let size = time.len().div_ceil(POINTS);
+fn curve(plan: &CurvePlan, series: &Columns) -> Option<Vec<Point>> {
+    let time = series.get("time")?;
+    let size = time.len().div_ceil(POINTS).max(1);
     let points = (0..time.len()).step_by(size).map(|from| {
         let to = (from + size).min(time.len());
-        let sum = |column: &[f64]| column[from..to].iter().sum::<f64>();
-        Point {
+        Some(Point {
             time: 0.5 * (time[from] + time[to - 1]),
-            friction: -sum(x) / sum(y),
-            heat: heat[to - 1],
-        }
+            numbers: (plan.numbers)(series, from..to)?,
+        })
     });
-    Some(points.collect())
+    points.collect()
 }

@@ -3,6 +3,7 @@
 mod change;
 mod claim;
 mod curves;
+mod friction_curves;
 mod media;
 mod page;
 mod pictures;
@@ -15,7 +16,7 @@ mod thesis;
 
 use crate::sweep::Sweep;
 use claim::{Claim, Rule};
-use curves::Curves;
+use curves::{CurvePlan, Curves};
 use gouge_page::Figure;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
@@ -39,6 +40,8 @@ pub struct Study {
     order: &'static [&'static str],
     /// Its claims.
     rules: fn() -> Vec<&'static Rule>,
+    /// The curves over time that it keeps.
+    curves: CurvePlan,
     /// Its figures.
     figures: fn(&Results, &Curves) -> Vec<Figure>,
     /// Its tables.
@@ -130,7 +133,7 @@ impl Study {
     ) -> Result<(), Error> {
         let columns = Columns::of(prepared.iter().map(|one| &one.sweep));
         let mut results = Results::default();
-        let mut curves = Curves::default();
+        let mut curves = Curves::new(self.curves);
         for folder in earlier {
             results.add_joint(&folder.join("runs.csv"), &columns)?;
             curves.add(&folder.join("curves.csv"))?;
@@ -154,16 +157,20 @@ impl Study {
     }
 }
 
-/// Names of the runs that earlier studies finished; `prepared` are the parts of the present one.
+/// Names of the runs that earlier parts of a study finished; `prepared` are its present parts.
 ///
 /// # Errors
 /// Tables that cannot be read or are not those of a study.
-pub fn known(earlier: &[&Path], prepared: &[Prepared]) -> Result<HashSet<String>, Error> {
+pub fn known(
+    study: &Study,
+    earlier: &[&Path],
+    prepared: &[Prepared],
+) -> Result<HashSet<String>, Error> {
     let columns = Columns::of(prepared.iter().map(|one| &one.sweep));
     let mut results = Results::default();
     for folder in earlier {
         results.add_joint(&folder.join("runs.csv"), &columns)?;
-        Curves::default().add(&folder.join("curves.csv"))?;
+        Curves::new(study.curves).add(&folder.join("curves.csv"))?;
     }
     let finished = results.runs().iter().filter(|run| run.is_finished());
     Ok(finished.map(|run| run.name.clone()).collect())

@@ -37,7 +37,7 @@ pub fn page(
             p {
                 "One row a run: " a href="runs.csv" { "runs.csv" }
                 ". Verdicts: " a href="claims.csv" { "claims.csv" }
-                ". Friction and heat over time: " a href="curves.csv" { "curves.csv" } "."
+                ". " (study.curves.names.join(" and ").replace('_', " ")) " over time: " a href="curves.csv" { "curves.csv" } "."
             }
         },
     )

@@ -3,6 +3,7 @@
 use super::change::Change;
 use super::claim::{Finding, Rule};
 use super::curves::Curves;
+use super::friction_curves::FRICTION;
 use super::results::{Results, Run};
 use super::sample::Sample;
 use super::{Part, Scale, Study};
@@ -18,6 +19,7 @@ pub static STUDY: Study = Study {
     parts,
     order: &[PART],
     rules: || RULES.iter().collect(),
+    curves: FRICTION,
     figures,
     tables: |_| Vec::new(),
     pictures: &[],

@@ -3,11 +3,15 @@
 use super::SHAPES;
 use super::claims::{mean, values};
 use super::printed::{FITTED, fitted_stress_ratio};
-use super::shapes::{SIDES, angularity};
+use super::shapes::{SIDES, angularity, name};
+use super::sweeps::RATE;
+use crate::columns::Columns;
 use crate::statistics::Mean;
+use crate::study::curves::{CurvePlan, Curves};
 use crate::study::results::Results;
 use crate::study::sample::Sample;
 use gouge_page::{Axis, Curve, Figure};
+use std::ops::Range;
 
 /// A figure over angularity: title, quantity, and columns with their labels.
 type Plan = (
@@ -106,16 +110,77 @@ const PLANS: [Plan; 10] = [
     ),
 ];
 
+/// Shapes whose stress and height over strain are kept.
+const OVER_STRAIN: [u32; 4] = [0, 10, 5, 3];
+
+/// Stress ratio at the roof, and height of the roof in mean diameters.
+pub(super) const CURVES: CurvePlan = CurvePlan {
+    names: ["wall_stress_ratio", "height"],
+    is_shown: |run| {
+        let is_of = |&sides: &u32| run.text("shape") == name(sides);
+        run.part == SHAPES && run.seed() == "0" && OVER_STRAIN.iter().any(is_of)
+    },
+    numbers,
+};
+
+fn numbers(series: &Columns, rows: Range<usize>) -> Option<[f64; 2]> {
+    // Before the first step there are no forces.
+    let rows = rows.start.max(1)..rows.end;
+    let mean = |column: &str| {
+        let values = &series.get(column)?[rows.clone()];
+        Some(values.iter().sum::<f64>() / values.len() as f64)
+    };
+    let ratio = mean("shear_stress")? / mean("normal_stress")?;
+    Some([ratio, mean("height")?])
+}
+
 /// All figures of which something was run.
-pub(super) fn figures(results: &Results) -> Vec<Figure> {
+pub(super) fn figures(results: &Results, curves: &Curves) -> Vec<Figure> {
     let sample = Sample {
         results,
         part: SHAPES,
     };
-    PLANS
-        .iter()
-        .filter_map(|plan| figure(&sample, plan))
-        .collect()
+    let stress = over_strain(&sample, curves, Shown::Stress);
+    let volume = over_strain(&sample, curves, Shown::Volume);
+    let over_angle = PLANS.iter().filter_map(|plan| figure(&sample, plan));
+    stress.into_iter().chain(volume).chain(over_angle).collect()
+}
+
+/// What is shown over strain.
+#[derive(Clone, Copy)]
+enum Shown {
+    /// The stress ratio at the roof.
+    Stress,
+    /// The volume.
+    Volume,
+}
+
+fn over_strain(sample: &Sample, curves: &Curves, shown: Shown) -> Option<Figure> {
+    let of_shape = |&sides: &u32| {
+        let mut runs = sample.runs().filter(|run| (CURVES.is_shown)(run));
+        let run = runs.find(|run| run.text("shape") == name(sides))?;
+        let mean = run.number("height_mean")?;
+        let number = |numbers: [f64; 2]| match shown {
+            Shown::Stress => numbers[0],
+            Shown::Volume => numbers[1] / mean,
+        };
+        let points = curves.of(run)?.iter();
+        let points = points.map(|point| [RATE * point.time, number(point.numbers)]);
+        Some(Curve::line(&name(sides), points))
+    };
+    let found: Vec<Curve> = OVER_STRAIN.iter().filter_map(of_shape).collect();
+    let (title, quantity) = match shown {
+        Shown::Stress => (
+            "Figure 4a: shear over normal stress on the upper wall, first sample of each shape.",
+            "shear over normal stress",
+        ),
+        Shown::Volume => (
+            "Figure 4b: volume over its mean in the second half, first sample of each shape.",
+            "volume over its mean",
+        ),
+    };
+    let (x, y) = (Axis::linear("shear strain", ""), Axis::linear(quantity, ""));
+    (!found.is_empty()).then(|| Figure::new(title, x, y, found))
 }
 
 fn figure(sample: &Sample, (title, quantity, columns): &Plan) -> Option<Figure> {

@@ -19,7 +19,8 @@ pub static STUDY: Study = Study {
     parts: sweeps::parts,
     order: &["shapes", "tolerance", "bias", "step", "number", "inertia"],
     rules: || claims::RULES.iter().collect(),
-    figures: |results, _| figures::figures(results),
+    curves: figures::CURVES,
+    figures: figures::figures,
     tables: tables::tables,
     pictures: &[
         shown(&[("shape", "disc")]),

@@ -5,7 +5,7 @@ use super::shapes::{SIDES, TESTED, name, width};
 use gouge_runner::contact_dynamics::Means;
 
 /// Strain per unit of time.
-const RATE: f64 = 1e-3;
+pub const RATE: f64 = 1e-3;
 /// Bodies of the samples whose sensitivity is tested.
 const TESTED_BODIES: u32 = 400;
 
@@ -56,8 +56,9 @@ const CHANGES: [(&str, &str); 5] = [
         r#"
 [[axis]]
 name = "tolerance"
-key = "solver.tolerance"
-values = [1e-2, 3e-3, 1e-3]
+keys = ["solver.tolerance", "solver.largest_residual"]
+values = [[1e-2, 1.0], [3e-3, 2.5e-3], [1e-3, 1e-3]]
+labels = ["1e-2", "3e-3", "1e-3"]
 "#,
     ),
     (

@@ -3,6 +3,7 @@
 use super::change::Change;
 use super::claim::{Finding, Rule, Verdict, within_or_beyond};
 use super::curves::Curves;
+use super::friction_curves::FRICTION;
 use super::results::Results;
 use super::sample::Sample;
 use super::{Part, Scale, Study};
@@ -28,6 +29,7 @@ pub static STUDY: Study = Study {
         "tonalite-tension",
     ],
     rules: || RULES.iter().collect(),
+    curves: FRICTION,
     figures,
     tables: |results| vec![calibrated(), tension_of_all(results)],
     pictures: &[],

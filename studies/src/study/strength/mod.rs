@@ -5,6 +5,7 @@ pub mod densities;
 use super::change::Change;
 use super::claim::{Finding, Rule};
 use super::curves::Curves;
+use super::friction_curves::FRICTION;
 use super::results::{Results, Run};
 use super::sample::Sample;
 use super::{Part, Scale, Study};
@@ -19,6 +20,7 @@ pub static STUDY: Study = Study {
     parts,
     order: &[PART],
     rules: || RULES.iter().collect(),
+    curves: FRICTION,
     figures,
     tables: |_| Vec::new(),
     pictures: &[],

@@ -2,7 +2,8 @@
 
 use super::printed::LAWS;
 use crate::statistics::Mean;
-use crate::study::curves::{Curves, PRESSURES, Point};
+use crate::study::curves::{Curves, Point};
+use crate::study::friction_curves::PRESSURES;
 use crate::study::results::{Results, Run};
 use crate::study::sample::Sample;
 use crate::study::strength::densities;
@@ -98,7 +99,7 @@ fn band(means: &[(f64, Mean)]) -> impl Iterator<Item = [f64; 2]> {
 fn over_time(sample: Sample, curves: &Curves, law: &str, arm: &str) -> Option<Figure> {
     let of_pressure = |pressure: f64| {
         let means = averaged(&of_runs(sample, curves, law, pressure), |point| {
-            point.friction
+            point.numbers[0]
         });
         let points = means.iter().map(|(time, mean)| [*time, mean.mean]);
         let label = format!("p = {pressure} of the strength");
@@ -119,7 +120,9 @@ fn over_time(sample: Sample, curves: &Curves, law: &str, arm: &str) -> Option<Fi
 /// Thesis figure 14: heat over time.
 fn heat(sample: Sample, curves: &Curves, pressure: f64, arm: &str) -> Option<Figure> {
     let of_law = |law: &str| {
-        let means = averaged(&of_runs(sample, curves, law, pressure), |point| point.heat);
+        let means = averaged(&of_runs(sample, curves, law, pressure), |point| {
+            point.numbers[1]
+        });
         let points = means.iter().map(|(time, mean)| [*time, mean.mean]);
         (!means.is_empty()).then(|| Curve::line(law, points).with_intervals(band(&means)))
     };

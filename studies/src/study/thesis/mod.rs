@@ -5,6 +5,7 @@ mod figures;
 mod printed;
 mod table;
 
+use super::friction_curves::FRICTION;
 use super::pictures::Shown;
 use super::results::Results;
 use super::sample::Sample;
@@ -25,6 +26,7 @@ pub static STUDY: Study = Study {
         "variants-small",
     ],
     rules: || claims::rules().chain(&table::RULES).collect(),
+    curves: FRICTION,
     figures: figures::all,
     tables,
     pictures: &PICTURES,
