@@ -37,50 +37,56 @@ pub(super) fn settings(
         "point_line",
         "gap",
     ])?;
-    let restitution = |key, low: f64| {
-        let given = table.optional_number(key, Range::Finite)?.unwrap_or(0.0);
-        match (low..=1.0).contains(&given) {
-            true => Ok(given),
-            false => Err(table.error(key, &format!("must be a number from {low:?} to 1.0"))),
-        }
-    };
-    let length = |key, default: f64| {
-        let given = table.optional_number(key, Range::NonNegative)?;
-        Ok(given.unwrap_or(default))
-    };
+    let schemes = [
+        ("midpoint", Scheme::Midpoint),
+        ("beginning", Scheme::Beginning),
+    ];
+    let scheme = time.optional_choice("scheme", &schemes)?;
+    Ok(StepSettings {
+        time_step: step,
+        scheme: scheme.unwrap_or_default(),
+        detection: detection(&table, diameter)?,
+        law: ContactLaw {
+            friction: table.number("friction", Range::NonNegative)?,
+            restitution: Components {
+                n: restitution(&table, "normal_restitution", 0.0)?,
+                t: restitution(&table, "tangential_restitution", -1.0)?,
+            },
+            gap: gap(&table)?,
+        },
+        sweeps: sweeps(root)?,
+        warm_start_distance: length(&table, "warm_start_distance", WARM_START * diameter)?,
+    })
+}
+
+/// Lengths of detection, by default in parts of a mean diameter in m.
+fn detection(table: &Table, diameter: f64) -> Result<DetectionSettings> {
     let usual = DetectionSettings::for_diameter(diameter);
     let lines = [
         ("common", PointLine::Common),
         ("half-way", PointLine::HalfWay),
     ];
-    let schemes = [
-        ("midpoint", Scheme::Midpoint),
-        ("beginning", Scheme::Beginning),
-    ];
-    Ok(StepSettings {
-        time_step: step,
-        scheme: time
-            .optional_choice("scheme", &schemes)?
-            .unwrap_or_default(),
-        detection: DetectionSettings {
-            alert_distance: length("alert_distance", usual.alert_distance)?,
-            merge_distance: length("merge_distance", usual.merge_distance)?,
-            tie_distance: length("tie_distance", usual.tie_distance)?,
-            line: table
-                .optional_choice("point_line", &lines)?
-                .unwrap_or_default(),
-        },
-        law: ContactLaw {
-            friction: table.number("friction", Range::NonNegative)?,
-            restitution: Components {
-                n: restitution("normal_restitution", 0.0)?,
-                t: restitution("tangential_restitution", -1.0)?,
-            },
-            gap: gap(&table)?,
-        },
-        sweeps: sweeps(root)?,
-        warm_start_distance: length("warm_start_distance", WARM_START * diameter)?,
+    let line = table.optional_choice("point_line", &lines)?;
+    Ok(DetectionSettings {
+        alert_distance: length(table, "alert_distance", usual.alert_distance)?,
+        merge_distance: length(table, "merge_distance", usual.merge_distance)?,
+        tie_distance: length(table, "tie_distance", usual.tie_distance)?,
+        line: line.unwrap_or_default(),
     })
+}
+
+fn length(table: &Table, key: &str, default: f64) -> Result<f64> {
+    let given = table.optional_number(key, Range::NonNegative)?;
+    Ok(given.unwrap_or(default))
+}
+
+/// A coefficient of restitution from a lowest value to 1; 0 by default.
+fn restitution(table: &Table, key: &str, lowest: f64) -> Result<f64> {
+    let given = table.optional_number(key, Range::Finite)?.unwrap_or(0.0);
+    match (lowest..=1.0).contains(&given) {
+        true => Ok(given),
+        false => Err(table.error(key, &format!("must be a number from {lowest:?} to 1.0"))),
+    }
 }
 
 /// `[contact.gap]`.
