@@ -1,6 +1,7 @@
 //! The tests of the gate as programs that are run directly.
 
 use crate::Outcome;
+use crate::kernel::Kernel;
 use crate::results::{Fate, Results};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -82,21 +83,25 @@ impl Gate {
     ///
     /// # Errors
     /// A workspace that does not compile.
-    pub fn build(copy: &Path, profile: &str) -> Outcome<Self> {
+    pub fn build(copy: &Path, profile: &str, kernel: Kernel) -> Outcome<Self> {
+        let [package, test, folder] = kernel.gate();
         let output = cargo(copy)
             .args(["test", "--no-run", "--message-format=json"])
-            .args(["--profile", profile, "-p", "gouge", "--test", "gate"])
+            .args(["--profile", profile, "-p", package, "--test", test])
             .stderr(Stdio::inherit())
             .output()?;
         let text = String::from_utf8_lossy(&output.stdout);
         if !output.status.success() {
             return Err(complaint(&errors(&text)).into());
         }
-        let mut programs: Vec<PathBuf> = text.lines().filter_map(program).collect();
+        let mut programs: Vec<PathBuf> = text
+            .lines()
+            .filter_map(|line| program(line, test))
+            .collect();
         programs.sort();
         Ok(Self {
             programs,
-            folder: copy.join("cli"),
+            folder: copy.join(folder),
         })
     }
 
@@ -297,12 +302,12 @@ fn watch(child: &mut Child, limit: Option<Duration>) -> Option<End> {
     }
 }
 
-/// The test program that a message of cargo names.
-fn program(line: &str) -> Option<PathBuf> {
+/// The program of a test that a message of cargo names.
+fn program(line: &str, test: &str) -> Option<PathBuf> {
     let message: serde_json::Value = serde_json::from_str(line).ok()?;
     let is_test = message["profile"]["test"].as_bool()?;
     let name = message["target"]["name"].as_str()?;
-    let wanted = is_test && name == "gate";
+    let wanted = is_test && name == test;
     wanted.then(|| message["executable"].as_str().map(PathBuf::from))?
 }
 

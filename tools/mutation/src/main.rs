@@ -9,12 +9,14 @@
 
 mod campaign;
 mod gate;
+mod kernel;
 mod numbers;
 mod operators;
 mod results;
 mod workspace;
 
 use clap::{Args, Parser, Subcommand};
+use kernel::Kernel;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -54,6 +56,9 @@ pub struct Options {
     /// Number of faults tested at a time.
     #[arg(long, global = true, default_value_t = 2)]
     jobs: usize,
+    /// The kernel whose faults are tested.
+    #[arg(long, global = true, value_enum, default_value = "dem")]
+    kernel: Kernel,
     /// Folder for the copy and the results.
     #[arg(long, global = true)]
     folder: Option<PathBuf>,
@@ -68,7 +73,7 @@ impl Options {
 
     /// The folder for the copy and the results.
     fn folder(&self, name: &str) -> PathBuf {
-        let usual = || std::env::temp_dir().join(name);
+        let usual = || std::env::temp_dir().join(self.kernel.folder(name));
         self.folder.clone().unwrap_or_else(usual)
     }
 }
@@ -79,11 +84,9 @@ fn main() -> Outcome<ExitCode> {
         .join("../..")
         .canonicalize()?;
     match faults {
-        None | Some(Faults::Numbers) => {
-            numbers::run(&root, &options.folder("gouge-mutation"), &options)
-        }
+        None | Some(Faults::Numbers) => numbers::run(&root, &options.folder("mutation"), &options),
         Some(Faults::Operators(choice)) => {
-            let folder = options.folder("gouge-mutation-operators");
+            let folder = options.folder("mutation-operators");
             operators::run(&root, &folder, &choice, &options)
         }
     }

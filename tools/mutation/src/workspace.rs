@@ -7,8 +7,6 @@ use std::path::{Path, PathBuf};
 
 /// Folder of the lowest crate of the kernel, which contains the module of the switches.
 pub const COMMON: &str = "kernel/common/src";
-/// Folder of the crate of the model.
-pub const DEM: &str = "kernel/dem/src";
 
 /// Names that are not copied.
 const LEFT_BEHIND: [&str; 3] = ["target", ".git", "mutation"];
@@ -30,11 +28,23 @@ impl Source {
     }
 }
 
+/// Read the sources below some folders, one folder after the other.
+///
+/// # Errors
+/// A file that cannot be read or parsed.
+pub fn parse_all(root: &Path, folders: &[&str]) -> Outcome<Vec<Source>> {
+    let mut sources = Vec::new();
+    for folder in folders {
+        sources.extend(parse(root, folder)?);
+    }
+    Ok(sources)
+}
+
 /// Read the sources below a folder, in order of their paths.
 ///
 /// # Errors
 /// A file that cannot be read or parsed.
-pub fn parse(root: &Path, folder: &str) -> Outcome<Vec<Source>> {
+fn parse(root: &Path, folder: &str) -> Outcome<Vec<Source>> {
     let mut paths = Vec::new();
     list(&root.join(folder), &mut paths)?;
     paths.retain(|path| path.extension().is_some_and(|end| end == "rs"));

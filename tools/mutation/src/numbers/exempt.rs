@@ -2,6 +2,7 @@
 //! result.
 
 use super::site::Site;
+use crate::kernel::Kernel;
 
 /// Sites that are exempt, with the reason.
 struct Exemption {
@@ -275,10 +276,13 @@ pub fn reason(site: &Site) -> Option<&'static str> {
     found.map(|one| one.reason)
 }
 
-/// Exemptions that match no site, because the code has changed.
-pub fn stale(sites: &[Site]) -> Vec<String> {
+/// Exemptions for a kernel that match no site, because the code has changed.
+pub fn stale(sites: &[Site], kernel: Kernel) -> Vec<String> {
+    let folders = || kernel.folders().iter().chain(kernel.users());
+    let is_of = |one: &&Exemption| folders().any(|folder| one.file.starts_with(folder));
     let unused = EXEMPTIONS
         .iter()
+        .filter(is_of)
         .filter(|one| !sites.iter().any(|site| one.fits(site)));
     unused
         .map(|one| format!("{} {} {}", one.file, one.place, one.expression))

@@ -20,9 +20,9 @@ use std::process::ExitCode;
 /// A source that cannot be read, an exemption that matches no site, a copy that does not compile, or a test that fails
 /// without a fault.
 pub fn run(root: &Path, folder: &Path, options: &Options) -> Outcome<ExitCode> {
-    let sources = switches::survey(root)?;
+    let sources = switches::survey(root, options.kernel)?;
     let all = switches::sites(&sources);
-    if let Some(unused) = exempt::stale(&all).first() {
+    if let Some(unused) = exempt::stale(&all, options.kernel).first() {
         return Err(format!("an exemption matches no site: {unused}").into());
     }
     let (exempted, tried): (Vec<Site>, Vec<Site>) = all
@@ -39,7 +39,7 @@ pub fn run(root: &Path, folder: &Path, options: &Options) -> Outcome<ExitCode> {
     }
     let copy = folder.join("copy");
     workspace::plant(root, &copy, &switches::texts(&sources), all.len())?;
-    let gate = Gate::build(&copy, "test")?;
+    let gate = Gate::build(&copy, "test", options.kernel)?;
     let results = campaign::run(&gate, folder, &tried, all.len(), options)?;
     Ok(report(&tried, &exempted, &results))
 }

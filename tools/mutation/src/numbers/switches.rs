@@ -4,12 +4,10 @@ use super::declared::Declared;
 use super::site::{Findings, Side, Site};
 use super::sites::find;
 use crate::Outcome;
-use crate::workspace::{COMMON, DEM, Source, library, parse};
+use crate::kernel::Kernel;
+use crate::workspace::{Source, library, parse_all};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-
-/// Folders outside the kernel in which uses of the kernel's constants are sites.
-const USERS: [&str; 2] = ["runner/src", "validation/src"];
 
 /// A source file with its sites.
 pub struct Searched {
@@ -21,18 +19,15 @@ pub struct Searched {
 ///
 /// # Errors
 /// A file that cannot be read or parsed, or a macro whose numbers cannot be found.
-pub fn survey(root: &Path) -> Outcome<Vec<Searched>> {
-    let mut parsed = parse(root, COMMON)?;
-    parsed.extend(parse(root, DEM)?);
+pub fn survey(root: &Path, kernel: Kernel) -> Outcome<Vec<Searched>> {
+    let mut parsed = parse_all(root, kernel.folders())?;
     let declared = Declared::in_files(parsed.iter().map(|source| &source.file));
-    let kernel = parsed.len();
-    for user in USERS {
-        parsed.extend(parse(root, user)?);
-    }
+    let own = parsed.len();
+    parsed.extend(parse_all(root, kernel.users())?);
     let mut searched = Vec::new();
     let mut next = 0;
     for (place, source) in parsed.into_iter().enumerate() {
-        let side = if place < kernel {
+        let side = if place < own {
             Side::Kernel
         } else {
             Side::User

@@ -8,7 +8,8 @@ mod switches;
 mod viable;
 
 use crate::gate::Gate;
-use crate::workspace::{COMMON, DEM, Source, parse};
+use crate::kernel::Kernel;
+use crate::workspace::{Source, parse_all};
 use crate::{Options, Outcome, campaign};
 use clap::Args;
 use mutant::{Mutant, Place};
@@ -43,7 +44,7 @@ struct Searched {
 /// # Errors
 /// A source that cannot be read, a copy that does not compile without mutants, or a test that fails without one.
 pub fn run(root: &Path, folder: &Path, choice: &Choice, options: &Options) -> Outcome<ExitCode> {
-    let searched = survey(root)?;
+    let searched = survey(root, options.kernel)?;
     let mut all = mutants(&searched);
     all.retain(|mutant| options.wants(mutant));
     let number = all.len();
@@ -55,7 +56,7 @@ pub fn run(root: &Path, folder: &Path, choice: &Choice, options: &Options) -> Ou
     }
     fs::create_dir_all(folder)?;
     let left_out = viable::settle(root, folder, &searched, &sample)?;
-    let gate = Gate::build(&folder.join("copy"), PROFILE)?;
+    let gate = Gate::build(&folder.join("copy"), PROFILE, options.kernel)?;
     let viable: Vec<Mutant> = sample
         .iter()
         .filter(|mutant| !left_out.contains(&mutant.switch))
@@ -66,9 +67,8 @@ pub fn run(root: &Path, folder: &Path, choice: &Choice, options: &Options) -> Ou
 }
 
 /// The sources of the kernel with their places.
-fn survey(root: &Path) -> Outcome<Vec<Searched>> {
-    let mut sources = parse(root, COMMON)?;
-    sources.extend(parse(root, DEM)?);
+fn survey(root: &Path, kernel: Kernel) -> Outcome<Vec<Searched>> {
+    let sources = parse_all(root, kernel.folders())?;
     let search = |source: Source| Searched {
         places: find::find(&source.text, &source.file),
         source,
