@@ -59,6 +59,10 @@ impl View {
     pub fn scale(&self) -> f64 {
         SIZE / (self.high[0] - self.low[0]).max(self.high[1] - self.low[1])
     }
+    /// Width and height in pixels.
+    pub fn size(&self) -> [f64; 2] {
+        self.at(self.high[0], self.low[1])
+    }
     /// The place of a point in pixels.
     pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
         let scale = self.scale();
@@ -96,7 +100,7 @@ pub fn draw_picture(scene: &Scene, world: &World) -> Document {
 
 /// A picture of some parts with a scale bar below them.
 pub fn framed(view: &View, title: &str, parts: [Group; 2]) -> Document {
-    let [mut width, mut height] = view.at(view.high[0], view.low[1]);
+    let [mut width, mut height] = view.size();
     let mut below = Group::new();
     if let Some(bar) = ScaleBar::within(LONGEST_BAR * SIZE / view.scale()) {
         below = draw_bar(view, &bar, height);

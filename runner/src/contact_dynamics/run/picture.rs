@@ -9,7 +9,7 @@ use gouge_common::geometry::Vec2;
 use gouge_contact_dynamics::observables::{Contact, ContactKind, Network};
 use gouge_contact_dynamics::world::World;
 use svg::Document;
-use svg::node::element::{Group, Line, Polygon};
+use svg::node::element::{Group, Line, Polygon, SVG};
 
 /// Colour of the forces of side-vertex contacts.
 const SIDE_VERTEX: &str = "#d55e00";
@@ -34,7 +34,16 @@ pub fn draw(scene: &Scene, world: &World) -> Document {
         bodies(scene, world, &view, &corners, network.counts()),
         forces(scene, world, &view, &network),
     ];
-    framed(&view, &title, parts)
+    framed(&view, &title, parts.map(|part| clipped(&view, part)))
+}
+
+/// A part of the picture without what is beyond the view: a nested picture shows nothing outside of itself.
+fn clipped(view: &View, part: Group) -> Group {
+    let [width, height] = view.size();
+    let inner = SVG::new()
+        .set("width", rounded(width))
+        .set("height", rounded(height));
+    Group::new().add(inner.add(part))
 }
 
 fn bodies(
