@@ -4,7 +4,7 @@ use super::run::Statistics;
 use crate::run::columns::Columns;
 use crate::run::folder::{NETWORK, PARTICLES};
 use gouge_contact_dynamics::observables::{
-    Anisotropies, Connectivity, ContactKind, MOST_CONTACTS, Sums,
+    Anisotropies, Connectivity, ContactKind, MOST_CONTACTS, Profile, Sums,
 };
 use std::path::Path;
 
@@ -17,6 +17,8 @@ pub struct Means {
     pub cell: Sums,
     /// Numbers of contacts per free body.
     pub connectivity: Connectivity,
+    /// Velocities between the walls.
+    pub profile: Profile,
     /// Solid fractions of the slab and of the cell.
     pub solid_fractions: [f64; 2],
     /// Mean diameter of the circumscribed circles in m.
@@ -52,6 +54,7 @@ impl Means {
             slab: statistics.slab,
             cell: statistics.cell,
             connectivity: statistics.connectivity,
+            profile: statistics.profile,
             solid_fractions: [slab / slab_area, cell / cell_area],
             diameter: 2.0 * radii.iter().sum::<f64>() / radii.len() as f64,
         })
@@ -79,6 +82,7 @@ impl Means {
             slab: Sums::new(),
             cell: Sums::new(),
             connectivity: Connectivity::new(),
+            profile: Profile::new(),
             solid_fractions: [0.0; 2],
             diameter: 0.0,
         }
@@ -107,6 +111,7 @@ impl Means {
             ("normal_force", slab.relative_normal_force(self.diameter)),
             ("tangential_force", slab.relative_friction(self.diameter)),
             ("half_sum", slab.anisotropies().half_sum()),
+            ("profile_deviation", self.profile.deviation()),
         ];
         let mut all: Vec<(String, f64)> = named
             .into_iter()

@@ -1,6 +1,6 @@
 //! Sums as named numbers, for tables.
 
-use super::{Connectivity, Harmonic, KindSums, MOST_CONTACTS, Sums};
+use super::{Connectivity, Harmonic, KindSums, MOST_CONTACTS, Profile, Sums};
 use gouge_common::estimators::Tensor;
 
 /// Numbers of a kind of contacts.
@@ -143,5 +143,25 @@ impl Connectivity {
             contacts,
             by_contacts: counts.try_into().ok()?,
         })
+    }
+}
+
+impl Profile {
+    /// Names of the numbers.
+    pub fn names() -> Vec<String> {
+        let of = |name: &'static str| (0..Self::LAYERS).map(move |layer| format!("{name}_{layer}"));
+        of("layer_area").chain(of("layer_flow")).collect()
+    }
+
+    /// The numbers, in the order of [`Self::names`].
+    pub fn values(&self) -> Vec<f64> {
+        self.area.into_iter().chain(self.flow).collect()
+    }
+
+    /// The sums from their numbers; none if their number is wrong.
+    pub fn from_values(numbers: &[f64]) -> Option<Self> {
+        let (&area, flow) = numbers.split_first_chunk()?;
+        let flow = flow.try_into().ok()?;
+        Some(Self { area, flow })
     }
 }

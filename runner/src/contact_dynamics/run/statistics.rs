@@ -2,9 +2,9 @@
 
 use super::super::Scene;
 use gouge_contact_dynamics::assembly::Assembly;
-use gouge_contact_dynamics::cell::roof_height;
+use gouge_contact_dynamics::cell::{UPPER, roof_height};
 use gouge_contact_dynamics::observables::{
-    Connectivity, Network, NetworkSettings, Slab, Sums, point_forces, solid_area,
+    Connectivity, Network, NetworkSettings, Profile, Slab, Sums, point_forces, solid_area,
 };
 use gouge_contact_dynamics::units::InverseMass;
 use gouge_contact_dynamics::world::World;
@@ -21,6 +21,8 @@ pub struct Statistics {
     pub cell: Sums,
     /// Numbers of contacts per free body.
     pub connectivity: Connectivity,
+    /// Velocities between the walls; nothing if the roof does not move sideways.
+    pub profile: Profile,
     /// Areas in m² that bodies cover in the slab and in the cell, and those of slab and cell.
     pub areas: [f64; 4],
 }
@@ -43,12 +45,18 @@ impl Statistics {
             slab: Sums::new(),
             cell: Sums::new(),
             connectivity: Connectivity::new(),
+            profile: Profile::new(),
             areas: [covered[0], covered[1], areas[0], areas[1]],
         };
         statistics.slab.add(network, Some(slab), areas[0]);
         statistics.cell.add(network, None, areas[1]);
         let is_free = |body: usize| is_free(assembly, body);
         statistics.connectivity.add(network.counts(), is_free);
+        let speed = configuration.velocity[UPPER as usize].linear.x;
+        if speed != 0.0 {
+            let profile = &mut statistics.profile;
+            profile.add(assembly, configuration, height, speed);
+        }
         statistics
     }
 
@@ -62,6 +70,7 @@ impl Statistics {
         of("slab")
             .chain(of("cell"))
             .chain(Connectivity::names())
+            .chain(Profile::names())
             .chain(areas)
             .collect()
     }
@@ -71,11 +80,13 @@ impl Statistics {
         let length = Sums::names().len();
         let (slab, rest) = numbers.split_at_checked(length)?;
         let (cell, rest) = rest.split_at_checked(length)?;
-        let (connectivity, areas) = rest.split_at_checked(Connectivity::names().len())?;
+        let (connectivity, rest) = rest.split_at_checked(Connectivity::names().len())?;
+        let (profile, areas) = rest.split_at_checked(Profile::names().len())?;
         Some(Self {
             slab: Sums::from_values(slab)?,
             cell: Sums::from_values(cell)?,
             connectivity: Connectivity::from_values(connectivity)?,
+            profile: Profile::from_values(profile)?,
             areas: areas.try_into().ok()?,
         })
     }
@@ -84,6 +95,7 @@ impl Statistics {
     pub fn values(&self) -> Vec<f64> {
         let sums = self.slab.values().into_iter().chain(self.cell.values());
         sums.chain(self.connectivity.values())
+            .chain(self.profile.values())
             .chain(self.areas)
             .collect()
     }

@@ -8,7 +8,7 @@ use crate::study::claim::{Finding, Rule, Verdict};
 use crate::study::results::Run;
 use crate::study::sample::Sample;
 
-pub(super) static RULES: [Rule; 10] = [
+pub(super) static RULES: [Rule; 11] = [
     Rule {
         statement: "The printed values are reproduced.",
         rule: "At least 80 % of the rows with a tolerance are met; refuted if fewer than 60 % are.",
@@ -48,6 +48,11 @@ pub(super) static RULES: [Rule; 10] = [
         statement: "Half the sum of the anisotropies is the stress ratio (azema 8).",
         rule: "The difference is below 0.04 for all shapes; refuted if one exceeds 0.08.",
         test: half_sums,
+    },
+    Rule {
+        statement: "Samples shear homogeneously (figure 3).",
+        rule: "Away from the walls the mean velocity differs from a linear profile by less than 0.1 of the velocity of the wall for all shapes; refuted if one exceeds 0.2.",
+        test: homogeneous,
     },
     Rule {
         statement: "The stresses of side-vertex and side-side contacts add up.",
@@ -273,6 +278,12 @@ fn half_sums(sample: &Sample) -> Option<Finding> {
     let (sides, most) = largest(&differences)?;
     let numbers = format!("Largest difference {most:.3}, for {}.", name(sides));
     Some(Finding::new(Verdict::of(most < 0.04, most > 0.08), numbers))
+}
+
+fn homogeneous(sample: &Sample) -> Option<Finding> {
+    let (sides, most) = largest(&all_shapes(sample, "profile_deviation")?)?;
+    let numbers = format!("Largest difference {most:.3}, for {}.", name(sides));
+    Some(Finding::new(Verdict::of(most < 0.1, most > 0.2), numbers))
 }
 
 fn parts_add_up(sample: &Sample) -> Option<Finding> {
