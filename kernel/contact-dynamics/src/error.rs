@@ -33,6 +33,9 @@ pub enum SetupError {
         /// Which wall.
         near: &'static str,
     },
+    /// All bodies would be glued to walls.
+    #[error("all bodies are near the walls, so that none stays free")]
+    NothingFree,
     /// A body refers to a shape or a rigid unit that does not exist.
     #[error("{what} {index} does not exist: there are only {count}")]
     Missing {

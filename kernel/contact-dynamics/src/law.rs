@@ -82,6 +82,15 @@ impl ContactLaw {
         }
     }
 
+    /// Whether only closed points count: if the gap rule says so, or if bodies rebound.
+    ///
+    /// At an open point of [`GapRule::Predicted`] a body is slowed down so that it arrives at zero gap, and would
+    /// rebound with what is left of its velocity.
+    #[inline]
+    pub fn takes_closed_points_only(&self) -> bool {
+        self.gap == GapRule::Closed || self.restitution.n > 0.0
+    }
+
     /// Check the coefficients.
     ///
     /// # Errors

@@ -71,6 +71,22 @@ impl StepSettings {
     }
 }
 
+impl StepSettings {
+    /// The lengths of detection that the law needs. Where only closed points count, points nearer than the tie distance
+    /// are closed, so that rounding does not open them.
+    pub fn effective_detection(&self) -> DetectionSettings {
+        let lengths = self.detection;
+        let alert_distance = match self.law.takes_closed_points_only() {
+            true => lengths.alert_distance.min(lengths.tie_distance),
+            false => lengths.alert_distance,
+        };
+        DetectionSettings {
+            alert_distance,
+            ..lengths
+        }
+    }
+}
+
 /// What changes from step to step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
@@ -113,7 +129,7 @@ pub struct StepReport {
 impl Workspace {
     /// Buffers for an assembly.
     pub fn new(assembly: &Assembly, state: &State, settings: &StepSettings) -> Self {
-        let half = 0.5 * settings.detection.alert_distance;
+        let half = 0.5 * settings.effective_detection().alert_distance;
         let shapes = assembly.shape.iter().zip(&assembly.scale);
         let reach =
             |(&shape, &scale)| assembly.shapes.outline(shape).measures.circumradius * scale + half;
@@ -291,6 +307,7 @@ impl Workspace {
         configuration: &Configuration,
     ) {
         let positions = &configuration.position;
+        let lengths = settings.effective_detection();
         for &pair in &self.pairs {
             let (i, j) = pair.indices();
             let d = metric.displacement(positions[i], positions[j]);
@@ -300,11 +317,11 @@ impl Workspace {
             }
             let [first, second] = [i, j].map(|body| placed(assembly, &self.axes, body));
             self.touches.clear();
-            detect(&first, &second, d, &settings.detection, &mut self.touches);
+            detect(&first, &second, d, &lengths, &mut self.touches);
             let units = [assembly.unit[i], assembly.unit[j]];
             for touch in &self.touches {
                 self.keys.push(key(pair, touch, 0));
-                self.points.push(input(units, touch));
+                self.points.push(input(units, touch, &settings.law));
             }
         }
     }
@@ -316,6 +333,7 @@ impl Workspace {
         configuration: &Configuration,
     ) {
         let bodies = assembly.unit.len();
+        let lengths = settings.effective_detection();
         for (index, (wall, &wall_unit)) in configuration
             .wall
             .iter()
@@ -325,18 +343,18 @@ impl Workspace {
             for body in 0..bodies {
                 let unit = assembly.unit[body];
                 let d = configuration.position[body] - wall.position;
-                let is_far =
-                    wall.normal.dot(d) > self.reaches[body] + settings.detection.alert_distance;
+                let is_far = wall.normal.dot(d) > self.reaches[body] + lengths.alert_distance;
                 if is_far || unit == wall_unit || !can_move(assembly, unit, wall_unit) {
                     continue;
                 }
                 self.touches.clear();
                 let shape = placed(assembly, &self.axes, body);
-                wall.detect(&shape, d, &settings.detection, &mut self.touches);
+                wall.detect(&shape, d, &lengths, &mut self.touches);
                 for touch in &self.touches {
                     self.keys
                         .push(key(Pair::new(body, bodies + index), touch, 1));
-                    self.points.push(input([wall_unit, unit], touch));
+                    self.points
+                        .push(input([wall_unit, unit], touch, &settings.law));
                 }
             }
         }
@@ -366,10 +384,14 @@ fn key(pair: Pair, touch: &Touch, end: usize) -> PointKey {
     }
 }
 
-fn input(units: [u32; 2], touch: &Touch) -> ContactInput {
+/// A point as the sweeps see it. Where only closed points count, all that were detected are closed.
+fn input(units: [u32; 2], touch: &Touch, law: &ContactLaw) -> ContactInput {
     ContactInput {
         kinematics: PointKinematics::new(units, touch.normal, touch.arms),
-        gap: touch.gap,
+        gap: match law.takes_closed_points_only() {
+            true => touch.gap.min(0.0),
+            false => touch.gap,
+        },
         impulse: Components::default(),
     }
 }

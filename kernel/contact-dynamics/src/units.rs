@@ -45,9 +45,12 @@ impl InverseMass {
     /// # Errors
     /// [`SetupError::Parameter`] unless both are positive.
     pub fn free(mass: f64, moment_of_inertia: f64) -> Result<Self, SetupError> {
-        require("mass", mass, "positive", mass > 0.0)?;
-        let is_valid = moment_of_inertia > 0.0;
-        require("moment of inertia", moment_of_inertia, "positive", is_valid)?;
+        // The inverse of a tiny number is not finite.
+        let accepted = "positive, with a finite inverse";
+        let is_valid = |number: f64| number > 0.0 && (1.0 / number).is_finite();
+        require("mass", mass, accepted, is_valid(mass))?;
+        let is_mobile = is_valid(moment_of_inertia);
+        require("moment of inertia", moment_of_inertia, accepted, is_mobile)?;
         Ok(Self {
             x: 1.0 / mass,
             y: 1.0 / mass,

@@ -13,7 +13,7 @@ use gouge_common::geometry::Vec2;
 /// density in kg/m² is given. All impulses are forgotten.
 ///
 /// # Errors
-/// [`SetupError::Nothing`] if nothing is near one of the walls.
+/// [`SetupError::Nothing`] if nothing is near one of the walls, [`SetupError::NothingFree`] if all is.
 pub fn glue(cell: &Cell, distance: f64, density: f64) -> Result<Cell, SetupError> {
     let unit_of = |body| glued_to(cell, body, distance);
     let owners: Vec<_> = (0..cell.assembly.shape.len()).map(unit_of).collect();
@@ -21,6 +21,9 @@ pub fn glue(cell: &Cell, distance: f64, density: f64) -> Result<Cell, SetupError
         if !owners.contains(&Some(unit)) {
             return Err(SetupError::Nothing { near });
         }
+    }
+    if owners.iter().all(Option::is_some) {
+        return Err(SetupError::NothingFree);
     }
     let mass: f64 = (0..owners.len())
         .filter(|&body| owners[body] == Some(UPPER))
