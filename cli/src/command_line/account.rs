@@ -189,6 +189,7 @@ fn account_of_bodies(scene: &contact_dynamics::Scene, summary: &Summary, folder:
         ("warnings", warnings),
     ];
     let mut text = String::new();
+    let lines = lines.into_iter().chain(summary.network_lines());
     for (name, content) in lines {
         let _ = writeln!(text, "{name:16}{content}");
     }

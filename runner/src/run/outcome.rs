@@ -105,6 +105,21 @@ impl Summary {
         [DONE, UNTRUSTED].contains(&self.status.as_str())
     }
 
+    /// The most important means over the contact networks of the second half of a run, as names and texts.
+    pub fn network_lines(&self) -> Vec<(&'static str, String)> {
+        const SHOWN: [(&str, &str); 4] = [
+            ("q/p", "stress_ratio"),
+            ("solid fraction", "solid_fraction"),
+            ("coordination", "coordination"),
+            ("side-side share", "side_side"),
+        ];
+        let line = |(name, key): (&'static str, &str)| {
+            let mean = self.network.as_ref()?.get(key)?.as_f64()?;
+            Some((name, format!("{mean:.4}, mean over the second half")))
+        };
+        SHOWN.into_iter().filter_map(line).collect()
+    }
+
     /// Whether the user stopped the run.
     pub fn is_interrupted(&self) -> bool {
         self.status == INTERRUPTED

@@ -184,7 +184,7 @@ impl<'a> SceneRun<'a> {
         }
         self.samples -= 1;
         self.drive_samples.pop();
-        Series::without_last_row(&self.folder, series_bytes)
+        Series::without_last_row(&self.folder.join(SERIES), series_bytes)
     }
 
     fn new(

@@ -1,6 +1,5 @@
 //! Writes the file `series.csv`, and others that grow by rows.
 
-use super::folder::SERIES;
 use crate::error::Error;
 use std::fmt;
 use std::fs::File;
@@ -78,9 +77,8 @@ impl Series {
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn without_last_row(folder: &Path, bytes: u64) -> Result<u64, Error> {
-        let path = folder.join(SERIES);
-        let text = std::fs::read(&path).map_err(|error| Error::file("read", &path, error))?;
+    pub fn without_last_row(path: &Path, bytes: u64) -> Result<u64, Error> {
+        let text = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
         let rows = text.get(..bytes as usize).unwrap_or(&text);
         let before = rows.strip_suffix(b"\n").unwrap_or(rows);
         let end = before.iter().rposition(|&byte| byte == b'\n');

@@ -51,6 +51,24 @@ pub enum Warning<'a> {
         /// Height of the box in m.
         height: f64,
     },
+    /// Bodies or walls overlap from the beginning, by up to this in m.
+    Overlapping(f64),
+    /// The sweeps of many steps did not converge.
+    Unconverged {
+        /// Number of such steps.
+        number: u64,
+        /// Number of all steps.
+        steps: u64,
+    },
+    /// In many steps an overlap was large.
+    LargeOverlaps {
+        /// Number of such steps.
+        number: u64,
+        /// Number of all steps.
+        steps: u64,
+    },
+    /// The balance of energy, which is exact, is off by this part of what was exchanged.
+    Imbalance(f64),
     /// Positions are so large that overlaps lose their digits.
     FarOut {
         /// The particle.
@@ -87,6 +105,25 @@ fn sparse(factor: f64) -> String {
 impl fmt::Display for Warning<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Overlapping(overlap) => write!(
+                f,
+                "bodies or walls overlap by up to {overlap:.3e} m at the beginning; contacts do not push them apart unless \
+                 contact.gap.law is \"stabilized\""
+            ),
+            Self::Unconverged { number, steps } => write!(
+                f,
+                "the sweeps of {number} of {steps} steps did not converge; give solver.max_sweeps or solver.tolerance \
+                 another value"
+            ),
+            Self::LargeOverlaps { number, steps } => write!(
+                f,
+                "in {number} of {steps} steps an overlap exceeds a hundredth of the mean diameter; a smaller \
+                 solver.tolerance, a smaller step or contact.gap.law = \"stabilized\" may help"
+            ),
+            Self::Imbalance(error) => write!(
+                f,
+                "the balance of energy is off by {error:.1e} of what was exchanged, more than rounding"
+            ),
             Self::TimeStep {
                 scene,
                 phase,

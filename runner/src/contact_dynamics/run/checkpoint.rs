@@ -28,8 +28,8 @@ pub struct Checkpoint {
     pub point_steps: f64,
     /// Kinetic energy in J at t = 0, and shear strain since then.
     pub beginning: [f64; 2],
-    /// What the steps since the latest sample did.
-    pub since: Since,
+    /// What the steps since the latest regular sample did, and those before it.
+    pub since: [Since; 2],
     /// The warnings so far, one per line.
     pub warnings: String,
     /// The keys of the scene.
@@ -53,7 +53,9 @@ impl Checkpoint {
         let [kinetic, strain] = self.beginning;
         let numbers = [run, main, self.point_steps, kinetic, strain];
         put_words(&mut bytes, &numbers.map(f64::to_bits));
-        put_words(&mut bytes, &self.since.words());
+        for since in &self.since {
+            put_words(&mut bytes, &since.words());
+        }
         put_text(&mut bytes, &self.keys.to_text());
         put_text(&mut bytes, &self.warnings);
         put_words(&mut bytes, &[u64::from(self.compacted.is_some())]);
@@ -80,7 +82,8 @@ impl Checkpoint {
         let samples = rest.word()?;
         let bytes = numbers(&mut rest)?;
         let [run, main, point_steps, kinetic, strain] = numbers(&mut rest)?.map(f64::from_bits);
-        let since = Since::from_words(numbers::<WORDS>(&mut rest)?);
+        let mut since = || Some(Since::from_words(numbers::<WORDS>(&mut rest)?));
+        let since = [since()?, since()?];
         let keys = Keys::of_text(&rest.text()?);
         let warnings = rest.text()?;
         let compacted = match rest.word()? {

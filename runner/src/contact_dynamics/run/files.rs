@@ -12,7 +12,7 @@ use crate::run::folder::{CONTACTS, NETWORK, PARTICLES, PICTURE, SERIES, write_wh
 use crate::run::page::Animation;
 use crate::run::series::{Sample, Series};
 use crate::run::trajectory::{FramePlan, Frames};
-use crate::run::{Event, RunOptions, Summary};
+use crate::run::{Event, RunOptions, Summary, Warning};
 use gouge_contact_dynamics::observables::Network;
 use gouge_contact_dynamics::world::World;
 use std::path::Path;
@@ -141,10 +141,7 @@ impl SceneRun<'_> {
         let mut summary = self.summary(status);
         self.lock.check()?;
         let write = |name, text: String| write_whole(&self.folder.join(name), text.as_bytes());
-        write(
-            PARTICLES,
-            frame::particles(self.scene, &self.world).to_csv(),
-        )?;
+        write(PARTICLES, frame::particles_csv(self.scene, &self.world))?;
         summary.network = means(self.scene, &self.folder, summary.time);
         write(CONTACTS, table_of_points(self.scene, &self.world).to_csv())?;
         write(PICTURE, picture::draw(self.scene, &self.world).to_string())?;
@@ -155,17 +152,27 @@ impl SceneRun<'_> {
         ended.map(|()| summary)
     }
 
-    /// The status of a finished run, with a warning if something is doubtful.
+    /// The status of a finished run, with warnings of what is doubtful.
     fn judge(&mut self) -> String {
+        let all = self.all_steps();
+        let share = |number: u64| number as f64 / all.steps.max(1) as f64;
+        let steps = all.steps;
+        if share(all.unconverged) > DOUBTFUL {
+            let number = all.unconverged;
+            self.warn(Warning::Unconverged { number, steps });
+        }
+        if share(all.large_overlaps) > DOUBTFUL {
+            let number = all.large_overlaps;
+            self.warn(Warning::LargeOverlaps { number, steps });
+        }
         let error = samples::balance_error(&self.world, self.kinetic);
-        match error {
-            Some(error) if error > BALANCE => {
-                self.warnings += &format!(
-                    "the balance of energy is off by {error:.1e} of what was exchanged, more than rounding\n"
-                );
-                crate::run::UNTRUSTED.to_owned()
-            }
-            _ => Summary::DONE.to_owned(),
+        if let Some(error) = error.filter(|&error| error > BALANCE) {
+            self.warn(Warning::Imbalance(error));
+            return crate::run::UNTRUSTED.to_owned();
+        }
+        match share(all.unconverged) > UNTRUSTED_SHARE {
+            true => crate::run::UNTRUSTED.to_owned(),
+            false => Summary::DONE.to_owned(),
         }
     }
 
@@ -212,5 +219,9 @@ fn means(
     Some(all.map(|(name, mean)| (name, mean.into())).collect())
 }
 
+/// Share of steps with large overlaps or without convergence that needs a warning.
+const DOUBTFUL: f64 = 0.01;
+/// Share of steps without convergence beyond which a run is not trusted.
+const UNTRUSTED_SHARE: f64 = 0.5;
 /// Largest residual of the balance that rounding explains, in parts of what was exchanged.
 const BALANCE: f64 = 1e-9;

@@ -1,7 +1,7 @@
 //! Bodies as frames, rows and grains of the page.
 
 use super::super::Scene;
-use super::super::scene::Role;
+use super::super::scene::{Body, Outline, Role};
 use super::statistics::{diameter, is_free};
 use crate::run::page::{DRIVEN, FIXED, Grain, SINGLE};
 use crate::run::table::{Kinds, Table, Values};
@@ -52,7 +52,7 @@ fn radii(assembly: &Assembly) -> Vec<f64> {
 }
 
 /// The final bodies, with the columns of `particles.csv` and the number of sides.
-pub fn particles(scene: &Scene, world: &World) -> Table {
+fn particles(scene: &Scene, world: &World) -> Table {
     let (assembly, configuration) = (world.assembly(), &world.state().configuration);
     let number = assembly.shape.len();
     let velocity = |body: usize| configuration.velocity[assembly.unit[body] as usize];
@@ -70,6 +70,29 @@ pub fn particles(scene: &Scene, world: &World) -> Table {
         ("sides", Values::Integers(sides(assembly).collect())),
     ];
     Table { columns }
+}
+
+/// The final bodies as CSV. Bodies that the scene describes by their corners keep them, in a further column.
+pub fn particles_csv(scene: &Scene, world: &World) -> String {
+    let text = particles(scene, world).to_csv();
+    let listed = &scene.bodies.bodies;
+    let corners = |body: &Body| match &body.outline {
+        Outline::Polygon(vertices) => {
+            let corners = vertices.iter().map(|v| format!("{:?} {:?}", v.x, v.y));
+            corners.collect::<Vec<String>>().join(";")
+        }
+        Outline::Regular { .. } => String::new(),
+    };
+    if listed.iter().all(|body| corners(body).is_empty()) {
+        return text;
+    }
+    let cells = ["vertices".to_owned()]
+        .into_iter()
+        .chain(listed.iter().map(corners));
+    let lines = text.lines().zip(cells);
+    lines
+        .map(|(line, cell)| format!("{line},{cell}\n"))
+        .collect()
 }
 
 /// The corners of a body around its centroid in m; many for a disc.
@@ -154,7 +177,6 @@ pub fn grains(scene: &Scene, world: &World) -> Vec<Grain> {
 
 /// Number of sides of every body for the motion, 0 for discs and for shapes that are not of a regular family.
 pub fn drawn_sides(scene: &Scene, world: &World) -> Vec<u16> {
-    use super::super::scene::Outline;
     let listed = &scene.bodies.bodies;
     let is_regular = |body: usize| {
         let listed = listed.get(body);

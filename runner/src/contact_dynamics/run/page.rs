@@ -119,6 +119,7 @@ fn facts(scene: &Scene, summary: &Summary) -> Markup {
             format!("{} (commit {})", summary.version, summary.commit),
         ),
     ];
+    let rows = rows.into_iter().chain(summary.network_lines());
     html! { dl { @for (name, value) in rows { dt { (name) } dd { (value) } } } }
 }
 

@@ -5,14 +5,15 @@ use super::begin::{after_compaction, first, phases};
 use super::checkpoint::Checkpoint;
 use super::files::Files;
 use super::samples::{self, strain_of_step};
-use super::since::Since;
+use super::since::{LARGE, Since};
 use super::statistics::mean_diameter;
 use crate::error::Error;
 use crate::run::checkpoint::{UNFIT, refusal};
 use crate::run::fingerprint::Fingerprint;
-use crate::run::folder::{CHECKPOINT, SUMMARY, remove_outputs};
+use crate::run::folder::{CHECKPOINT, NETWORK, SERIES, SUMMARY, remove_outputs};
 use crate::run::lock::Lock;
-use crate::run::{Event, NamedPhase, Observer, RunOptions};
+use crate::run::series::Series;
+use crate::run::{Event, NamedPhase, Observer, RunOptions, Warning};
 use gouge_common::record::Record;
 use gouge_contact_dynamics::error::StepError;
 use gouge_contact_dynamics::world::World;
@@ -40,6 +41,11 @@ pub struct SceneRun<'a> {
     /// Shear strain since t = 0.
     pub(super) strain: f64,
     pub(super) since: Since,
+    /// What the steps before the latest sample did.
+    pub(super) sampled: Since,
+    /// What the steps before the latest sample did since the one before, if the latest one is early: a longer run does not
+    /// take it.
+    before_early: Option<Since>,
     pub(super) warnings: String,
     /// Mean diameter of all bodies in m.
     diameter: f64,
@@ -104,17 +110,43 @@ impl<'a> SceneRun<'a> {
         run.samples = saved.samples;
         run.point_steps = saved.point_steps;
         [run.kinetic, run.strain] = saved.beginning;
-        run.since = saved.since;
+        [run.since, run.sampled] = saved.since;
         run.warnings = saved.warnings;
         run.compacted = saved.compacted;
         run.clock.earlier = saved.seconds;
         if run.is_main() {
-            let files = Files::open(scene, place.0, options, run.samples, Some(saved.bytes))?;
-            run.files = Some(files);
+            let bytes = run.without_early_sample(saved.bytes)?;
+            run.files = Some(Files::open(
+                scene,
+                place.0,
+                options,
+                run.samples,
+                Some(bytes),
+            )?);
         }
         let _ = std::fs::remove_file(place.0.join(SUMMARY));
         run.report_phase();
         Ok(run)
+    }
+
+    /// The last sample of a run that ends before a regular sample is due is early. A longer run does not take it: forget
+    /// it, and return the bytes of the files before it.
+    fn without_early_sample(&mut self, bytes: [u64; 2]) -> Result<[u64; 2], Error> {
+        let last = self.samples.checked_sub(1);
+        let is_early = |last| self.scene.regular_sample_step(last) > self.world.steps();
+        if !last.is_some_and(is_early) {
+            return Ok(bytes);
+        }
+        self.samples -= 1;
+        let [series, network] = bytes;
+        let before = |name, bytes| Series::without_last_row(&self.folder.join(name), bytes);
+        Ok([
+            before(SERIES, series)?,
+            match self.scene.measures_network() {
+                true => before(NETWORK, network)?,
+                false => network,
+            },
+        ])
     }
 
     fn new(
@@ -141,6 +173,8 @@ impl<'a> SceneRun<'a> {
             kinetic: 0.0,
             strain: 0.0,
             since: Since::default(),
+            sampled: Since::default(),
+            before_early: None,
             warnings: String::new(),
             compacted: None,
             fingerprint: Fingerprint::of(scene),
@@ -237,8 +271,32 @@ impl<'a> SceneRun<'a> {
 
     fn step(&mut self) -> Result<(), Error> {
         let report = self.world.step().map_err(|source| self.failure(source))?;
+        if self.is_main() && self.world.steps() == 1 {
+            self.doubt_beginning(report.largest_overlap);
+        }
         self.since.add(&report, &self.world, self.diameter);
         Ok(())
+    }
+
+    /// All steps of the scene proper so far.
+    pub(super) fn all_steps(&self) -> Since {
+        let mut all = self.sampled;
+        all.extend(&self.before_early.unwrap_or_default());
+        all.extend(&self.since);
+        all
+    }
+
+    /// Warn of bodies that overlap from the beginning.
+    fn doubt_beginning(&mut self, overlap: f64) {
+        if overlap > LARGE * self.diameter {
+            self.warn(Warning::Overlapping(overlap));
+        }
+    }
+
+    /// Report a problem, and keep it for the summary.
+    pub(super) fn warn(&mut self, warning: Warning) {
+        self.warnings += &format!("{warning}\n");
+        self.observer.event(Event::Warning(warning));
     }
 
     fn failure(&self, source: StepError) -> Error {
@@ -279,6 +337,11 @@ impl<'a> SceneRun<'a> {
             sample: self.samples,
             time: self.world.time(),
         });
+        let is_early = self.scene.regular_sample_step(self.samples) > self.world.steps();
+        self.before_early = is_early.then_some(self.since);
+        if !is_early {
+            self.sampled.extend(&self.since);
+        }
         self.samples += 1;
         self.since = Since::default();
         Ok(())
@@ -311,7 +374,7 @@ impl<'a> SceneRun<'a> {
             seconds: self.seconds(),
             point_steps: self.point_steps,
             beginning: [self.kinetic, self.strain],
-            since: self.since,
+            since: [self.before_early.unwrap_or(self.since), self.sampled],
             warnings: self.warnings.clone(),
             keys: self.scene.keys.clone(),
             compacted: self.compacted.clone(),

@@ -6,7 +6,7 @@ use gouge_contact_dynamics::step::StepReport;
 use gouge_contact_dynamics::world::World;
 
 /// Overlap that counts as large, in mean diameters: the source states that none is larger.
-const LARGE: f64 = 0.01;
+pub const LARGE: f64 = 0.01;
 
 /// Sums and extremes over the steps since the latest sample.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,6 +42,17 @@ impl Since {
         if world.drive().is_some() {
             self.on_roof += impulse_on_roof(world);
         }
+    }
+
+    /// Add the numbers of later steps.
+    pub fn extend(&mut self, later: &Self) {
+        self.steps += later.steps;
+        self.sweeps += later.sweeps;
+        self.unconverged += later.unconverged;
+        self.not_unique += later.not_unique;
+        self.large_overlaps += later.large_overlaps;
+        self.largest_overlap = self.largest_overlap.max(later.largest_overlap);
+        self.on_roof += later.on_roof;
     }
 
     /// The mean of a sum per step; none without steps.

@@ -130,6 +130,7 @@ pub(super) fn bodies(root: &Table, folder: &Path, density: f64) -> Result<Bodies
             &["x", "y", "radius"],
             &[
                 "sides",
+                "vertices",
                 "vx",
                 "vy",
                 "angle",
@@ -186,6 +187,15 @@ fn body(table: &Table, density: f64) -> Result<Body> {
         Ok(given.unwrap_or(default))
     };
     let own = table.optional_number("density", Range::Positive)?;
+    let role = table.optional_choice("role", &ROLES)?.unwrap_or(Role::Free);
+    for key in ["velocity", "angular_velocity"] {
+        if role != Role::Free && table.has(key) {
+            return Err(table.error(
+                key,
+                "must be left out: only free bodies have a velocity of their own",
+            ));
+        }
+    }
     Ok(Body {
         outline: outline(table)?,
         position: vector(table.pair("position")?),
@@ -195,7 +205,7 @@ fn body(table: &Table, density: f64) -> Result<Body> {
             angular: number("angular_velocity", 0.0)?,
         },
         density: own.unwrap_or(density),
-        role: table.optional_choice("role", &ROLES)?.unwrap_or(Role::Free),
+        role,
     })
 }
 
@@ -237,8 +247,16 @@ fn body_of_row(row: &Row, density: f64) -> Result<Body> {
         }
     };
     let radius = row.number("radius", Range::Positive)?;
+    let outline = match row.cell("vertices") {
+        None => Outline::Regular { sides, radius },
+        Some(cell) => {
+            let polygon = vertices_of(cell).filter(|vertices| is_polygon(vertices));
+            let accepted = "must be the corners of a convex polygon, anticlockwise: x y;x y;x y";
+            Outline::Polygon(polygon.ok_or_else(|| row.error("vertices", accepted))?)
+        }
+    };
     Ok(Body {
-        outline: Outline::Regular { sides, radius },
+        outline,
         position: vector([
             row.number("x", Range::Finite)?,
             row.number("y", Range::Finite)?,
@@ -251,4 +269,19 @@ fn body_of_row(row: &Row, density: f64) -> Result<Body> {
         density: row.optional_number("density", Range::Positive, density)?,
         role,
     })
+}
+
+/// Corners written as `x y;x y;x y`.
+fn vertices_of(cell: &str) -> Option<Vec<Vec2>> {
+    let corner = |text: &str| {
+        let (x, y) = text.trim().split_once(' ')?;
+        let [x, y]: [f64; 2] = [x.parse().ok()?, y.trim().parse().ok()?];
+        (x.is_finite() && y.is_finite()).then(|| Vec2::new(x, y))
+    };
+    cell.split(';').map(corner).collect()
+}
+
+fn is_polygon(vertices: &[Vec2]) -> bool {
+    let mut shapes = gouge_contact_dynamics::shape::Shapes::new();
+    shapes.add_polygon(vertices).is_ok()
 }

@@ -163,8 +163,31 @@ impl Scene {
                 "needs the walls of [setup] or of [cell], between which stress is measured";
             return Err(output.error("measure", accepted));
         }
+        self.check_width(root)?;
         self.bodies.check_roles(root, self.cell.is_some())?;
         self.check_law(root)
+    }
+
+    /// A body must not touch two images of another one, and a deposit needs some width.
+    fn check_width(&self, root: &Table) -> Result<()> {
+        let Some(width) = self.domain.period() else {
+            return Ok(());
+        };
+        let (diameters, largest) = match &self.packing {
+            Some(packing) => (4.0, packing.sizes.range().maximum),
+            None => {
+                let radii = self.bodies.bodies.iter().map(Body::radius);
+                (2.0, 2.0 * radii.fold(0.0, f64::max))
+            }
+        };
+        if width < diameters * largest {
+            let accepted = format!(
+                "must be at least {diameters:?} times the largest diameter, {:?} m",
+                diameters * largest
+            );
+            return Err(root.table("box")?.error("width", &accepted));
+        }
+        Ok(())
     }
 
     fn check_law(&self, root: &Table) -> Result<()> {
@@ -192,8 +215,13 @@ impl Scene {
 
     /// Step of a sample, counted from zero; the last step is always sampled.
     pub fn sample_step(&self, sample: u64) -> u64 {
+        self.regular_sample_step(sample).min(self.steps())
+    }
+
+    /// Step of a sample if the scene had no end.
+    pub fn regular_sample_step(&self, sample: u64) -> u64 {
         let exact = sample as f64 * self.output.interval / self.settings.time_step;
-        (exact.round() as u64).max(sample).min(self.steps())
+        (exact.round() as u64).max(sample)
     }
 }
 
