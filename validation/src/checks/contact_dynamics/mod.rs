@@ -1,14 +1,16 @@
 //! The checks of contact dynamics: rigid discs and polygons.
 
 mod cells;
+mod geometry;
 mod lmgc90;
+mod local;
 mod system;
 
 use super::Topic;
 
 /// The chapter.
 pub fn topic() -> Topic {
-    let checks = [lmgc90::checks()];
+    let checks = [local::checks(), geometry::checks(), lmgc90::checks()];
     Topic {
         id: "contact-dynamics",
         title: "Contact dynamics",

@@ -1,6 +1,5 @@
 //! Small systems of rigid bodies that several checks build.
 
-use crate::checks::Failure;
 use gouge_common::geometry::{Domain, Vec2};
 use gouge_contact_dynamics::assembly::{Assembly, Body};
 use gouge_contact_dynamics::detection::{DetectionSettings, HalfPlane, PointLine};
