@@ -308,7 +308,10 @@ fn period() -> Outcome {
         if first.apart(&second).distance > 0.0 {
             continue;
         }
-        all.push(different(&in_box(&pair, None)?, &in_box(&pair, Some(10.0))?));
+        all.push(different(
+            &in_box(&pair, None)?,
+            &in_box(&pair, Some(10.0))?,
+        ));
     }
     Ok(Measurement::worst(all).into())
 }

@@ -101,7 +101,7 @@ impl Sampled {
             area,
             ..Self::default()
         };
-        found.sums.add(network, Some(slab), area);
+        found.sums.add(network, None, area);
         let is_free = |body: usize| {
             let unit = assembly.unit[body] as usize;
             assembly.inverse_mass[unit].rotation > 0.0

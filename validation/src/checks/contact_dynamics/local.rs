@@ -5,10 +5,10 @@ use crate::checks::{
     Axis, Check, Curve, Effort, Exhibit, Figure, Measurement, Origin, Outcome, Table, azema,
 };
 use crate::oracles::contact_dynamics::point::Point;
+use gouge_common::geometry::Vec2;
 use gouge_contact_dynamics::delassus::PointKinematics;
 use gouge_contact_dynamics::local::{ExactRule, LocalProblem, LocalRule, LocalStatus, PaperRule};
 use gouge_contact_dynamics::units::{InverseMass, Velocity};
-use gouge_common::geometry::Vec2;
 
 pub fn checks() -> Vec<Check> {
     vec![
@@ -114,7 +114,10 @@ const BINS: usize = 16;
 
 fn exhibits(shares: &[[f64; 2]; BINS]) -> [Exhibit; 2] {
     let centre = |bin: usize| (bin as f64 + 0.5) / 10.0;
-    let full = shares.iter().enumerate().filter(|(_, share)| share[0] > 100.0);
+    let full = shares
+        .iter()
+        .enumerate()
+        .filter(|(_, share)| share[0] > 100.0);
     let points: Vec<[f64; 2]> = full
         .clone()
         .map(|(bin, share)| [centre(bin), share[1] / share[0]])
@@ -132,9 +135,9 @@ fn exhibits(shares: &[[f64; 2]; BINS]) -> [Exhibit; 2] {
         Axis::linear("share of points", ""),
         vec![Curve::marks("printed rule, two standard errors", points).with_intervals(intervals)],
     );
-    let [all, wrong] = shares
-        .iter()
-        .fold([0.0; 2], |sum, share| [sum[0] + share[0], sum[1] + share[1]]);
+    let [all, wrong] = shares.iter().fold([0.0; 2], |sum, share| {
+        [sum[0] + share[0], sum[1] + share[1]]
+    });
     let mut table = Table::new(
         "Approaching points at which a rule violates the laws by more than 1e-6 of the velocity",
         &["rule", "points", "violations"],

@@ -1,16 +1,29 @@
 //! The checks of contact dynamics: rigid discs and polygons.
 
 mod cells;
+mod energy;
 mod geometry;
 mod lmgc90;
 mod local;
+mod motion;
+mod one_step;
+mod siconos;
+mod stability;
 mod system;
 
 use super::Topic;
 
 /// The chapter.
 pub fn topic() -> Topic {
-    let checks = [local::checks(), geometry::checks(), lmgc90::checks()];
+    let checks = [
+        local::checks(),
+        geometry::checks(),
+        motion::checks(),
+        energy::checks(),
+        siconos::checks(),
+        lmgc90::checks(),
+        stability::checks(),
+    ];
     Topic {
         id: "contact-dynamics",
         title: "Contact dynamics",

@@ -29,7 +29,13 @@ pub fn disc_on_incline(gravity: f64, angle: f64, friction: f64) -> [f64; 2] {
 /// the floor, its speed towards it, and its angular velocity times radius before: friction ends the sliding if it can.
 ///
 /// Angular momentum about the point of contact is conserved.
-pub fn disc_after_impact(along: f64, towards: f64, spin: f64, restitution: f64, friction: f64) -> [f64; 2] {
+pub fn disc_after_impact(
+    along: f64,
+    towards: f64,
+    spin: f64,
+    restitution: f64,
+    friction: f64,
+) -> [f64; 2] {
     // Sliding velocity of the lowest point with the spin anticlockwise; an impulse J per mass changes it by 3 J.
     let sliding = along + spin;
     let most = friction * (1.0 + restitution) * towards;
