@@ -90,6 +90,13 @@ impl Evidence {
         citations.map(Self)
     }
 
+    /// These citations and those of another source.
+    #[must_use]
+    pub fn and(mut self, other: Self) -> Self {
+        self.0.extend(other.0);
+        self
+    }
+
     /// The citations, in the order of their declaration.
     pub fn citations(&self) -> &[Citation] {
         &self.0

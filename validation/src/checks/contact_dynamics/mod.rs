@@ -1,8 +1,10 @@
 //! The checks of contact dynamics: rigid discs and polygons.
 
 mod cells;
+mod convergence;
 mod energy;
 mod geometry;
+mod hard_limit;
 mod lmgc90;
 mod local;
 mod motion;
@@ -22,6 +24,8 @@ pub fn topic() -> Topic {
         energy::checks(),
         siconos::checks(),
         lmgc90::checks(),
+        convergence::checks(),
+        hard_limit::checks(),
         stability::checks(),
     ];
     Topic {

@@ -213,11 +213,6 @@ impl System {
         [position.x, position.y]
     }
 
-    /// Angle of a body in rad.
-    pub fn angle(&self, body: usize) -> f64 {
-        self.state.configuration.angle[body]
-    }
-
     /// Kinetic energy in J.
     pub fn energy(&self) -> f64 {
         self.assembly.kinetic_energy(&self.state.configuration)

@@ -72,3 +72,22 @@ pub fn pyramid(angle: f64) -> [f64; 4] {
 pub fn column_rate(discs: usize) -> f64 {
     (0.5 * std::f64::consts::PI / discs as f64).cos().powi(2)
 }
+
+/// Angle from the vertical after a time in s of a point that slides down a circle from rest, with gravity over the
+/// radius in 1/s^2: a Runge-Kutta method of the fourth order.
+pub fn sliding_down(ratio: f64, start: f64, time: f64) -> f64 {
+    let steps = 4000;
+    let h = time / f64::from(steps);
+    let slope = |[angle, speed]: [f64; 2]| [speed, ratio * angle.sin()];
+    let along = |[a, v]: [f64; 2], [da, dv]: [f64; 2], h: f64| [a + h * da, v + h * dv];
+    let mut state = [start, 0.0];
+    for _ in 0..steps {
+        let k1 = slope(state);
+        let k2 = slope(along(state, k1, 0.5 * h));
+        let k3 = slope(along(state, k2, 0.5 * h));
+        let k4 = slope(along(state, k3, h));
+        let mean = [0, 1].map(|k| (k1[k] + 2.0 * (k2[k] + k3[k]) + k4[k]) / 6.0);
+        state = along(state, mean, h);
+    }
+    state[0]
+}
