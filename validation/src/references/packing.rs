@@ -41,6 +41,8 @@ pub struct Packing {
     pub friction: f64,
     /// Strain and q/p of single states of the engine's run.
     pub series: Vec<[f64; 2]>,
+    /// Solid fraction of single states over the strain from 1 to 2.
+    pub solid_fractions: Vec<f64>,
     /// What the engine found.
     averaged: Value,
     /// Name and version of the engine.
@@ -69,7 +71,12 @@ impl Packing {
             strain_per_step: number(run, "strain_per_step")?,
             rate: number(run, "inertial_number")?,
             friction: number(&result["settings"], "friction")?,
-            series: series(&run["series"]),
+            series: series(&run["series"], "q_over_p"),
+            solid_fractions: series(&run["series"], "solid_fraction")
+                .into_iter()
+                .filter(|[strain, _]| *strain > 1.0)
+                .map(|[_, fraction]| fraction)
+                .collect(),
             averaged: run["averaged"].clone(),
             engine: [&result["engine"], &result["version"]]
                 .map(|word| word.as_str().unwrap_or_default())
@@ -99,14 +106,15 @@ fn number(object: &Value, key: &str) -> Result<f64, String> {
     found.ok_or_else(|| format!("references/{FOLDER}: {key} is not a number"))
 }
 
-fn series(table: &Value) -> Vec<[f64; 2]> {
+/// Strain and a quantity of single states.
+fn series(table: &Value, quantity: &str) -> Vec<[f64; 2]> {
     let columns = table["columns"].as_array().map_or(&[][..], Vec::as_slice);
     let place = |name: &str| columns.iter().position(|column| column == name);
-    let places = [place("strain"), place("q_over_p")];
+    let places = [place("strain"), place(quantity)];
     let rows = table["rows"].as_array().map_or(&[][..], Vec::as_slice);
     let row = |row: &Value| {
-        let [strain, ratio] = places.map(|place| row[place?].as_f64());
-        Some([strain?, ratio?])
+        let [strain, value] = places.map(|place| row[place?].as_f64());
+        Some([strain?, value?])
     };
     rows.iter().filter_map(row).collect()
 }
