@@ -68,7 +68,10 @@ fn sound() -> Outcome {
     all.push(Measurement::absolute(DISCS as f64, counts[0] as f64, 0.0));
     let points = counts.iter().enumerate();
     let points = points.map(|(k, &count)| [k as f64 + 1.0, count as f64]);
-    curves.push(Curve::marked_line("sweeps per step: 1, in the order", points));
+    curves.push(Curve::marked_line(
+        "sweeps per step: 1, in the order",
+        points,
+    ));
     let figure = Figure::new(
         "How far a pulse has gone through a chain of 60 discs: with early ends of sweeps, rigid bodies behave like an elastic medium whose sound goes as many discs per step as there are sweeps",
         Axis::linear("step", ""),
