@@ -118,9 +118,11 @@ fn without_size(svg: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::steps_of;
+    use super::{moment, steps_of};
+    use gouge_runner::any_scene::AnyScene;
+    use gouge_runner::contact_dynamics::shown;
     use gouge_runner::run::{draw_picture, run_setup};
-    use gouge_runner::scene::Scene;
+    use gouge_runner::scene::{Overrides, Scene};
 
     /// The numbers of an attribute, in the order of the elements.
     fn numbers(svg: &str, attribute: &str) -> Vec<f64> {
@@ -159,6 +161,20 @@ mod tests {
         );
         let short = Scene::load("head-on")?;
         assert_eq!(steps_of(&short, 2), short.steps());
+        Ok(())
+    }
+
+    #[test]
+    fn scenes_of_contact_dynamics_are_drawn() -> Result<(), Box<dyn std::error::Error>> {
+        let scene = AnyScene::load_with("square-on-incline", &Overrides::default())?;
+        let AnyScene::ContactDynamics(scene) = scene else {
+            return Err("it is a scene of contact dynamics".into());
+        };
+        let drawn = shown(&scene, 10)?;
+        assert_eq!(drawn.svg.matches("<polygon").count(), 1);
+        assert_eq!(drawn.steps, 10);
+        let words = moment(drawn.steps, scene.steps(), drawn.time);
+        assert_eq!(words, "at t = 10.000 ms, 1 % of the scene");
         Ok(())
     }
 }
