@@ -52,6 +52,7 @@ topics! {
     estimators: "estimators",
     economy: "economy",
     work_precision: "work-precision",
+    contact_dynamics: "contact-dynamics",
 }
 
 #[test]

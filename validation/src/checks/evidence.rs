@@ -90,6 +90,13 @@ impl Evidence {
         citations.map(Self)
     }
 
+    /// These citations and those of another source.
+    #[must_use]
+    pub fn and(mut self, other: Self) -> Self {
+        self.0.extend(other.0);
+        self
+    }
+
     /// The citations, in the order of their declaration.
     pub fn citations(&self) -> &[Citation] {
         &self.0
@@ -98,7 +105,15 @@ impl Evidence {
 
 /// Places in the thesis, separated by commas: `thesis("(42), (72)-(79), E15")`.
 pub fn thesis(places: &'static str) -> Evidence {
-    let source = Source::Thesis;
+    places_in(Source::Thesis, places)
+}
+
+/// Places in the source of contact dynamics, separated by commas: `azema("(A1)-(A3), E7")`.
+pub fn azema(places: &'static str) -> Evidence {
+    places_in(Source::Azema, places)
+}
+
+fn places_in(source: Source, places: &'static str) -> Evidence {
     let citation = |place| Citation { source, place };
     Evidence(places.split(", ").map(citation).collect())
 }

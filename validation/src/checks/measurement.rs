@@ -2,6 +2,7 @@
 
 use super::Exhibit;
 use crate::scenes::Mistake;
+use gouge_contact_dynamics::error as rigid;
 use gouge_dem::{ModelError, StepError};
 use gouge_runner::error::{Error, SceneError};
 use serde::Serialize;
@@ -170,6 +171,12 @@ pub enum Failure {
     /// A run stopped.
     #[error("{0}")]
     Step(#[from] StepError),
+    /// The kernel of contact dynamics refused a system.
+    #[error("{0}")]
+    Setup(#[from] rigid::SetupError),
+    /// A run of contact dynamics stopped.
+    #[error("{0}")]
+    RigidStep(#[from] rigid::StepError),
     /// A command failed.
     #[error("{0}")]
     Command(#[from] Error),

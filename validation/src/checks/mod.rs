@@ -2,6 +2,7 @@
 //!
 //! The gate (`cargo test`) and the report (`gouge verify`) run the same register.
 
+pub mod contact_dynamics;
 pub mod dem;
 mod evidence;
 mod exhibit;
@@ -9,7 +10,7 @@ mod extrapolation;
 mod measurement;
 mod random;
 
-pub use evidence::{Citation, Evidence, Source, thesis};
+pub use evidence::{Citation, Evidence, Source, azema, thesis};
 pub use exhibit::{Exhibit, Table};
 pub use gouge_page::{Axis, Curve, Figure, Style};
 pub use measurement::{
@@ -65,5 +66,7 @@ pub struct Topic {
 
 /// All topics, in the order of the report.
 pub fn register() -> Vec<Topic> {
-    dem::topics()
+    let mut topics = dem::topics();
+    topics.push(contact_dynamics::topic());
+    topics
 }

@@ -6,6 +6,7 @@ pub mod beams;
 pub mod bonded_pair;
 pub mod bounce;
 pub mod components;
+pub mod contact_dynamics;
 pub mod dissipation;
 pub mod emergent;
 pub mod events;

@@ -5,10 +5,14 @@
 //! `result.json` is the engine's result. The runner contains a copy of all of them.
 
 mod case;
+mod one_step;
+mod packing;
 mod result;
 
 pub use case::{Case, Compared, Control, Observable, Statistic};
 pub use gouge_runner::references::{Run, paths};
+pub use one_step::{OneStep, Point, Unit};
+pub use packing::{Grain, Packing};
 pub use result::{Recorded, RecordedRun, Table};
 
 use std::collections::BTreeMap;

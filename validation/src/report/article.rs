@@ -3,7 +3,7 @@
 use super::fold::{decimal, ratio};
 use super::judged::{digits, used};
 use super::{Entry, Record, equations, sources};
-use crate::checks::{Citation, Exhibit};
+use crate::checks::{Citation, Exhibit, Source};
 use gouge_page::table;
 use maud::{Markup, html};
 
@@ -28,10 +28,19 @@ pub fn article(entry: &Entry) -> Markup {
     }
 }
 
-/// Numbers of all equations that a check covers.
+/// Numbers of all equations that a check covers, for the filter of the page.
 fn numbers_of(record: &Record) -> String {
     let citations = record.equations.citations().iter();
-    let numbers: Vec<String> = citations.flat_map(Citation::equations).collect();
+    // Those of other sources than the thesis carry the source, so that the filter does not mix them.
+    let of = |citation: &Citation| {
+        let prefix = match citation.source {
+            Source::Thesis => String::new(),
+            source => format!("{}:", source.name()),
+        };
+        let numbers = citation.equations().into_iter();
+        numbers.map(move |number| format!("{prefix}{number}"))
+    };
+    let numbers: Vec<String> = citations.flat_map(of).collect();
     numbers.join(" ")
 }
 

@@ -5,10 +5,21 @@ use super::{Entry, Record};
 use crate::checks::Source;
 use maud::{Markup, html};
 
-/// The source whose equations are shown: the only one with checks.
-const SHOWN: Source = Source::Thesis;
-/// Its table of equations.
-const TABLE: &str = include_str!("../../../docs/thesis/equations.md");
+/// The table of equations of a source.
+fn table(source: Source) -> &'static str {
+    match source {
+        Source::Thesis => include_str!("../../../docs/thesis/equations.md"),
+        Source::Azema => include_str!("../../../docs/contact-dynamics/equations.md"),
+    }
+}
+
+/// The source in words.
+pub fn title(source: Source) -> &'static str {
+    match source {
+        Source::Thesis => "the thesis",
+        Source::Azema => "Azéma, Estrada and Radjai",
+    }
+}
 
 /// Largest number of equations that a check stands for. One that covers more, such as a symmetry of the
 /// whole model, says little about each.
@@ -76,13 +87,13 @@ pub fn anchor(source: Source, number: &str) -> String {
     format!("equation-{}-{number}", source.name())
 }
 
-/// All equations of the source that is shown.
-pub fn equations() -> Vec<Equation> {
-    let lines = TABLE.lines().filter(|line| line.starts_with("| "));
+/// All equations of a source.
+pub fn equations(source: Source) -> Vec<Equation> {
+    let lines = table(source).lines().filter(|line| line.starts_with("| "));
     let below = lines.skip_while(|line| !line.starts_with("| equation |"));
     below
         .skip(1)
-        .flat_map(|line| of_line(SHOWN, line))
+        .flat_map(|line| of_line(source, line))
         .collect()
 }
 
@@ -133,10 +144,10 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// That of all equations by some checks.
-    pub fn of(entries: &[Entry]) -> Self {
+    /// That of all equations of a source by some checks.
+    pub fn of(source: Source, entries: &[Entry]) -> Self {
         let mut coverage = Self::default();
-        for equation in equations() {
+        for equation in equations(source) {
             coverage.all += 1;
             match equation.checks(entries).is_empty() {
                 false => coverage.checked += 1,
@@ -148,36 +159,50 @@ impl Coverage {
     }
 }
 
+/// An equation and the checks that stand for it.
+type Covered<'a> = (Equation, Vec<&'a Record>);
+
 /// The chapter; without all checks it shows only the equations that the given ones cover.
 pub fn chapter(entries: &[Entry], is_complete: bool) -> Markup {
-    let rows: Vec<(Equation, Vec<&Record>)> = equations()
-        .into_iter()
-        .map(|equation| {
-            let checks = equation.checks(entries);
-            (equation, checks)
-        })
-        .filter(|(_, checks)| is_complete || !checks.is_empty())
-        .collect();
+    let rows = Source::ALL.map(|source| (source, rows(source, entries, is_complete)));
+    let number = rows.iter().map(|(_, rows)| rows.len()).sum();
     Fold {
         id: "equations",
         title: "Equations",
-        count: &counted(rows.len(), "numbered equation"),
+        count: &counted(number, "numbered equation"),
         class: "lookup",
     }
     .around(html! {
         p.about {
-            "Every numbered equation of the thesis, the code that implements it, and the checks of this report that stand for it. "
+            "Every numbered equation, the code that implements it, and the checks of this report that stand for it. "
             "If no check does, the row says why, or names the tests of " code { "cargo test" } " that do. "
-            "Formulas are the implemented ones, from " code { "docs/thesis/equations.md" } ", which also lists the errata."
+            "Formulas are the implemented ones, from the files " code { "equations.md" } " in " code { "docs/" } ", which also list the errata."
         }
         (broad(entries))
+        @for (source, rows) in &rows { @if !rows.is_empty() { (listed(*source, rows)) } }
+    })
+}
+
+fn rows(source: Source, entries: &[Entry], is_complete: bool) -> Vec<Covered<'_>> {
+    let covered = |equation: Equation| {
+        let checks = equation.checks(entries);
+        (equation, checks)
+    };
+    let all = equations(source).into_iter().map(covered);
+    all.filter(|(_, checks)| is_complete || !checks.is_empty())
+        .collect()
+}
+
+fn listed(source: Source, rows: &[Covered]) -> Markup {
+    html! {
+        h3 { "Equations of " (title(source)) }
         div.data {
             table.equations {
                 thead { tr { th { "equation" } th { "formula as implemented" } th { "code" } th { "checks" } } }
-                tbody { @for (equation, checks) in &rows { (row(equation, checks)) } }
+                tbody { @for (equation, checks) in rows { (row(equation, checks)) } }
             }
         }
-    })
+    }
 }
 
 /// The checks that stand for no single equation.
@@ -227,17 +252,30 @@ fn standing(equation: &Equation, checks: &[&Record]) -> Markup {
 mod tests {
     use super::super::examples::{covering, entry};
     use super::{Coverage, chapter, equations};
+    use crate::checks::Source;
     use std::collections::BTreeSet;
 
     #[test]
     fn every_equation_of_the_thesis_has_one_row() {
-        let numbers: Vec<String> = equations().into_iter().map(|one| one.number).collect();
+        let all = equations(Source::Thesis).into_iter();
+        let numbers: Vec<String> = all.map(|one| one.number).collect();
         let distinct: BTreeSet<&String> = numbers.iter().collect();
         assert_eq!(distinct.len(), numbers.len());
         let expected: Vec<String> = (1..=137).map(|number| number.to_string()).collect();
         assert_eq!(numbers, expected);
         let page = chapter(&[], true).into_string();
         assert_eq!(page.matches("<tr id=\"equation-thesis-").count(), 137);
+    }
+
+    #[test]
+    fn every_equation_of_contact_dynamics_has_one_row() {
+        let all = equations(Source::Azema).into_iter();
+        let numbers: Vec<String> = all.map(|one| one.number).collect();
+        let plain = (1..=10).map(|number| number.to_string());
+        let expected: Vec<String> = plain.chain((1..=32).map(|n| format!("A{n}"))).collect();
+        assert_eq!(numbers, expected);
+        let page = chapter(&[], true).into_string();
+        assert_eq!(page.matches("<tr id=\"equation-azema-").count(), 42);
     }
 
     #[test]
@@ -279,7 +317,7 @@ mod tests {
             entry(covering("laws.other", "(36), E1")),
             entry(covering("laws.all", "(3)-(58)")),
         ];
-        let found = Coverage::of(&entries);
+        let found = Coverage::of(Source::Thesis, &entries);
         assert_eq!((found.all, found.checked, found.missing), (137, 3, 1));
         assert_eq!(found.checked + found.tested + found.missing, found.all);
     }

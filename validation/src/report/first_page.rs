@@ -1,11 +1,11 @@
 //! The first page: what was shown, how, with which evidence from outside, and what was not.
 
-use super::equations::Coverage;
+use super::equations::{Coverage, title};
 use super::fold::{link, ratio};
 use super::judged::{Digits, used, weakest_first};
 use super::outside::programs;
 use super::{Entry, Record};
-use crate::checks::Origin;
+use crate::checks::{Origin, Source};
 use maud::{Markup, html};
 
 /// Facts about the program and the machine.
@@ -24,7 +24,7 @@ pub struct Facts {
 
 /// The first page.
 pub fn first_page(entries: &[Entry], facts: &Facts) -> Markup {
-    let coverage = Coverage::of(entries);
+    let coverage = Source::ALL.map(|source| (source, Coverage::of(source, entries)));
     html! {
         header {
             h1 { "gouge: verification report" }
@@ -36,7 +36,8 @@ pub fn first_page(entries: &[Entry], facts: &Facts) -> Markup {
                 "gouge is a two-dimensional discrete element program: spheres in a plane, breakable viscoelastic bonds, and contacts with friction. "
                 "Its model is that of S. Kiiskinen, "
                 cite { "Modeling Friction between Shearing Brittle Surfaces with a Discrete Element Method" }
-                " (Jyväskylä, 2018), the thesis."
+                " (Jyväskylä, 2018), the thesis. "
+                "A second kernel moves rigid discs and polygons by contact dynamics, after Azéma, Estrada and Radjai, Phys. Rev. E 86, 041301 (2012)."
             }
             p {
                 b { "This is verification, not validation. " }
@@ -84,15 +85,21 @@ fn verdict(entries: &[Entry], facts: &Facts) -> Markup {
 }
 
 /// Which equations are covered, in words.
-fn scope(coverage: Coverage, is_complete: bool) -> String {
+fn scope(coverage: [(Source, Coverage); 2], is_complete: bool) -> String {
+    coverage
+        .map(|(source, coverage)| scope_of(source, coverage, is_complete))
+        .join(" ")
+}
+
+fn scope_of(source: Source, coverage: Coverage, is_complete: bool) -> String {
     let Coverage {
         all,
         checked,
         tested,
         missing,
     } = coverage;
-    let covered =
-        format!("Checks stand for {checked} of the {all} numbered equations of the thesis");
+    let of = title(source);
+    let covered = format!("Checks stand for {checked} of the {all} numbered equations of {of}");
     if !is_complete {
         return format!("{covered}.");
     }
@@ -100,7 +107,7 @@ fn scope(coverage: Coverage, is_complete: bool) -> String {
     format!("{covered}; {tested} have only unit tests, and {missing} {verb} not implemented.")
 }
 
-fn table(entries: &[Entry], coverage: Coverage, facts: &Facts) -> Markup {
+fn table(entries: &[Entry], coverage: [(Source, Coverage); 2], facts: &Facts) -> Markup {
     let records = || entries.iter().map(|entry| &entry.record);
     let passed = records().filter(|record| record.passed()).count();
     let weakest = weakest_first(entries);
@@ -116,7 +123,9 @@ fn table(entries: &[Entry], coverage: Coverage, facts: &Facts) -> Markup {
                     "; checks that demand at least three: " (digits.checks)
                 } }
             }
-            tr { th { "equations" } td { (coverage.checked) " of " (coverage.all) " with a check" } }
+            @for (source, coverage) in coverage {
+                tr { th { "equations of " (title(source)) } td { (coverage.checked) " of " (coverage.all) " with a check" } }
+            }
             @for (name, program) in programs(entries) {
                 tr { th { (name) " " (program.versions.join(", ")) } td { (program.words()) } }
             }

@@ -173,7 +173,8 @@ fn how_to_read() -> Markup {
             p {
                 "In figures, lines are theory or data of others and marks are results of the kernel, unless the legend says otherwise. All quantities are in SI units. "
                 "“thesis (42)” is equation (42) of the thesis, and “thesis E15” is section E15 of docs/thesis/errata.md; "
-                "a number in parentheses without a source is an equation of the thesis."
+                "a number in parentheses without a source is an equation of the thesis. "
+                "“azema (A18)” is equation (A18) of Azéma, Estrada and Radjai (2012), and “azema E2” is section E2 of docs/contact-dynamics/errata.md."
             }
         }
     }
@@ -183,7 +184,7 @@ fn how_to_read() -> Markup {
 fn filters(shown: &[Shown]) -> Markup {
     html! {
         form #filters hidden {
-            label { "equation " input #filter-equation type="search" size="6" placeholder="42"; }
+            label { "equation " input #filter-equation type="search" size="12" placeholder="42, azema:A18"; }
             label { "chapter "
                 select #filter-chapter {
                     option value="" { "all" }

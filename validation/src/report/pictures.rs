@@ -1,9 +1,11 @@
 //! Pictures of the built-in scenes.
 
 use super::fold::{Fold, counted};
+use gouge_runner::any_scene::AnyScene;
+use gouge_runner::contact_dynamics::shown;
 use gouge_runner::error::Error;
 use gouge_runner::run::{advance, draw_picture, run_setup};
-use gouge_runner::scene::{Scene, builtin};
+use gouge_runner::scene::{Overrides, Scene, builtin};
 use maud::{Markup, PreEscaped, html};
 use rayon::prelude::*;
 
@@ -26,34 +28,47 @@ fn steps_of(scene: &Scene, particles: usize) -> u64 {
     scene.steps().min(MOST_STEPS).min(affordable)
 }
 
-/// Pictures of all built-in scenes of the thesis's model, at their end, or as far as a short run gets.
+/// Largest number of steps of a scene of contact dynamics: a few seconds.
+const MOST_RIGID_STEPS: u64 = 4000;
+
+/// Pictures of all built-in scenes, at their end, or as far as a short run gets.
 ///
 /// # Errors
 /// States that are no longer finite.
 pub fn pictures() -> Result<Vec<Picture>, Error> {
-    let draw = |&(name, purpose, _): &(&'static str, &'static str, &str)| {
-        let scene = Scene::load(name)?;
-        let mut world = run_setup(&scene)?;
-        let steps = steps_of(&scene, world.particles().len());
-        advance(&mut world, steps, "run")?;
-        Ok(Picture {
-            name,
-            purpose,
-            moment: moment(&scene, world.time(), steps),
-            svg: draw_picture(&scene, &world).to_string(),
-        })
+    let draw = |&(name, purpose, _): &(&'static str, &'static str, &str)| match AnyScene::load_with(
+        name,
+        &Overrides::default(),
+    )? {
+        AnyScene::Dem(scene) => of_dem(name, purpose, &scene),
+        AnyScene::ContactDynamics(scene) => {
+            let shown = shown(&scene, MOST_RIGID_STEPS)?;
+            Ok(Picture {
+                name,
+                purpose,
+                moment: moment(shown.steps, scene.steps(), shown.time),
+                svg: shown.svg,
+            })
+        }
     };
-    let names = builtin::names_of_dem();
-    let scenes = builtin::SCENES.par_iter();
-    scenes
-        .filter(|(name, _, _)| names.contains(name))
-        .map(draw)
-        .collect()
+    builtin::SCENES.par_iter().map(draw).collect()
+}
+
+fn of_dem(name: &'static str, purpose: &'static str, scene: &Scene) -> Result<Picture, Error> {
+    let mut world = run_setup(scene)?;
+    let steps = steps_of(scene, world.particles().len());
+    advance(&mut world, steps, "run")?;
+    Ok(Picture {
+        name,
+        purpose,
+        moment: moment(steps, scene.steps(), world.time()),
+        svg: draw_picture(scene, &world).to_string(),
+    })
 }
 
 /// The time of a picture, and what part of the scene that is.
-fn moment(scene: &Scene, time: f64, steps: u64) -> String {
-    let part = steps as f64 / scene.steps().max(1) as f64;
+fn moment(steps: u64, all: u64, time: f64) -> String {
+    let part = steps as f64 / all.max(1) as f64;
     match part {
         1.0 => format!("at the end, t = {:.3} ms", 1e3 * time),
         part => format!(
@@ -77,7 +92,8 @@ pub fn chapter(pictures: &[Picture]) -> Markup {
 
 fn gallery(pictures: &[Picture]) -> Markup {
     html! {
-        p.about { "Fragments are coloured; single grains are white, driven and fixed grains grey. Each picture has its scale below it." }
+        p.about { "Fragments are coloured; single grains are white, driven and fixed grains grey. Each picture has its scale below it. "
+            "For rigid bodies, lines between centres are as wide as the normal force is large, orange for contacts with one point and green for those with two; bodies with fewer than two contacts are light grey." }
         div.pictures {
             @for picture in pictures {
                 figure {
@@ -102,9 +118,11 @@ fn without_size(svg: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::steps_of;
+    use super::{moment, steps_of};
+    use gouge_runner::any_scene::AnyScene;
+    use gouge_runner::contact_dynamics::shown;
     use gouge_runner::run::{draw_picture, run_setup};
-    use gouge_runner::scene::Scene;
+    use gouge_runner::scene::{Overrides, Scene};
 
     /// The numbers of an attribute, in the order of the elements.
     fn numbers(svg: &str, attribute: &str) -> Vec<f64> {
@@ -143,6 +161,20 @@ mod tests {
         );
         let short = Scene::load("head-on")?;
         assert_eq!(steps_of(&short, 2), short.steps());
+        Ok(())
+    }
+
+    #[test]
+    fn scenes_of_contact_dynamics_are_drawn() -> Result<(), Box<dyn std::error::Error>> {
+        let scene = AnyScene::load_with("square-on-incline", &Overrides::default())?;
+        let AnyScene::ContactDynamics(scene) = scene else {
+            return Err("it is a scene of contact dynamics".into());
+        };
+        let drawn = shown(&scene, 10)?;
+        assert_eq!(drawn.svg.matches("<polygon").count(), 1);
+        assert_eq!(drawn.steps, 10);
+        let words = moment(drawn.steps, scene.steps(), drawn.time);
+        assert_eq!(words, "at t = 10.000 ms, 1 % of the scene");
         Ok(())
     }
 }

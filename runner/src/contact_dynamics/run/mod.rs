@@ -7,6 +7,7 @@ mod files;
 mod frame;
 mod page;
 mod picture;
+mod shown;
 mod samples;
 mod scene_run;
 mod since;
@@ -15,6 +16,7 @@ mod statistics;
 
 pub use contacts::contacts;
 pub use samples::columns as series_columns;
+pub use shown::{Shown, shown};
 pub use stability::stability;
 pub use statistics::Statistics;
 
