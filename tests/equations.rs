@@ -331,7 +331,7 @@ fn checks_cite_only_existing_equations() {
                 number.starts_with(|c: char| c.is_ascii_digit())
             }
             Some(_) => false,
-            None if place.starts_with('E') => document.sections().contains_key(place),
+            None if place.starts_with(['E', 'C']) => document.sections().contains_key(place),
             None => numbers(place)
                 .iter()
                 .all(|number| numbered.contains(number)),

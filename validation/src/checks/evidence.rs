@@ -38,7 +38,7 @@ impl Source {
 pub struct Citation {
     /// The source.
     pub source: Source,
-    /// An equation `(42)`, a range of them `(72)-(79)`, an erratum `E15`, `section 4.1` or `figure 8`.
+    /// An equation `(42)`, a range of them `(72)-(79)`, an erratum `E15`, a choice `C3`, `section 4.1` or `figure 8`.
     pub place: &'static str,
 }
 

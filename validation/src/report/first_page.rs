@@ -37,7 +37,7 @@ pub fn first_page(entries: &[Entry], facts: &Facts) -> Markup {
                 "Its model is that of S. Kiiskinen, "
                 cite { "Modeling Friction between Shearing Brittle Surfaces with a Discrete Element Method" }
                 " (Jyväskylä, 2018), the thesis. "
-                "A second kernel moves rigid discs and polygons by contact dynamics, after Azéma, Estrada and Radjai, Phys. Rev. E 86, 041301 (2012)."
+                "A second kernel moves rigid discs and polygons by contact dynamics (Azéma, Estrada and Radjai, 2012)."
             }
             p {
                 b { "This is verification, not validation. " }
@@ -98,8 +98,11 @@ fn scope_of(source: Source, coverage: Coverage, is_complete: bool) -> String {
         tested,
         missing,
     } = coverage;
-    let of = title(source);
-    let covered = format!("Checks stand for {checked} of the {all} numbered equations of {of}");
+    if source != Source::Thesis {
+        return format!("Of {all} of contact dynamics, {checked} have checks.");
+    }
+    let covered =
+        format!("Checks stand for {checked} of the {all} numbered equations of the thesis");
     if !is_complete {
         return format!("{covered}.");
     }
