@@ -335,7 +335,7 @@ fn mistakes_in_tables_of_earlier_studies_are_named() {
     let check = |[runs, curves]: [&str; 2]| {
         std::fs::write(folder.path().join("runs.csv"), runs).expect("a file");
         std::fs::write(folder.path().join("curves.csv"), curves).expect("a file");
-        known(&[folder.path()], &prepared).map_err(|error| error.to_string())
+        known(study, &[folder.path()], &prepared).map_err(|error| error.to_string())
     };
     let found = check(EARLIER).expect("tables");
     assert!(found.len() == 1 && found.contains("a"));
