@@ -124,6 +124,15 @@ pub fn default_threads(particles: usize) -> usize {
     (particles / PARTICLES_PER_THREAD).clamp(1, available)
 }
 
+/// Number of threads that the environment sets for a world, or the default one if the environment is invalid.
+pub fn chosen_threads_for(particles: usize) -> usize {
+    let chosen = CHOSEN.as_ref().ok().and_then(|machine| machine.threads);
+    match is_forked() {
+        true => 1,
+        false => chosen.unwrap_or_else(|| default_threads(particles)),
+    }
+}
+
 /// The world with the instructions and threads that the environment sets, or with the default ones if the environment
 /// is invalid.
 pub fn with_chosen_execution<S: Number>(world: World<S>) -> World<S> {
@@ -132,13 +141,7 @@ pub fn with_chosen_execution<S: Number>(world: World<S>) -> World<S> {
         threads: None,
     };
     let machine = CHOSEN.as_ref().copied().unwrap_or(default);
-    let particles = world.particles().len();
-    let threads = match is_forked() {
-        true => 1,
-        false => machine
-            .threads
-            .unwrap_or_else(|| default_threads(particles)),
-    };
+    let threads = chosen_threads_for(world.particles().len());
     world
         .with_instructions(machine.instructions)
         .with_threads(threads)

@@ -18,6 +18,7 @@ mod siconos;
 mod steps;
 mod stored;
 mod solvers;
+mod strips;
 mod sweeps;
 mod systems;
 mod worlds;

@@ -180,6 +180,24 @@ impl Assembly {
         Ok(())
     }
 
+    /// The body of each unit that is a single body without walls.
+    pub(crate) fn single_bodies(&self) -> Vec<Option<u32>> {
+        let units = self.inverse_mass.len();
+        let mut counts = vec![0usize; units];
+        let mut bodies = vec![None; units];
+        for (body, &unit) in self.unit.iter().enumerate() {
+            counts[unit as usize] += 1;
+            bodies[unit as usize] = Some(body as u32);
+        }
+        for &unit in &self.wall_unit {
+            counts[unit as usize] += 1;
+        }
+        let single = bodies.into_iter().zip(counts);
+        single
+            .map(|(body, count)| body.filter(|_| count == 1))
+            .collect()
+    }
+
     /// Area of a body in m².
     pub fn area(&self, body: usize) -> f64 {
         let area = self.shapes.outline(self.shape[body]).measures.area;

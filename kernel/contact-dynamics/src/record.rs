@@ -110,6 +110,7 @@ impl World {
         configuration.velocity = velocities(velocity);
         self.restore_memory(impulses)?;
         self.workspace = Workspace::new(&self.assembly, &self.state, &self.settings);
+        self.workspace.set_threads(self.threads);
         Some(self)
     }
 

@@ -6,7 +6,7 @@ use crate::detection::{DetectionSettings, Placed, Touch, detect};
 use crate::error::{SetupError, require};
 use crate::law::ContactLaw;
 use crate::local::Components;
-use crate::sweep::{ContactInput, Solver, SweepReport, SweepSettings};
+use crate::sweep::{ContactInput, Solver, SweepOrder, SweepReport, SweepSettings};
 use crate::units::{InverseMass, Velocity};
 use crate::warm_start::{Memory, PointKey};
 use gouge_common::geometry::{Metric, Vec2, WithMetric};
@@ -108,6 +108,8 @@ pub struct Workspace {
     points: Vec<ContactInput>,
     guesses: Vec<Components>,
     before: Vec<Velocity>,
+    /// The body of each unit that is a single body.
+    single: Vec<Option<u32>>,
     solver: Solver,
 }
 
@@ -148,8 +150,15 @@ impl Workspace {
             points: Vec::new(),
             guesses: Vec::new(),
             before: Vec::new(),
+            single: assembly.single_bodies(),
             solver: Solver::new(),
         }
+    }
+
+    /// Divide sweeps by strips among the threads of the pool in use if there is more than one; the bits of the results
+    /// do not depend on it.
+    pub fn set_threads(&mut self, threads: usize) {
+        self.solver.set_threads(threads);
     }
 
     /// Contact points of the latest step with their impulses.
@@ -216,6 +225,12 @@ impl Workspace {
         self.before.clone_from(&state.configuration.velocity);
         let before = &self.before;
         let solver = &mut self.solver;
+        if settings.sweeps.order == SweepOrder::Strips {
+            let position = &state.configuration.position;
+            let place =
+                |body: &Option<u32>| body.map_or(f64::NAN, |body| position[body as usize].x);
+            solver.set_places(self.single.iter().map(place), assembly.domain.period());
+        }
         solver.prepare(
             &self.points,
             &settings.law,

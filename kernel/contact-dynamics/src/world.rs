@@ -17,6 +17,7 @@ pub struct World {
     pub(crate) work: Option<Work>,
     pub(crate) settling: Settling,
     pub(crate) workspace: Workspace,
+    pub(crate) threads: usize,
 }
 
 impl World {
@@ -40,6 +41,7 @@ impl World {
             work: None,
             settling: Settling::default(),
             workspace,
+            threads: 1,
         })
     }
 
@@ -59,6 +61,15 @@ impl World {
     #[must_use]
     pub fn with_work(mut self, is_booked: bool) -> Self {
         self.work = is_booked.then(Work::default);
+        self
+    }
+
+    /// The same world, whose sweeps by strips are divided among the threads of the pool in use if there is more than one
+    /// ([`SweepOrder::Strips`](crate::sweep::SweepOrder)). The bits of the results do not depend on it.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.threads = threads;
+        self.workspace.set_threads(threads);
         self
     }
 

@@ -6,10 +6,13 @@
 //! are compacted, sheared, and repeated five times for 2000 bodies. The problem of one step is then solved by all
 //! methods, with and without first guesses of the impulses. Residuals and errors are in units of the rate of shear
 //! times the mean diameter; an error is the root mean square difference to the velocities after many sweeps.
+//!
+//! With `strips` before the numbers of sides, sweeps by strips are compared with alternating ones for 10 000 bodies.
 
 mod clock;
 mod packing;
 mod problem;
+mod strips;
 
 use gouge_contact_dynamics::step::Workspace;
 use gouge_contact_dynamics::sweep::{StopCriterion, SweepOrder, SweepSettings};
@@ -113,12 +116,16 @@ fn print_comparison(title: &str, problem: &Problem, rate: f64) {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let words = std::env::args().skip(1);
+    let mut words = std::env::args().skip(1).peekable();
+    let is_about_strips = words.next_if_eq("strips").is_some();
     let mut shapes = words
         .map(|word| word.parse())
         .collect::<Result<Vec<usize>, _>>()?;
     if shapes.is_empty() {
         shapes = vec![0, 6, 3];
+    }
+    if is_about_strips {
+        return strips::compare(&shapes);
     }
     for sides in shapes {
         let packing = Packing::dense(sides, 400, 20.0)?;

@@ -8,6 +8,8 @@ use gouge_contact_dynamics::sweep::{ContactInput, Solver, StopCriterion, SweepSe
 use gouge_contact_dynamics::units::{InverseMass, Velocity};
 
 use crate::clock;
+use rayon::ThreadPool;
+use std::time::Instant;
 
 /// Contact points with their first guesses, velocities before the step and without contacts, and the rest.
 #[derive(Clone)]
@@ -18,6 +20,9 @@ pub struct Problem {
     masses: Vec<InverseMass>,
     law: ContactLaw,
     time_step: f64,
+    /// Horizontal place of each unit, if it has one.
+    places: Vec<f64>,
+    period: Option<f64>,
 }
 
 /// What some sweeps achieved.
@@ -51,7 +56,17 @@ impl Problem {
         for (point, guess) in points.iter_mut().zip(guesses) {
             point.impulse = guess;
         }
+        let mut places = vec![f64::NAN; before.len()];
+        let positions = &system.state.configuration.position;
+        for (&unit, position) in system.assembly.unit.iter().zip(positions) {
+            // The first two units are the walls.
+            if unit > 1 {
+                places[unit as usize] = position.x;
+            }
+        }
         Self {
+            places,
+            period: system.assembly.domain.period(),
             points,
             before,
             free: free.velocity,
@@ -82,18 +97,46 @@ impl Problem {
         problem
     }
 
+    /// A solver that knows the places of all units.
+    fn solver(&self) -> Solver {
+        let mut solver = Solver::new();
+        solver.set_places(self.places.iter().copied(), self.period);
+        solver
+    }
+
+    /// Time in s on the wall for a number of sweeps, in the calling thread or in a pool of several.
+    pub fn wall_time(
+        &self,
+        settings: &SweepSettings,
+        sweeps: usize,
+        pool: Option<&ThreadPool>,
+    ) -> f64 {
+        let settings = never_ending(settings, sweeps);
+        let mut solver = self.solver();
+        let (law, before) = (&self.law, &self.before);
+        let mut velocities = self.free.clone();
+        // Once without sweeps, so that the buffers are there.
+        solver.prepare(&self.points, law, self.time_step, before, &self.masses);
+        solver.solve(&never_ending(&settings, 0), &self.masses, &mut velocities);
+        velocities.clone_from(&self.free);
+        solver.prepare(&self.points, law, self.time_step, before, &self.masses);
+        solver.set_threads(pool.map_or(1, ThreadPool::current_num_threads));
+        let mut run = || {
+            let start = Instant::now();
+            solver.solve(&settings, &self.masses, &mut velocities);
+            start.elapsed().as_secs_f64()
+        };
+        match pool {
+            Some(pool) => pool.install(run),
+            None => run(),
+        }
+    }
+
     /// Sweep a number of times; the time is the smallest of a few repetitions.
     pub fn solve(&self, settings: &SweepSettings, sweeps: usize) -> Outcome {
-        let settings = SweepSettings {
-            stop: StopCriterion::Increment {
-                tolerance: 0.0,
-                floor: 0.0,
-            },
-            max_sweeps: sweeps,
-            ..*settings
-        };
+        let settings = never_ending(settings, sweeps);
         let mut best = f64::INFINITY;
-        let mut solver = Solver::new();
+        let mut solver = self.solver();
         let mut velocities = Vec::new();
         for _ in 0..(1000 / sweeps).clamp(1, 9) {
             let (law, before) = (&self.law, &self.before);
@@ -125,5 +168,17 @@ impl Problem {
             };
         }
         (sum / mass).sqrt()
+    }
+}
+
+/// Settings for a number of sweeps, whatever they change.
+fn never_ending(settings: &SweepSettings, sweeps: usize) -> SweepSettings {
+    SweepSettings {
+        stop: StopCriterion::Increment {
+            tolerance: 0.0,
+            floor: 0.0,
+        },
+        max_sweeps: sweeps,
+        ..*settings
     }
 }

@@ -32,6 +32,14 @@ impl Changes {
         self.positive += usize::from(impulse.n > 0.0);
     }
 
+    /// Book the changes of other points of the same sweep.
+    pub fn join(&mut self, other: &Self) {
+        self.largest = larger(self.largest, other.largest);
+        self.largest_relative = larger(self.largest_relative, other.largest_relative);
+        self.sum += other.sum;
+        self.positive += other.positive;
+    }
+
     /// Mean positive normal impulse in kg m/s.
     pub fn mean(&self) -> f64 {
         self.sum / self.positive.max(1) as f64

@@ -13,8 +13,8 @@ use gouge_equations::rendered;
 /// Here u is the velocity to which the laws apply.
 #[rendered]
 #[inline]
-pub(super) fn natural_map(row: &Row, friction: f64, velocities: &[Velocity]) -> f64 {
-    let (u, p) = (row.law_velocity(velocities), row.impulse);
+pub(super) fn natural_map(row: &Row, friction: f64, velocities: [Velocity; 2]) -> f64 {
+    let (u, p) = (row.law_velocity_of(velocities), row.impulse);
     let scale = row.w.nn.max(row.w.tt);
     let limit = friction * p.n.max(0.0);
     let normal = p.n - (p.n - u.n / scale).max(0.0);
@@ -23,4 +23,13 @@ pub(super) fn natural_map(row: &Row, friction: f64, velocities: &[Velocity]) -> 
         return f64::NAN;
     }
     scale * normal.abs().max(tangential.abs())
+}
+
+/// The larger residual, or what is not a number.
+pub(super) fn larger(largest: f64, residual: f64) -> f64 {
+    if residual > largest || residual.is_nan() {
+        residual
+    } else {
+        largest
+    }
 }

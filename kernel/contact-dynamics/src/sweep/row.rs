@@ -1,6 +1,6 @@
 //! A contact point as the sweep sees it.
 
-use super::unit::MovingUnit;
+use super::unit::Units;
 use crate::delassus::{Delassus, PointKinematics};
 use crate::law::ContactLaw;
 use crate::local::{Components, LocalInverses, LocalRule, LocalStatus};
@@ -75,7 +75,13 @@ impl Row {
     /// The velocity to which the laws apply in m/s, u+ + e u- and the terms of the gap.
     #[inline]
     pub fn law_velocity(&self, velocities: &[Velocity]) -> Components {
-        let after = self.kinematics.relative_velocity(velocities);
+        self.law_velocity_of(self.kinematics.units.map(|unit| velocities[unit as usize]))
+    }
+
+    /// The same from the velocities of the two units.
+    #[inline]
+    pub(super) fn law_velocity_of(&self, velocities: [Velocity; 2]) -> Components {
+        let after = self.kinematics.velocity_of(velocities);
         Components {
             n: after.n + self.shift.n,
             t: after.t + self.shift.t,
@@ -88,11 +94,11 @@ impl Row {
         &mut self,
         rule: R,
         friction: f64,
-        units: &mut [MovingUnit],
+        units: &mut impl Units,
     ) -> Components {
         let [i, j] = self.kinematics.units;
         let (i, j) = (i as usize, j as usize);
-        let (first, second) = (units[i], units[j]);
+        let (first, second) = (units.get(i), units.get(j));
         let u = self
             .kinematics
             .velocity_of([first.velocity, second.velocity]);
@@ -114,8 +120,8 @@ impl Row {
                 [first.inverse, second.inverse],
                 [first.velocity, second.velocity],
             );
-            units[i].velocity = velocities[0];
-            units[j].velocity = velocities[1];
+            units.set(i, velocities[0]);
+            units.set(j, velocities[1]);
         }
         change
     }

@@ -38,6 +38,10 @@ pub enum SweepOrder {
     Alternating,
     /// Always forward.
     Forward,
+    /// Forward and backward in turn over points that are sorted by vertical strips, so that threads can share a sweep.
+    /// The bits do not depend on the number of threads. As [`Alternating`](Self::Alternating) where fewer than four
+    /// strips fit, or where places of units are not known.
+    Strips,
 }
 
 /// Which rule solves a single point.

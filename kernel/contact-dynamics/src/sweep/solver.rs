@@ -1,12 +1,15 @@
-//! The sweeps.
+//! The solver of a step.
 
 use super::changes::Changes;
-use super::momentum::Momentum;
-use super::residual::natural_map;
+use super::iteration::{Iteration, SweepReport};
+use super::momentum::{Momentum, Sequence};
+use super::places::Places;
+use super::plain::{Plain, largest_residual};
+use super::strips::Strips;
 use super::unit::{MovingUnit, gather, scatter};
-use super::{ContactInput, Row, Rule, StopCriterion, SweepOrder, SweepSettings};
+use super::{ContactInput, Row, SweepOrder, SweepSettings};
 use crate::law::ContactLaw;
-use crate::local::{Components, ExactRule, FrictionlessRule, LocalRule, PaperRule};
+use crate::local::Components;
 use crate::units::{InverseMass, Velocity};
 
 /// The contact points of a step with their impulses. Its buffers are reused from step to step.
@@ -16,23 +19,32 @@ pub struct Solver {
     units: Vec<MovingUnit>,
     momentum: Momentum,
     friction: f64,
-}
-
-/// What the sweeps of a step did.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SweepReport {
-    /// Number of sweeps.
-    pub sweeps: usize,
-    /// Whether the stop criterion was met.
-    pub has_converged: bool,
-    /// Number of points whose local problem had no solution or several in the last sweep.
-    pub not_unique: usize,
+    places: Places,
+    strips: Strips,
+    threads: usize,
+    is_by_strips: bool,
 }
 
 impl Solver {
     /// A solver without points.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Take the horizontal places of all units in m, and the period if x is periodic, for [`SweepOrder::Strips`].
+    ///
+    /// The place of a unit that is not in one place, such as a wall, is not a number. Places are kept until they are
+    /// replaced; they change the order of the points, and nothing else.
+    pub fn set_places(&mut self, x: impl Iterator<Item = f64>, period: Option<f64>) {
+        self.places.x.clear();
+        self.places.x.extend(x);
+        self.places.period = period;
+    }
+
+    /// Divide sweeps by strips among the threads of the pool in use if `threads` is more than one. The bits of the
+    /// results do not depend on it.
+    pub fn set_threads(&mut self, threads: usize) {
+        self.threads = threads;
     }
 
     /// Take the points of a step, with the velocities before the step.
@@ -72,82 +84,44 @@ impl Solver {
             row.kinematics
                 .apply(row.impulse, inverse_masses, velocities);
         }
-        gather(&mut self.units, velocities, inverse_masses);
-        match settings.rule {
-            Rule::Exact if self.friction == 0.0 => {
-                self.iterate(FrictionlessRule, settings, velocities)
+        let iteration = Iteration {
+            settings,
+            friction: self.friction,
+            mean: self.mean_normal_impulse(),
+        };
+        self.is_by_strips = settings.order == SweepOrder::Strips
+            && self
+                .strips
+                .gather(&self.rows, &self.places, velocities, inverse_masses);
+        let mut report = match self.is_by_strips {
+            true => {
+                let report = self.strips.solve(iteration, self.threads);
+                self.strips.scatter(&mut self.rows, velocities);
+                report
             }
-            Rule::Exact => self.iterate(ExactRule, settings, velocities),
-            Rule::Paper => self.iterate(PaperRule, settings, velocities),
-        }
-    }
-
-    fn iterate<R: LocalRule>(
-        &mut self,
-        rule: R,
-        settings: &SweepSettings,
-        velocities: &mut [Velocity],
-    ) -> SweepReport {
-        let mut report = SweepReport::default();
-        let mut mean = self.mean_normal_impulse();
-        if settings.momentum > 0.0 {
-            self.momentum.begin(&self.rows, &self.units);
-        }
-        while report.sweeps < settings.max_sweeps && !report.has_converged {
-            let is_odd = report.sweeps % 2 == 1;
-            if settings.momentum > 0.0 && report.sweeps > 0 && !is_odd {
-                let (rows, units) = (&mut self.rows, &mut self.units);
-                self.momentum.extrapolate(settings.momentum, rows, units);
-            }
-            let is_backward = settings.order == SweepOrder::Alternating && is_odd;
-            let changes = self.sweep(rule, settings, is_backward, mean);
-            report.sweeps += 1;
-            mean = changes.mean();
-            report.has_converged = match settings.stop {
-                StopCriterion::NaturalMap { velocity } => {
-                    scatter(&self.units, velocities);
-                    self.residual(velocities) <= velocity
-                }
-                stop => changes.are_small(stop) && self.is_near(settings, velocities),
-            };
-        }
-        scatter(&self.units, velocities);
+            false => self.sweep_plainly(iteration, inverse_masses, velocities),
+        };
         let is_doubtful = |row: &&Row| !row.status.is_unique();
         report.not_unique = self.rows.iter().filter(is_doubtful).count();
         report
     }
 
-    /// Whether the residual of the present state is small enough; it is evaluated only if that is asked for.
-    fn is_near(&self, settings: &SweepSettings, velocities: &mut [Velocity]) -> bool {
-        let Some(largest) = settings.largest_residual else {
-            return true;
-        };
-        scatter(&self.units, velocities);
-        self.residual(velocities) <= largest
-    }
-
-    /// Visit all points once. `mean` is the mean normal impulse.
-    fn sweep<R: LocalRule>(
+    fn sweep_plainly(
         &mut self,
-        rule: R,
-        settings: &SweepSettings,
-        is_backward: bool,
-        mean: f64,
-    ) -> Changes {
-        let mut visits = Visits {
-            rule,
-            friction: self.friction,
-            floor: 0.0,
+        iteration: Iteration<'_>,
+        inverse_masses: &[InverseMass],
+        velocities: &mut [Velocity],
+    ) -> SweepReport {
+        gather(&mut self.units, velocities, inverse_masses);
+        let report = iteration.run(&mut Plain {
+            rows: &mut self.rows,
             units: &mut self.units,
-        };
-        let rows = self.rows.as_mut_slice();
-        match settings.stop {
-            StopCriterion::Relative { floor, .. } => {
-                visits.floor = floor * mean;
-                visits.run_all::<true>(rows, is_backward)
-            }
-            _ => visits.run_all::<false>(rows, is_backward),
-        }
+            momentum: &mut self.momentum,
+            velocities,
+            sequence: Sequence::default(),
+        });
+        scatter(&self.units, velocities);
+        report
     }
 
     fn mean_normal_impulse(&self) -> f64 {
@@ -158,45 +132,16 @@ impl Solver {
         changes.mean()
     }
 
+    /// Number of strips in which the latest step was solved; zero if it was solved in another order.
+    pub fn strips(&self) -> usize {
+        match self.is_by_strips {
+            true => self.strips.number(),
+            false => 0,
+        }
+    }
+
     /// Largest residual of the laws over all points in m/s (natural map), zero exactly for a solution.
     pub fn residual(&self, velocities: &[Velocity]) -> f64 {
-        let larger = |largest: f64, row| {
-            let residual = natural_map(row, self.friction, velocities);
-            if residual > largest || residual.is_nan() {
-                residual
-            } else {
-                largest
-            }
-        };
-        self.rows.iter().fold(0.0, larger)
-    }
-}
-
-/// What all visits of a sweep share.
-struct Visits<'a, R> {
-    rule: R,
-    friction: f64,
-    /// Smallest denominator of relative changes.
-    floor: f64,
-    units: &'a mut [MovingUnit],
-}
-
-impl<R: LocalRule> Visits<'_, R> {
-    fn run_all<const IS_RELATIVE: bool>(self, rows: &mut [Row], is_backward: bool) -> Changes {
-        match is_backward {
-            false => self.run::<IS_RELATIVE>(rows.iter_mut()),
-            true => self.run::<IS_RELATIVE>(rows.iter_mut().rev()),
-        }
-    }
-
-    #[inline(never)]
-    fn run<'a, const IS_RELATIVE: bool>(self, rows: impl Iterator<Item = &'a mut Row>) -> Changes {
-        let mut changes = Changes::default();
-        let (friction, floor) = (self.friction, self.floor);
-        for row in rows {
-            let change = row.update(self.rule, friction, self.units);
-            changes.add::<IS_RELATIVE>(change, row.impulse(), floor);
-        }
-        changes
+        largest_residual(&self.rows, self.friction, velocities)
     }
 }

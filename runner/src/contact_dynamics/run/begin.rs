@@ -3,6 +3,7 @@
 use super::super::Scene;
 use super::super::scene::{Body, Outline, PackingTable, Role, Wall};
 use crate::error::Error;
+use crate::machine::chosen_threads_for;
 use crate::run::NamedPhase;
 use gouge_common::geometry::Vec2;
 use gouge_contact_dynamics::assembly::{self, Assembly, Configuration};
@@ -104,7 +105,13 @@ fn of_cell(scene: &Scene, cell: Cell) -> Result<World, SetupError> {
         Some(shear) => World::of_cell(cell, scene.settings, shear.drive())?,
         None => World::new(cell.assembly, cell.state, scene.settings)?,
     };
-    Ok(world.with_work(scene.output.energy))
+    Ok(with_output(scene, world))
+}
+
+/// The world with the threads of the environment, and with the work that the scene asks for.
+fn with_output(scene: &Scene, world: World) -> World {
+    let threads = chosen_threads_for(world.assembly().unit.len());
+    world.with_threads(threads).with_work(scene.output.energy)
 }
 
 /// The world of the bodies and walls that the scene lists.
@@ -142,7 +149,8 @@ fn listed(scene: &Scene) -> Result<World, SetupError> {
         add_wall(&mut assembly, configuration, wall)?;
     }
     add_bodies(scene, &ids, (&mut assembly, configuration))?;
-    Ok(World::new(assembly, state, scene.settings)?.with_work(scene.output.energy))
+    let world = World::new(assembly, state, scene.settings)?;
+    Ok(with_output(scene, world))
 }
 
 /// The outline of unit size, which bodies of all sizes share.

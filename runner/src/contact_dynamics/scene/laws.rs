@@ -137,6 +137,7 @@ fn sweeps(root: &Table) -> Result<SweepSettings> {
     let orders = [
         ("alternating", SweepOrder::Alternating),
         ("forward", SweepOrder::Forward),
+        ("strips", SweepOrder::Strips),
     ];
     let rules = [("exact", Rule::Exact), ("paper", Rule::Paper)];
     let momentum = table.optional_number("momentum", Range::NonNegative)?;
