@@ -9,6 +9,7 @@ mod cells;
 mod lmgc90;
 mod local;
 mod preparation;
+mod profile;
 mod observables;
 mod assemblies;
 mod delassus;

@@ -102,8 +102,9 @@ fn sparse(factor: f64) -> String {
     )
 }
 
-impl fmt::Display for Warning<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Warning<'_> {
+    /// Problems of runs of contact dynamics.
+    fn of_rigid_bodies(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Overlapping(overlap) => write!(
                 f,
@@ -124,6 +125,14 @@ impl fmt::Display for Warning<'_> {
                 f,
                 "the balance of energy is off by {error:.1e} of what was exchanged, more than rounding"
             ),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Warning<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
             Self::TimeStep {
                 scene,
                 phase,
@@ -178,6 +187,7 @@ impl fmt::Display for Warning<'_> {
                 "particle {particle} is at {coordinate:?} m, where positions are {spacing:.1e} m apart: \
                  move the origin closer to the particles"
             ),
+            _ => self.of_rigid_bodies(f),
         }
     }
 }
