@@ -11,7 +11,7 @@ use gouge_dem::laws::{CreepingDrag, Gravity};
 use gouge_dem::model::{Ambient, BondLaws, ContactLaws, External, Model};
 use gouge_dem::{Start, World};
 use gouge_runner::error::Error;
-use gouge_runner::run::Frames;
+use gouge_runner::run::{FramePlan, Frames, frame_of};
 use gouge_runner::scene::Scene;
 use serde::Serialize;
 use std::time::Instant;
@@ -155,8 +155,12 @@ impl WithFrames {
         })
     }
     fn write(&self, world: &World) -> Result<(), Error> {
-        match Frames::open(&self.scene, self.folder.path(), 0)? {
-            Some(mut frames) => frames.write(&self.scene, 0, world),
+        let plan = FramePlan {
+            trajectory: self.scene.output.trajectory,
+            has_links: false,
+        };
+        match Frames::open(&plan, self.folder.path(), &[])? {
+            Some(mut frames) => frames.write(0, &frame_of(&self.scene, world), None),
             None => Ok(()),
         }
     }

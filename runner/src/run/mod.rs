@@ -37,7 +37,7 @@ mod warning;
 pub use bytes::words_of_bytes;
 pub use checkpoint::{world_of_checkpoint, world_of_record};
 pub use columns::Columns;
-pub use dem::series_columns;
+pub use dem::{frame as frame_of, series_columns};
 pub use folder::write_whole;
 pub use friction::{DriveSample, Friction};
 pub use links::{links_of, table_of_links};
@@ -48,7 +48,7 @@ pub use picture::draw_picture;
 pub use sampling::sample_of;
 pub use stress_strain::stress_strain;
 pub use table::{Kinds, Table, Values};
-pub use trajectory::Frames;
+pub use trajectory::{Frame, FramePlan, Frames};
 pub use transitions::{advance, begin_phase, run_setup, run_setup_with};
 pub use warning::Warning;
 
