@@ -3,6 +3,7 @@
 use super::balance::Balance;
 use super::breaks;
 use super::checkpoint::Checkpoint;
+use super::clock::Clock;
 use super::dem;
 use super::displacements::Displacements;
 use super::doubts;
@@ -23,7 +24,6 @@ use crate::scene::{Measure, Scene};
 use crate::stability::{Bound, exceeded, pair_bounds, smallest};
 use gouge_dem::{State, StepError, World};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 /// Number of steps between readings of the clock.
 const CHUNK: u64 = 256;
@@ -77,15 +77,6 @@ pub(super) struct Progress {
     balance: Balance,
     warnings: String,
     link_steps: f64,
-}
-
-/// Wall times of a run.
-struct Clock {
-    /// Wall time in s before the run was resumed: of the whole run and of the scene proper.
-    earlier: [f64; 2],
-    run_began: Instant,
-    main_began: Instant,
-    saved: Instant,
 }
 
 impl<'a> SceneRun<'a> {
@@ -195,7 +186,6 @@ impl<'a> SceneRun<'a> {
         (phases, phase): (Vec<Phase>, usize),
         world: World,
     ) -> Self {
-        let now = Instant::now();
         Self {
             scene,
             options,
@@ -214,12 +204,7 @@ impl<'a> SceneRun<'a> {
             samples: 0,
             bonds_initial: 0,
             link_steps: 0.0,
-            clock: Clock {
-                earlier: [0.0; 2],
-                run_began: now,
-                main_began: now,
-                saved: now,
-            },
+            clock: Clock::start(),
             balance: Balance::default(),
             drive_samples: Vec::new(),
             displacements: None,
@@ -247,7 +232,7 @@ impl<'a> SceneRun<'a> {
             self.advance_to(self.phases[self.phase].steps)?;
             self.begin_next_phase()?;
         }
-        self.clock.main_began = Instant::now();
+        self.clock.begin_main();
         let last = self.phases[self.phase].steps;
         loop {
             let due = self.scene.sample_step(self.samples);
@@ -383,7 +368,7 @@ impl<'a> SceneRun<'a> {
             if self.observer.wants_stop() {
                 return Err(Error::Interrupted(self.folder.clone()));
             }
-            if self.clock.saved.elapsed().as_secs_f64() > self.options.checkpoint_interval {
+            if self.clock.since_saved() > self.options.checkpoint_interval {
                 self.world
                     .check()
                     .map_err(|source| self.step_error(source))?;
@@ -403,16 +388,7 @@ impl<'a> SceneRun<'a> {
 
     /// Wall time so far in s: of the whole run and of the scene proper.
     pub(super) fn seconds(&self) -> [f64; 2] {
-        let clock = &self.clock;
-        let main = if self.is_main() {
-            clock.main_began.elapsed().as_secs_f64()
-        } else {
-            0.0
-        };
-        [
-            clock.earlier[0] + clock.run_began.elapsed().as_secs_f64(),
-            clock.earlier[1] + main,
-        ]
+        self.clock.seconds(self.is_main())
     }
 
     /// What the samples so far added up to.
@@ -458,7 +434,7 @@ impl<'a> SceneRun<'a> {
         };
         let path = self.folder.join(CHECKPOINT);
         checkpoint.write(&path, &self.fingerprint)?;
-        self.clock.saved = Instant::now();
+        self.clock.save();
         self.observer.event(Event::CheckpointWritten {
             path: &path,
             steps: self.world.steps(),

@@ -16,8 +16,8 @@ use rand_pcg::Pcg64;
 
 /// The stream of random numbers for one purpose. Streams are independent, so that no result depends on how many
 /// numbers another purpose uses.
-fn random(setup: &Setup, purpose: u128) -> impl FnMut() -> f64 {
-    let mut source = Pcg64::new(u128::from(setup.seed), purpose);
+pub fn random(seed: u64, purpose: u128) -> impl FnMut() -> f64 {
+    let mut source = Pcg64::new(u128::from(seed), purpose);
     move || source.random::<f64>()
 }
 
@@ -26,7 +26,7 @@ fn random(setup: &Setup, purpose: u128) -> impl FnMut() -> f64 {
 /// # Errors
 /// A state that the kernel rejects.
 pub fn loose_grains(scene: &Scene, setup: &Setup, kind: PhaseKind) -> Result<World, ModelError> {
-    let (mut sizes, mut places) = (random(setup, 1), random(setup, 2));
+    let (mut sizes, mut places) = (random(setup.seed, 1), random(setup.seed, 2));
     let table = setup.lattice;
     let lattice = table.lattice();
     let mut particles = Particles::default();
@@ -151,7 +151,7 @@ fn bonds(scene: &Scene, setup: &Setup, grains: &Particles) -> Vec<BondStart> {
         return Vec::new();
     };
     let pairs = bonds_within(grains, &scene.domain, bonding.reach);
-    let factors = factors(scene, bonding, grains, &pairs, random(setup, 3));
+    let factors = factors(scene, bonding, grains, &pairs, random(setup.seed, 3));
     let side = |i: usize| match setup.fault {
         Some(table) => {
             let width = scene.domain.width.unwrap_or(1.0);

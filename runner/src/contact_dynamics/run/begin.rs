@@ -5,6 +5,7 @@ use super::super::scene::{Body, Outline, PackingTable, Role, Wall};
 use crate::error::Error;
 use crate::machine::chosen_threads_for;
 use crate::run::NamedPhase;
+use crate::run::setup_states::random;
 use gouge_common::geometry::Vec2;
 use gouge_contact_dynamics::assembly::{self, Assembly, Configuration};
 use gouge_contact_dynamics::cell::{Cell, LOWER, UPPER};
@@ -17,8 +18,6 @@ use gouge_contact_dynamics::step::{State, StepSettings};
 use gouge_contact_dynamics::sweep::{StopCriterion, SweepSettings};
 use gouge_contact_dynamics::units::{InverseMass, Velocity};
 use gouge_contact_dynamics::world::World;
-use rand::RngExt;
-use rand_pcg::Pcg64;
 
 /// Smallest mean impulse of the stop criterion of a compaction in impulses of the load on a mean diameter.
 const FLOOR: f64 = 1e-12;
@@ -46,12 +45,6 @@ pub fn first(scene: &Scene) -> Result<World, Error> {
         Some(table) => loose(scene, table)?,
         None => listed(scene)?,
     })
-}
-
-/// The stream of random numbers for one purpose.
-fn random(seed: u64, purpose: u128) -> impl FnMut() -> f64 {
-    let mut source = Pcg64::new(u128::from(seed), purpose);
-    move || source.random::<f64>()
 }
 
 fn loose(scene: &Scene, table: &PackingTable) -> Result<World, SetupError> {

@@ -9,6 +9,7 @@ use super::since::{LARGE, Since};
 use super::statistics::mean_diameter;
 use crate::error::Error;
 use crate::run::checkpoint::{UNFIT, refusal};
+use crate::run::clock::Clock;
 use crate::run::fingerprint::Fingerprint;
 use crate::run::folder::{CHECKPOINT, NETWORK, SERIES, SUMMARY, remove_outputs};
 use crate::run::lock::Lock;
@@ -18,7 +19,6 @@ use gouge_common::record::Record;
 use gouge_contact_dynamics::error::StepError;
 use gouge_contact_dynamics::world::World;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 /// Number of steps between reports of progress.
 const CHUNK: u64 = 50;
@@ -52,15 +52,6 @@ pub struct SceneRun<'a> {
     compacted: Option<Record>,
     fingerprint: Fingerprint,
     clock: Clock,
-}
-
-/// Wall times of a run.
-struct Clock {
-    /// Wall time in s before the run was resumed: of the whole run and of the scene proper.
-    earlier: [f64; 2],
-    run_began: Instant,
-    main_began: Instant,
-    saved: Instant,
 }
 
 impl<'a> SceneRun<'a> {
@@ -156,7 +147,6 @@ impl<'a> SceneRun<'a> {
         observer: &'a mut dyn Observer,
         world: World,
     ) -> Self {
-        let now = Instant::now();
         Self {
             scene,
             options,
@@ -178,12 +168,7 @@ impl<'a> SceneRun<'a> {
             warnings: String::new(),
             compacted: None,
             fingerprint: Fingerprint::of(scene),
-            clock: Clock {
-                earlier: [0.0; 2],
-                run_began: now,
-                main_began: now,
-                saved: now,
-            },
+            clock: Clock::start(),
         }
     }
 
@@ -204,7 +189,7 @@ impl<'a> SceneRun<'a> {
         if !self.is_main() {
             self.compact()?;
         }
-        self.clock.main_began = Instant::now();
+        self.clock.begin_main();
         let last = self.scene.steps();
         loop {
             let due = self.scene.sample_step(self.samples);
@@ -319,7 +304,7 @@ impl<'a> SceneRun<'a> {
         if self.observer.wants_stop() {
             return Err(Error::Interrupted(self.folder.clone()));
         }
-        if self.clock.saved.elapsed().as_secs_f64() > self.options.checkpoint_interval {
+        if self.clock.since_saved() > self.options.checkpoint_interval {
             self.write_checkpoint()?;
         }
         Ok(())
@@ -349,15 +334,7 @@ impl<'a> SceneRun<'a> {
 
     /// Wall time so far in s: of the whole run and of the scene proper.
     pub(super) fn seconds(&self) -> [f64; 2] {
-        let clock = &self.clock;
-        let main = match self.is_main() {
-            true => clock.main_began.elapsed().as_secs_f64(),
-            false => 0.0,
-        };
-        [
-            clock.earlier[0] + clock.run_began.elapsed().as_secs_f64(),
-            clock.earlier[1] + main,
-        ]
+        self.clock.seconds(self.is_main())
     }
 
     /// Write the current state as a checkpoint.
@@ -382,7 +359,7 @@ impl<'a> SceneRun<'a> {
         };
         let path = self.folder.join(CHECKPOINT);
         checkpoint.write(&path, &self.fingerprint)?;
-        self.clock.saved = Instant::now();
+        self.clock.save();
         self.observer.event(Event::CheckpointWritten {
             path: &path,
             steps: self.world.steps(),
