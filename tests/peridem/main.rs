@@ -1,0 +1,3 @@
+//! Tests of the kernel of peridynamic grains: consequences of the laws, exact arithmetic, quadrature, closed forms.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
