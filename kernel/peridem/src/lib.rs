@@ -10,3 +10,13 @@
 
 pub mod error;
 pub mod material;
+pub mod bond_law;
+pub mod contact_law;
+pub mod grain;
+pub mod bonds;
+pub mod contacts;
+pub mod state;
+pub mod forces;
+pub mod limits;
+pub mod energy;
+pub mod world;

@@ -82,6 +82,11 @@ impl<S: Real> Neighbors<S> {
         }
     }
 
+    /// Largest gap in m of the pairs in the list.
+    pub fn skin(&self) -> f64 {
+        self.skin
+    }
+
     /// Number of times the list was built.
     pub fn rebuilds(&self) -> u64 {
         self.rebuilds

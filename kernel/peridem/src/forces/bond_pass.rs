@@ -1,0 +1,177 @@
+//! Forces of bonds, and which of them break.
+
+use super::blocks::{Block, Blocks, Buffer};
+use crate::bond_law::{BreakOrder, BreakingRule, Elongation};
+use crate::bonds::BondRows;
+use crate::grain::Grains;
+use crate::material::Weight;
+use crate::state::{Place, State};
+use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
+
+/// The weight of a pass, known when it is compiled.
+trait Weigh {
+    const WEIGHT: Weight;
+}
+struct Constant;
+impl Weigh for Constant {
+    const WEIGHT: Weight = Weight::Constant;
+}
+struct Conic;
+impl Weigh for Conic {
+    const WEIGHT: Weight = Weight::Conic;
+}
+struct Parabolic;
+impl Weigh for Parabolic {
+    const WEIGHT: Weight = Weight::Parabolic;
+}
+
+/// What a pass reads.
+#[derive(Clone, Copy)]
+struct Nodes<'a> {
+    grains: &'a Grains,
+    places: &'a [Place],
+    order: BreakOrder,
+}
+
+/// Add the forces of all bonds to force densities in N/m^3, remove bonds that break, and list them by later node and then
+/// by earlier one.
+pub(super) fn add_bond_forces(
+    grains: &Grains,
+    order: BreakOrder,
+    state: &mut State,
+    blocks: &mut Blocks,
+    force: &mut [Vec2],
+    broken: &mut Vec<Pair>,
+) {
+    let nodes = Nodes {
+        grains,
+        places: &state.places,
+        order,
+    };
+    let Blocks { blocks, buffers } = blocks;
+    run(nodes, blocks, state.bonds.rows_mut(), buffers);
+    broken.clear();
+    for (block, buffer) in blocks.iter().zip(buffers) {
+        let stiffness = grains.rows[block.grain].constants.stiffness;
+        for (force, &sum) in force[block.reach()].iter_mut().zip(&buffer.sums) {
+            *force += sum * stiffness;
+        }
+        broken.extend_from_slice(&buffer.broken);
+        state.work.broken += buffer.lost_energy;
+    }
+    state.bonds.forget(broken);
+}
+
+fn run(nodes: Nodes, blocks: &[Block], rows: BondRows, buffers: &mut [Buffer]) {
+    match (blocks, buffers) {
+        ([block], [buffer]) => run_block(nodes, block, rows, buffer),
+        (blocks, buffers) if !blocks.is_empty() => {
+            let half = blocks.len() / 2;
+            let (left, right) = rows.split_at(blocks[half].nodes.start - blocks[0].nodes.start);
+            let (buffers_left, buffers_right) = buffers.split_at_mut(half);
+            rayon::join(
+                || run(nodes, &blocks[..half], left, buffers_left),
+                || run(nodes, &blocks[half..], right, buffers_right),
+            );
+        }
+        _ => {}
+    }
+}
+
+/// The only place that selects a weight and a rule of breaking.
+fn run_block(nodes: Nodes, block: &Block, rows: BondRows, buffer: &mut Buffer) {
+    let grain = &nodes.grains.rows[block.grain];
+    match grain.constants.weight {
+        Weight::Constant => with_breaking::<Constant>(nodes, block, rows, buffer),
+        Weight::Conic => with_breaking::<Conic>(nodes, block, rows, buffer),
+        Weight::Parabolic => with_breaking::<Parabolic>(nodes, block, rows, buffer),
+    }
+}
+
+fn with_breaking<W: Weigh>(nodes: Nodes, block: &Block, rows: BondRows, buffer: &mut Buffer) {
+    let breaking = nodes.grains.rows[block.grain].breaking;
+    match (breaking, nodes.order) {
+        (None, _) => pass::<W, false, false, false>(nodes, block, rows, buffer),
+        (Some(BreakingRule::TensionOnly), BreakOrder::BreakFirst) => {
+            pass::<W, true, false, true>(nodes, block, rows, buffer);
+        }
+        (Some(BreakingRule::TensionOnly), BreakOrder::ForceFirst) => {
+            pass::<W, true, false, false>(nodes, block, rows, buffer);
+        }
+        (Some(BreakingRule::TwoSided), BreakOrder::BreakFirst) => {
+            pass::<W, true, true, true>(nodes, block, rows, buffer);
+        }
+        (Some(BreakingRule::TwoSided), BreakOrder::ForceFirst) => {
+            pass::<W, true, true, false>(nodes, block, rows, buffer);
+        }
+    }
+}
+
+/// Sums over the bonds of a block of the pair force density per stiffness, times the area of the other node.
+fn pass<W: Weigh, const BREAKS: bool, const TWO_SIDED: bool, const BREAK_FIRST: bool>(
+    nodes: Nodes,
+    block: &Block,
+    mut rows: BondRows,
+    buffer: &mut Buffer,
+) {
+    let constants = nodes.grains.rows[block.grain].constants;
+    let (places, area) = (nodes.places, &nodes.grains.area[..]);
+    let is_over = |elongation: &Elongation| {
+        BREAKS && elongation.exceeds::<TWO_SIDED>(constants.critical_stretch)
+    };
+    buffer.reset(block);
+    for (row, later) in block.nodes.clone().enumerate() {
+        let (own, own_area) = (places[later], area[later]);
+        let mut sum = Vec2::zero();
+        let mut has_broken = false;
+        let here = rows.places(row);
+        let bonds = rows.earlier[here.clone()].iter().zip(&rows.length[here]);
+        for (&earlier, &length) in bonds {
+            let earlier = earlier as usize;
+            let elongation = places[earlier].elongation_to(own, length);
+            let breaks = is_over(&elongation);
+            has_broken |= breaks;
+            if BREAK_FIRST && breaks {
+                continue;
+            }
+            let pull = elongation.pull(W::WEIGHT, constants.horizon);
+            let sum_of_other = &mut buffer.sums[earlier - block.first];
+            *sum_of_other += pull * own_area;
+            sum += -pull * area[earlier];
+        }
+        buffer.sums[later - block.first] += sum;
+        if BREAKS && has_broken {
+            let is_over = |earlier: usize, length| {
+                let elongation = places[earlier].elongation_to(own, length);
+                is_over(&elongation)
+                    .then(|| elongation.energy(&constants) * own_area * area[earlier])
+            };
+            remove(&mut rows, row, later, buffer, is_over);
+        }
+    }
+}
+
+/// Remove bonds that break from a row, and keep the order of the others.
+#[cold]
+fn remove(
+    rows: &mut BondRows,
+    row: usize,
+    later: usize,
+    buffer: &mut Buffer,
+    energy_if_over: impl Fn(usize, f64) -> Option<f64>,
+) {
+    let places = rows.places(row);
+    let mut kept = places.start;
+    for place in places.clone() {
+        let (earlier, length) = (rows.earlier[place], rows.length[place]);
+        if let Some(energy) = energy_if_over(earlier as usize, length) {
+            buffer.broken.push(Pair::new(earlier as usize, later));
+            buffer.lost_energy += energy;
+        } else {
+            (rows.earlier[kept], rows.length[kept]) = (earlier, length);
+            kept += 1;
+        }
+    }
+    rows.held[row] = (kept - places.start) as u16;
+}

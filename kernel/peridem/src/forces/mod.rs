@@ -1,0 +1,115 @@
+//! Forces on all nodes.
+
+mod blocks;
+mod bond_pass;
+mod contact_pass;
+
+use crate::bond_law::BreakOrder;
+use crate::contacts::{Candidates, Contact};
+use crate::grain::Grains;
+use crate::state::{Place, State};
+use blocks::Blocks;
+use contact_pass::ContactPass;
+use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
+
+/// What acts on nodes besides bonds, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Time step in s.
+    pub time_step: f64,
+    /// Acceleration of gravity in m/s^2.
+    pub gravity: Vec2,
+    /// Whether bonds act in the step in which they break.
+    pub break_order: BreakOrder,
+    /// Contact between nodes, if nodes touch.
+    pub contact: Option<Contact>,
+}
+
+/// Buffers of a pass over all forces, which can be thrown away.
+#[derive(Clone, Debug)]
+pub struct Workspace {
+    blocks: Blocks,
+    candidates: Option<Candidates>,
+    /// Number of contacts of each node.
+    partners: Vec<u16>,
+    /// Force densities in N/m^3 of the latest pass.
+    pub force: Vec<Vec2>,
+    /// Bonds that broke in the latest pass, by later node and then by earlier one.
+    pub broken: Vec<Pair>,
+}
+
+impl Workspace {
+    /// Buffers for grains and their bonds.
+    pub fn new(grains: &Grains, settings: &Settings, state: &State) -> Self {
+        let contact = settings.contact.as_ref();
+        Self {
+            blocks: Blocks::new(grains, &state.bonds),
+            candidates: contact.map(|contact| Candidates::new(grains, contact.law.radius)),
+            partners: Vec::new(),
+            force: vec![Vec2::zero(); grains.nodes()],
+            broken: Vec::new(),
+        }
+    }
+
+    /// Force densities on all nodes. Some bonds may break, and losses are booked.
+    pub fn evaluate(&mut self, grains: &Grains, settings: &Settings, state: &mut State) {
+        self.force.fill(Vec2::zero());
+        self.add_external(grains, settings);
+        bond_pass::add_bond_forces(
+            grains,
+            settings.break_order,
+            state,
+            &mut self.blocks,
+            &mut self.force,
+            &mut self.broken,
+        );
+        if let (Some(contact), Some(candidates)) = (&settings.contact, &mut self.candidates) {
+            let positions = state.places.iter().map(|place| place.position());
+            candidates.update(grains, &state.bonds, positions, &self.broken);
+            let pass = ContactPass {
+                grains,
+                contact,
+                state,
+                time_step: settings.time_step,
+            };
+            let losses = pass.add_forces(candidates, &mut self.partners, &mut self.force);
+            state.work.damping += losses.damping * settings.time_step;
+            state.work.friction += losses.friction * settings.time_step;
+        }
+    }
+
+    /// Add gravity and loads, if there are any.
+    fn add_external(&mut self, grains: &Grains, settings: &Settings) {
+        if settings.gravity != Vec2::zero() {
+            for row in &grains.rows {
+                let weight = settings.gravity * row.density;
+                for force in &mut self.force[row.nodes.clone()] {
+                    *force += weight;
+                }
+            }
+        }
+        for (force, &load) in self.force.iter_mut().zip(&grains.load) {
+            *force += load;
+        }
+    }
+
+    /// Energy in J per metre of depth stored in contacts between nodes, at the latest pass.
+    pub fn contact_energy(&self, grains: &Grains, settings: &Settings, state: &State) -> f64 {
+        match (&settings.contact, &self.candidates) {
+            (Some(contact), Some(candidates)) => ContactPass {
+                grains,
+                contact,
+                state,
+                time_step: settings.time_step,
+            }
+            .energy(candidates),
+            _ => 0.0,
+        }
+    }
+}
+
+/// Present positions of nodes in m.
+pub fn positions(places: &[Place]) -> impl Iterator<Item = Vec2> + '_ {
+    places.iter().map(|place| place.position())
+}

@@ -1,0 +1,171 @@
+//! Grains with all that a step needs.
+
+use crate::bonds::Bonds;
+use crate::energy::Energies;
+use crate::error::{SetupError, StepError, require};
+use crate::forces::{Settings, Workspace};
+use crate::grain::Grains;
+use crate::state::State;
+use gouge_common::geometry::Vec2;
+use gouge_common::pair::Pair;
+use gouge_equations::rendered;
+
+/// Where accelerations come from at the beginning.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Beginning {
+    /// From the forces.
+    #[default]
+    Forces,
+    /// From the given state.
+    Given,
+}
+
+/// Grains that move.
+#[derive(Clone, Debug)]
+pub struct World {
+    grains: Grains,
+    settings: Settings,
+    state: State,
+    workspace: Workspace,
+}
+
+#[rendered]
+impl World {
+    /// Grains in a state of motion.
+    ///
+    /// # Errors
+    /// [`SetupError::Parameter`] for a setting outside its range.
+    pub fn new(
+        grains: Grains,
+        settings: Settings,
+        state: State,
+        beginning: Beginning,
+    ) -> Result<Self, SetupError> {
+        let step = settings.time_step;
+        require("time_step", step, "positive", step > 0.0)?;
+        if let Some(contact) = &settings.contact {
+            contact.validate(&grains)?;
+        }
+        let workspace = Workspace::new(&grains, &settings, &state);
+        let mut world = Self {
+            grains,
+            settings,
+            state,
+            workspace,
+        };
+        world.hold_clamped();
+        if beginning == Beginning::Forces {
+            let work = world.state.work;
+            world.evaluate();
+            world.state.work = work;
+            for (node, acceleration) in world.state.acceleration.iter_mut().enumerate() {
+                let density = world.grains.of(node).density;
+                *acceleration = world.workspace.force[node] * (1.0 / density);
+            }
+            world.hold_clamped();
+        }
+        Ok(world)
+    }
+
+    /// Advance by one step of velocity Verlet, section 6.1 of peridem.
+    ///
+    /// $$ \vec u \leftarrow \vec u + \Delta t \, \vec v + \tfrac12 \Delta t^2 \vec a, \qquad \vec v \leftarrow \vec v + \tfrac12 \Delta t (\vec a + \vec a') $$
+    ///
+    /// The new acceleration $\vec a'$ is found from the new displacements and the old velocities, which makes damping and
+    /// friction explicit and of first order.
+    ///
+    /// # Errors
+    /// [`StepError`] if the state is no longer finite.
+    pub fn step(&mut self) -> Result<(), StepError> {
+        let step = self.settings.time_step;
+        let state = &mut self.state;
+        let motions = state.velocity.iter().zip(&state.acceleration);
+        for (place, (&velocity, &acceleration)) in state.places.iter_mut().zip(motions) {
+            place.displacement += velocity * step + acceleration * (0.5 * step * step);
+        }
+        self.state.steps += 1;
+        self.evaluate();
+        let mut sum = Vec2::zero();
+        for row in &self.grains.rows {
+            let inverse = 1.0 / row.density;
+            for node in row.nodes.clone() {
+                let acceleration = self.workspace.force[node] * inverse;
+                let old = core::mem::replace(&mut self.state.acceleration[node], acceleration);
+                self.state.velocity[node] += (old + acceleration) * (0.5 * step);
+                sum += self.state.velocity[node];
+            }
+        }
+        self.hold_clamped();
+        if sum.is_finite() {
+            Ok(())
+        } else {
+            self.find_fault()
+        }
+    }
+
+    fn evaluate(&mut self) {
+        self.workspace
+            .evaluate(&self.grains, &self.settings, &mut self.state);
+    }
+
+    fn hold_clamped(&mut self) {
+        for &node in &self.grains.clamped {
+            self.state.velocity[node as usize] = Vec2::zero();
+            self.state.acceleration[node as usize] = Vec2::zero();
+        }
+    }
+
+    #[cold]
+    fn find_fault(&self) -> Result<(), StepError> {
+        let is_wrong = |velocity: &Vec2| !velocity.is_finite();
+        let Some(node) = self.state.velocity.iter().position(is_wrong) else {
+            return Ok(());
+        };
+        let grain = self.grains.grain_of[node] as usize;
+        Err(StepError::NotFinite {
+            grain,
+            node: node - self.grains.rows[grain].nodes.start,
+            time: self.time(),
+            steps: self.state.steps,
+        })
+    }
+
+    /// What a run does not change.
+    pub fn grains(&self) -> &Grains {
+        &self.grains
+    }
+
+    /// What acts besides bonds, and how.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The state.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Bonds that have not broken.
+    pub fn bonds(&self) -> &Bonds {
+        &self.state.bonds
+    }
+
+    /// Bonds that broke in the latest step, by later node and then by earlier one.
+    pub fn broken(&self) -> &[Pair] {
+        &self.workspace.broken
+    }
+
+    /// Time in s: the number of steps times the time step.
+    pub fn time(&self) -> f64 {
+        self.state.steps as f64 * self.settings.time_step
+    }
+
+    /// Energies of the state.
+    pub fn energies(&self) -> Energies {
+        let mut energies = Energies::of(&self.grains, &self.state, self.settings.gravity);
+        energies.contacts =
+            self.workspace
+                .contact_energy(&self.grains, &self.settings, &self.state);
+        energies
+    }
+}
