@@ -10,3 +10,6 @@
 
 pub mod error;
 pub mod material;
+pub mod bond_law;
+pub mod contact_law;
+pub mod wall_law;
