@@ -75,6 +75,23 @@ pub enum StepError {
         /// Number of steps, with the one that failed.
         steps: u64,
     },
+    /// A node went through a wall.
+    #[error(
+        "node {node} of grain {grain} is {depth:.3e} m behind the {wall} wall at {time:.6e} s, farther than the contact \
+         radius; likely cause: the grain is too fast, or the contact is too soft"
+    )]
+    BehindWall {
+        /// The grain.
+        grain: usize,
+        /// The node, counted from the first of the grain.
+        node: usize,
+        /// Name of the wall.
+        wall: &'static str,
+        /// How far it is behind the wall in m.
+        depth: f64,
+        /// Time in s.
+        time: f64,
+    },
 }
 
 /// Accept a finite number that satisfies a condition.

@@ -12,6 +12,7 @@ pub mod error;
 pub mod material;
 pub mod bond_law;
 pub mod contact_law;
+pub mod wall_law;
 pub mod grain;
 pub mod bonds;
 pub mod contacts;

@@ -39,7 +39,7 @@ impl Place {
 /// Work and losses since the beginning, in J per metre of depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
-    /// Work of moving walls on the grains.
+    /// Work of the elastic forces of walls on the grains, which is negative while walls are approached.
     pub walls: f64,
     /// Energy that damping has taken; positive.
     pub damping: f64,

@@ -46,6 +46,9 @@ impl World {
         if let Some(contact) = &settings.contact {
             contact.validate(&grains)?;
         }
+        if let Some(walls) = &settings.walls {
+            walls.validate(&state.walls)?;
+        }
         let workspace = Workspace::new(&grains, &settings, &state);
         let mut world = Self {
             grains,
@@ -84,6 +87,9 @@ impl World {
             place.displacement += velocity * step + acceleration * (0.5 * step * step);
         }
         self.state.steps += 1;
+        if let Some(walls) = &self.settings.walls {
+            walls.advance(&mut self.state.walls, step);
+        }
         self.evaluate();
         let mut sum = Vec2::zero();
         for row in &self.grains.rows {
@@ -96,11 +102,10 @@ impl World {
             }
         }
         self.hold_clamped();
-        if sum.is_finite() {
-            Ok(())
-        } else {
-            self.find_fault()
+        if !sum.is_finite() {
+            return self.find_fault();
         }
+        self.require_inside()
     }
 
     fn evaluate(&mut self) {
@@ -128,6 +133,29 @@ impl World {
             time: self.time(),
             steps: self.state.steps,
         })
+    }
+
+    /// Refuse nodes behind a wall that would no longer push them back.
+    fn require_inside(&self) -> Result<(), StepError> {
+        let Some(walls) = &self.settings.walls else {
+            return Ok(());
+        };
+        let Some((node, wall, depth)) = walls.first_behind(&self.state) else {
+            return Ok(());
+        };
+        let grain = self.grains.grain_of[node] as usize;
+        Err(StepError::BehindWall {
+            grain,
+            node: node - self.grains.rows[grain].nodes.start,
+            wall,
+            depth,
+            time: self.time(),
+        })
+    }
+
+    /// Forces in N per metre of depth of the grains on the left, right, top and bottom wall.
+    pub fn reactions(&self) -> [Vec2; 4] {
+        self.workspace.reactions
     }
 
     /// What a run does not change.

@@ -3,6 +3,7 @@
 mod blocks;
 mod bond_pass;
 mod contact_pass;
+mod wall_pass;
 
 use crate::bond_law::BreakOrder;
 use crate::contacts::{Candidates, Contact};
@@ -12,6 +13,9 @@ use blocks::Blocks;
 use contact_pass::ContactPass;
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
+use wall_pass::WallPass;
+
+pub use wall_pass::Walls;
 
 /// What acts on nodes besides bonds, and how.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +28,8 @@ pub struct Settings {
     pub break_order: BreakOrder,
     /// Contact between nodes, if nodes touch.
     pub contact: Option<Contact>,
+    /// Contact with walls, if there are any.
+    pub walls: Option<Walls>,
 }
 
 /// Buffers of a pass over all forces, which can be thrown away.
@@ -33,6 +39,10 @@ pub struct Workspace {
     candidates: Option<Candidates>,
     /// Number of contacts of each node.
     partners: Vec<u16>,
+    /// Elastic forces of walls on each node in N per metre of depth; empty without walls.
+    wall_push: Vec<Vec2>,
+    /// Forces in N per metre of depth of the grains on the left, right, top and bottom wall in the latest pass.
+    pub reactions: [Vec2; 4],
     /// Force densities in N/m^3 of the latest pass.
     pub force: Vec<Vec2>,
     /// Bonds that broke in the latest pass, by later node and then by earlier one.
@@ -47,6 +57,8 @@ impl Workspace {
             blocks: Blocks::new(grains, &state.bonds),
             candidates: contact.map(|contact| Candidates::new(grains, contact.law.radius)),
             partners: Vec::new(),
+            wall_push: vec![Vec2::zero(); settings.walls.map_or(0, |_| grains.nodes())],
+            reactions: [Vec2::zero(); 4],
             force: vec![Vec2::zero(); grains.nodes()],
             broken: Vec::new(),
         }
@@ -76,6 +88,14 @@ impl Workspace {
             let losses = pass.add_forces(candidates, &mut self.partners, &mut self.force);
             state.work.damping += losses.damping * settings.time_step;
             state.work.friction += losses.friction * settings.time_step;
+        }
+        if let Some(walls) = &settings.walls {
+            let pass = WallPass {
+                grains,
+                walls,
+                time_step: settings.time_step,
+            };
+            self.reactions = pass.add_forces(state, &mut self.wall_push, &mut self.force);
         }
     }
 
