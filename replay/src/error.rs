@@ -80,6 +80,12 @@ pub enum Fault {
     /// The kernel refuses a body or a setting.
     #[error("{0}")]
     Setup(#[from] SetupError),
+    /// The kernel of peridynamic grains refuses a grain or a setting.
+    #[error("{0}")]
+    Grain(#[from] gouge_peridem::error::SetupError),
+    /// A step of peridynamic grains failed.
+    #[error("{0}")]
+    Step(#[from] gouge_peridem::error::StepError),
     /// A number of the result is not finite.
     #[error("the result {0} is not finite")]
     NotFinite(String),

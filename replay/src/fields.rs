@@ -67,7 +67,8 @@ impl<'a> Fields<'a> {
         number.ok_or_else(|| self.refuse("a number"))
     }
 
-    fn as_items(&self) -> Result<Vec<Self>, Fault> {
+    /// This value as a list.
+    pub fn as_list(&self) -> Result<Vec<Self>, Fault> {
         let Some(items) = self.value.as_array() else {
             return Err(self.refuse("a list"));
         };
@@ -80,7 +81,7 @@ impl<'a> Fields<'a> {
 
     /// This value as a list of numbers.
     pub fn as_numbers(&self) -> Result<Vec<f64>, Fault> {
-        self.as_items()?.iter().map(Self::as_number).collect()
+        self.as_list()?.iter().map(Self::as_number).collect()
     }
 
     /// This value as a fixed number of numbers.
@@ -183,7 +184,7 @@ impl<'a> Fields<'a> {
 
     /// A list.
     pub fn list(&self, key: &str) -> Result<Vec<Self>, Fault> {
-        self.required(key, "a list")?.as_items()
+        self.required(key, "a list")?.as_list()
     }
 
     /// A list of numbers.
@@ -194,7 +195,7 @@ impl<'a> Fields<'a> {
     /// A list with a fixed number of items.
     pub fn list_of(&self, key: &str, length: usize) -> Result<Vec<Self>, Fault> {
         let list = self.required(key, "a list")?;
-        let items = list.as_items()?;
+        let items = list.as_list()?;
         match items.len() == length {
             true => Ok(items),
             false => Err(list.refuse(format!("a list of {length} items"))),

@@ -9,6 +9,7 @@ mod fields;
 mod outcome;
 
 pub mod contact_dynamics;
+pub mod peridem;
 
 pub use error::{CaseError, Fault, ReplayError};
 pub use outcome::Outcome;

@@ -2,7 +2,8 @@
 
 use super::print;
 use super::terminal::say;
-use clap::Args;
+use clap::{Args, ValueEnum};
+use gouge_replay::peridem::{self, Mode};
 use gouge_replay::{ReplayError, contact_dynamics};
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
@@ -11,15 +12,44 @@ use std::path::{Path, PathBuf};
 /// The cases, and where their results go.
 #[derive(Args)]
 pub struct ReplayArguments {
-    /// Folder with any of geometry.json, local.json, onestep.json, siconos2d.json, dynamics.json and observables.json
-    #[arg(value_name = "DIR")]
-    folder: PathBuf,
-    /// File for the results, as JSON
-    #[arg(long, value_name = "RESULTS.json")]
+    /// Folder with any of geometry.json, local.json, onestep.json, siconos2d.json, dynamics.json and observables.json, or
+    /// a case of peridynamic grains
+    #[arg(value_name = "DIR|CASE.json")]
+    cases: PathBuf,
+    /// File for the results, as JSON; folder for those of a case of peridynamic grains
+    #[arg(long, value_name = "RESULTS.json|DIR")]
     out: PathBuf,
+    /// Reading of the source of peridynamic grains
+    #[arg(long, value_enum, value_name = "MODE", default_value = "corrected")]
+    mode: ModeName,
     /// Do not print how many cases were solved; cases without a result are still listed
     #[arg(long, short)]
     quiet: bool,
+}
+
+/// Readings of the source of peridynamic grains.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+#[value(rename_all = "snake_case")]
+enum ModeName {
+    /// Corrected; momentum is conserved
+    Corrected,
+    /// As printed
+    Paper,
+    /// What the program of the authors does
+    Authors,
+    /// The same with the centroid of the wall and sticking friction repaired
+    TwoFixes,
+}
+
+impl ModeName {
+    fn mode(self) -> Mode {
+        match self {
+            Self::Corrected => Mode::Corrected,
+            Self::Paper => Mode::Paper,
+            Self::Authors => Mode::Authors,
+            Self::TwoFixes => Mode::TwoFixes,
+        }
+    }
 }
 
 /// Solve all cases, write what was found, and list the cases without a result.
@@ -27,12 +57,12 @@ pub struct ReplayArguments {
 /// # Errors
 /// Files that cannot be read or written, an output that is an input, or cases without a result.
 pub fn launch(arguments: &ReplayArguments) -> Result<(), Error> {
-    let (folder, out) = (&arguments.folder, &arguments.out);
+    let (folder, out) = (&arguments.cases, &arguments.out);
+    if folder.is_file() {
+        return repeat(arguments);
+    }
     require_output(folder, out)?;
-    let outcome = contact_dynamics::replay(folder).map_err(|error| match error {
-        ReplayError::Read { file, source } => Error::file("read", &file, source),
-        other => Error::Argument(other.to_string()),
-    })?;
+    let outcome = contact_dynamics::replay(folder).map_err(error)?;
     write_whole(out, outcome.text().as_bytes())?;
     for failure in &outcome.failures {
         say(&failure.to_string());
@@ -44,6 +74,33 @@ pub fn launch(arguments: &ReplayArguments) -> Result<(), Error> {
         0 => Ok(()),
         failed => Err(Error::Cases(failed, outcome.cases)),
     }
+}
+
+fn error(error: ReplayError) -> Error {
+    match error {
+        ReplayError::Read { file, source } => Error::file("read", &file, source),
+        other => Error::Argument(other.to_string()),
+    }
+}
+
+/// Repeat a case of peridynamic grains.
+fn repeat(arguments: &ReplayArguments) -> Result<(), Error> {
+    let (file, folder) = (&arguments.cases, &arguments.out);
+    if folder.canonicalize().ok() == file.parent().and_then(|parent| parent.canonicalize().ok()) {
+        return Err(Error::Argument(format!(
+            "--out {}: is the folder of the case, whose files would be replaced",
+            folder.display()
+        )));
+    }
+    let repeated = peridem::repeat(file, arguments.mode.mode()).map_err(error)?;
+    std::fs::create_dir_all(folder).map_err(|source| Error::file("create", folder, source))?;
+    for (name, text) in &repeated.files {
+        write_whole(&folder.join(name), text.as_bytes())?;
+    }
+    if !arguments.quiet {
+        print(&repeated.account)?;
+    }
+    Ok(())
 }
 
 /// Refuse an output that would replace an input, by whatever path, or that is a folder.

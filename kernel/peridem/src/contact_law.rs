@@ -18,6 +18,9 @@ pub enum ContactReading {
     /// As [`ContactReading::OneSided`], with the sticking force density $-v_t/(\rho \Delta t)$ of the authors' program
     /// (peridem Q5).
     Authors,
+    /// As [`ContactReading::OneSided`], with the signs and the normalised velocity of the source (peridem P2, P3): damping
+    /// and friction drive the nodes.
+    Printed,
 }
 
 /// Whether the nodes of a contact slide on each other.
@@ -213,7 +216,7 @@ impl ContactLaw {
         let (x, y) = (x.mass(), y.mass());
         match self.reading {
             ContactReading::Symmetric => x * y / (x + y),
-            ContactReading::OneSided | ContactReading::Authors => x,
+            ContactReading::OneSided | ContactReading::Authors | ContactReading::Printed => x,
         }
     }
 
@@ -250,15 +253,24 @@ impl ContactLaw {
         let tangential = pair.velocity - direction * normal_velocity;
         let mass = self.mass(x, y);
         let sticking = match self.reading {
-            ContactReading::Symmetric | ContactReading::OneSided => mass / step.time_step,
+            ContactReading::Symmetric | ContactReading::OneSided | ContactReading::Printed => {
+                mass / step.time_step
+            }
             ContactReading::Authors => x.area / (x.density * step.time_step),
         };
         let limit = self.friction * repulsion;
         let (friction, motion) = step.force(tangential, limit, mass, sticking);
-        let damping = self.damping(x, y, spring.stiffness);
+        let damping = direction * (self.damping(x, y, spring.stiffness) * normal_velocity);
+        let (damping, friction) = match self.reading {
+            ContactReading::Printed => (
+                damping * (1.0 / pair.velocity.norm().max(f64::MIN_POSITIVE)),
+                -friction,
+            ),
+            _ => (-damping, friction),
+        };
         ContactForce {
             repulsion: direction * -repulsion,
-            damping: direction * (-damping * normal_velocity),
+            damping,
             friction,
             motion,
         }
