@@ -9,4 +9,7 @@
 //! for volumes of unit thickness, so that masses and forces are per metre of depth.
 
 pub mod error;
+pub mod shape;
+pub mod interior;
+pub mod mesh;
 pub mod material;
