@@ -55,6 +55,30 @@ pub(super) fn sweep(position: &mut [Vec2], triangles: &[[u32; 3]], first_free: u
     }
 }
 
+/// Nodes without those from a given one on that are too close to a neighbour that stays.
+pub(super) fn thinned(
+    position: &[Vec2],
+    triangles: &[[u32; 3]],
+    first_free: usize,
+    closest: f64,
+) -> Vec<Vec2> {
+    let stars = Stars::new(position.len(), triangles);
+    let mut stays = vec![true; position.len()];
+    for node in first_free..position.len() {
+        let around = stars.of(node).iter().flat_map(|&t| triangles[t]);
+        let too_close = |other: u32| {
+            let other = other as usize;
+            let distance = (position[other] - position[node]).norm();
+            other != node && stays[other] && distance < closest
+        };
+        stays[node] = !around.into_iter().any(too_close);
+    }
+    let nodes = position.iter().zip(stays);
+    nodes
+        .filter_map(|(&place, stays)| stays.then_some(place))
+        .collect()
+}
+
 /// Positions of the vertices of a triangle.
 pub(super) fn corners(position: &[Vec2], triangle: [u32; 3]) -> [Vec2; 3] {
     triangle.map(|node| position[node as usize])
