@@ -2,7 +2,7 @@
 
 use crate::quadrature::{Random, derivative};
 use gouge_common::geometry::Vec2;
-use gouge_peridem::bond_law::BondState;
+use gouge_peridem::bond_law::Elongation;
 use gouge_peridem::contact_law::{
     ContactForce, ContactLaw, ContactMaterial, ContactReading, ContactSpring, ContactStiffness,
     FrictionStep, Motion, Node, NodePair, largest_step,
@@ -248,9 +248,9 @@ fn self_contact_is_a_bond_that_only_repels() {
     let near = law.within_grain(bonds.stiffness, reference.norm());
     for scale in [0.2, 0.9, 1.1] {
         pair.separation = reference * scale;
-        let bond = BondState::new(reference, reference * (scale - 1.0));
+        let bond = Elongation::new(reference, reference * (scale - 1.0), reference.norm());
         let expected = if scale < 1.0 {
-            bonds.force_density(&bond) * areas
+            bond.pull(bonds.weight, bonds.horizon) * (bonds.stiffness * areas)
         } else {
             Vec2::zero()
         };

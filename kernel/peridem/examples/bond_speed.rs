@@ -3,7 +3,7 @@
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
 use gouge_peridem::bonds::Bonds;
-use gouge_peridem::forces::Workspace;
+use gouge_peridem::forces::{Settings, Workspace};
 use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::{Material, Plane, Weight};
 use gouge_peridem::state::State;
@@ -50,12 +50,19 @@ fn main() {
                 .num_threads(threads)
                 .build()
                 .unwrap();
-            let mut workspace = Workspace::new(&grains, &state);
+            let settings = Settings {
+                time_step: 1e-7,
+                gravity: Vec2::zero(),
+                break_order: BreakOrder::BreakFirst,
+                contact: None,
+                walls: None,
+            };
+            let mut workspace = Workspace::new(&grains, &settings, &state);
             let mut best = f64::INFINITY;
             pool.install(|| {
                 for _ in 0..200 {
                     let begin = Instant::now();
-                    workspace.evaluate(&grains, BreakOrder::BreakFirst, &mut state);
+                    workspace.evaluate(&grains, &settings, &mut state);
                     best = best.min(begin.elapsed().as_secs_f64());
                 }
             });

@@ -55,6 +55,74 @@ pub enum SetupError {
         /// What is wrong.
         what: &'static str,
     },
+    /// A ring of vertices is not a polygon.
+    #[error("ring {ring} has {vertices} vertices, but a polygon needs 3")]
+    TooFewVertices {
+        /// 0 for the outer polygon, k for the k-th hole.
+        ring: usize,
+        /// Number of its vertices.
+        vertices: usize,
+    },
+    /// A coordinate of a vertex is not a number with which orientations can be computed exactly.
+    #[error("vertex {vertex} of ring {ring} is not finite, or too small or too large")]
+    InvalidVertex {
+        /// 0 for the outer polygon, k for the k-th hole.
+        ring: usize,
+        /// Position of the vertex in the ring.
+        vertex: usize,
+    },
+    /// All vertices of a ring lie on one line.
+    #[error("ring {ring} has no area")]
+    ZeroArea {
+        /// 0 for the outer polygon, k for the k-th hole.
+        ring: usize,
+    },
+    /// Two edges of a ring share a point that is not their common vertex, or overlap.
+    #[error("edges {first} and {second} of ring {ring} touch or cross each other")]
+    SelfIntersection {
+        /// 0 for the outer polygon, k for the k-th hole.
+        ring: usize,
+        /// First edge; edge k begins at vertex k.
+        first: usize,
+        /// Second edge.
+        second: usize,
+    },
+    /// A hole reaches or crosses the outer polygon.
+    #[error("hole {hole} is not inside the outer polygon")]
+    HoleOutside {
+        /// Position among the holes, from 0.
+        hole: usize,
+    },
+    /// Two holes touch, cross or contain each other.
+    #[error("holes {first} and {second} are not apart")]
+    HolesMeet {
+        /// Position of one among the holes, from 0.
+        first: usize,
+        /// Position of the other.
+        second: usize,
+    },
+    /// A cut has no length, or an end that is not finite.
+    #[error("cut {cut} is not a segment")]
+    InvalidCut {
+        /// Position among the cuts, from 0.
+        cut: usize,
+    },
+    /// A node lies on a cut, so that it belongs to both sides or to none.
+    #[error("node {node} lies on cut {cut}")]
+    NodeOnCut {
+        /// Position among the nodes.
+        node: usize,
+        /// Position among the cuts.
+        cut: usize,
+    },
+    /// A mesh of the given size has no node, too many, or cannot be made.
+    #[error("no mesh of size {size} m: {reason}")]
+    Mesh {
+        /// The size in m.
+        size: f64,
+        /// Why not.
+        reason: &'static str,
+    },
 }
 
 /// A step that failed.

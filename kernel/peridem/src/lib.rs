@@ -9,6 +9,9 @@
 //! for volumes of unit thickness, so that masses and forces are per metre of depth.
 
 pub mod error;
+pub mod shape;
+pub mod interior;
+pub mod mesh;
 pub mod material;
 pub mod bond_law;
 pub mod contact_law;
