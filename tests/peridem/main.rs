@@ -2,12 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod quadrature;
-
-mod material;
-
 mod bond_law;
-
 mod contact_law;
-
+mod exact;
+mod generators;
+mod interior;
+mod material;
+mod meshes;
+mod quadrature;
+mod section_five;
+mod shapes;
 mod wall_law;
