@@ -37,6 +37,17 @@ pub struct BondRows<'a> {
     pub(crate) length: &'a mut [f64],
 }
 
+fn too_many(grains: &Grains, node: usize) -> SetupError {
+    let grain = grains.grain_of[node] as usize;
+    let local = node - grains.rows[grain].nodes.start;
+    SetupError::Bond {
+        grain,
+        i: local,
+        j: local,
+        what: "too many bonds",
+    }
+}
+
 /// Nodes of a grain in the order of their cells, to find those within a horizon.
 struct Vicinity<'a> {
     positions: &'a [Vec2],
@@ -107,7 +118,7 @@ impl Bonds {
                 bonds.push_row(grain, of.nodes.start, &row)?;
             }
         }
-        Ok(bonds.with_numbers())
+        bonds.with_numbers().map_err(|node| too_many(grains, node))
     }
 
     /// Given bonds of each grain, whose nodes are counted from the first of the grain.
@@ -141,7 +152,7 @@ impl Bonds {
             }
             bonds.fill_to(row.nodes.end);
         }
-        Ok(bonds.with_numbers())
+        bonds.with_numbers().map_err(|node| too_many(grains, node))
     }
 
     fn empty(nodes: usize) -> Self {
@@ -197,16 +208,20 @@ impl Bonds {
         Ok(())
     }
 
-    fn with_numbers(mut self) -> Self {
-        self.number = vec![0; self.held.len()];
+    /// Count the bonds of each node, or return a node that has too many.
+    fn with_numbers(mut self) -> Result<Self, usize> {
+        let mut numbers = vec![0_u32; self.held.len()];
         for node in 0..self.held.len() {
-            self.number[node] += self.held[node];
+            numbers[node] += u32::from(self.held[node]);
             for place in self.row(node) {
-                self.number[self.earlier[place] as usize] += 1;
+                numbers[self.earlier[place] as usize] += 1;
             }
         }
+        let numbers = numbers.into_iter().enumerate();
+        let counted = numbers.map(|(node, number)| u16::try_from(number).map_err(|_| node));
+        self.number = counted.collect::<Result<_, _>>()?;
         self.initial = self.number.clone();
-        self
+        Ok(self)
     }
 
     /// Places of the bonds of a node with earlier ones.
@@ -267,6 +282,51 @@ impl Bonds {
         }
     }
 
+    /// All columns, for a checkpoint.
+    pub(crate) fn columns(&self) -> BondColumns<'_> {
+        BondColumns {
+            start: &self.start,
+            held: &self.held,
+            earlier: &self.earlier,
+            length: &self.length,
+            initial: &self.initial,
+        }
+    }
+
+    /// Bonds from columns; `None` if they are not those of such grains.
+    pub(crate) fn from_columns(grains: &Grains, columns: BondColumns<'_>) -> Option<Self> {
+        let (nodes, room) = (grains.nodes(), columns.earlier.len());
+        let has_lengths = columns.start.len() == nodes + 1
+            && columns.held.len() == nodes
+            && columns.initial.len() == nodes
+            && columns.length.len() == room;
+        let is_full = has_lengths
+            && columns.start.first() == Some(&0)
+            && columns.start.last().map(|&end| end as usize) == Some(room)
+            && columns.start.is_sorted();
+        if !is_full {
+            return None;
+        }
+        let fits = |node: usize| columns.has_valid_row(node, grains.of(node).nodes.start);
+        if !(0..nodes).all(fits) {
+            return None;
+        }
+        let bonds = Self {
+            start: columns.start.to_vec(),
+            held: columns.held.to_vec(),
+            earlier: columns.earlier.to_vec(),
+            length: columns.length.to_vec(),
+            ..Self::default()
+        };
+        let mut bonds = bonds.with_numbers().ok()?;
+        let mut numbers = bonds.number.iter().zip(columns.initial);
+        if !numbers.all(|(number, initial)| number <= initial) {
+            return None;
+        }
+        bonds.initial = columns.initial.to_vec();
+        Some(bonds)
+    }
+
     /// All rows, for a pass.
     pub(crate) fn rows_mut(&mut self) -> BondRows<'_> {
         BondRows {
@@ -284,6 +344,31 @@ impl Bonds {
             self.number[i] -= 1;
             self.number[j] -= 1;
         }
+    }
+}
+
+/// The bonds of all grains as columns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BondColumns<'a> {
+    pub(crate) start: &'a [u32],
+    pub(crate) held: &'a [u16],
+    pub(crate) earlier: &'a [u32],
+    pub(crate) length: &'a [f64],
+    pub(crate) initial: &'a [u16],
+}
+
+impl BondColumns<'_> {
+    /// Whether the bonds of a node lead to earlier nodes of its grain, the first of which is given, in ascending order.
+    fn has_valid_row(&self, node: usize, first: usize) -> bool {
+        let begin = self.start[node] as usize;
+        let end = begin + usize::from(self.held[node]);
+        if end > self.start[node + 1] as usize {
+            return false;
+        }
+        let (earlier, length) = (&self.earlier[begin..end], &self.length[begin..end]);
+        earlier.is_sorted_by(|a, b| a < b)
+            && (earlier.iter()).all(|&other| (first..node).contains(&(other as usize)))
+            && (length.iter()).all(|&length| length > 0.0 && length.is_finite())
     }
 }
 

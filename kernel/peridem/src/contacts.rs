@@ -3,7 +3,8 @@
 use crate::bonds::Bonds;
 use crate::contact_law::ContactLaw;
 use crate::error::{SetupError, require};
-use crate::grain::Grains;
+use crate::grain::{GrainRow, Grains};
+use crate::mesh::smallest_distance;
 use gouge_common::geometry::{Domain, Open, Vec2};
 use gouge_common::neighbors::{Neighbors, SearchSpheres};
 use gouge_common::pair::Pair;
@@ -36,6 +37,22 @@ impl Contact {
                 let stiffness = stiffness.copied().unwrap_or(f64::NAN);
                 require("contact stiffness", stiffness, "positive", stiffness > 0.0)?;
             }
+        }
+        Ok(())
+    }
+
+    /// Refuse a contact radius through which the nodes of a grain let others pass.
+    ///
+    /// # Errors
+    /// [`SetupError::ContactRadius`] if the radius is below [`SMALLEST_RADIUS_RATIO`] times the smallest distance of two
+    /// nodes of a grain.
+    pub fn check_radius(&self, grains: &Grains) -> Result<(), SetupError> {
+        let distance = |row: &GrainRow| smallest_distance(&grains.position[row.nodes.clone()]);
+        let smallest = grains.rows.iter().filter_map(distance);
+        let smallest = smallest.fold(f64::INFINITY, f64::min);
+        let radius = self.law.radius;
+        if smallest.is_finite() && radius < SMALLEST_RADIUS_RATIO * smallest {
+            return Err(SetupError::ContactRadius { radius, smallest });
         }
         Ok(())
     }
@@ -90,10 +107,11 @@ impl Candidates {
         }
     }
 
-    /// Whether two nodes may touch before the list is built again.
+    /// Whether two nodes may touch before the list is built again. Until then a node may move by the skin: from one side of
+    /// the place where the list was built to the other.
     fn is_near(&self, i: usize, j: usize) -> bool {
         let distance = (self.positions[j] - self.positions[i]).norm();
-        distance <= self.radii[i] + self.radii[j] + self.neighbors.skin()
+        distance <= self.radii[i] + self.radii[j] + 2.0 * self.neighbors.skin()
     }
 
     fn rebuild(&mut self, grains: &Grains, bonds: &Bonds) {

@@ -55,6 +55,37 @@ pub enum SetupError {
         /// What is wrong.
         what: &'static str,
     },
+    /// A column of a state has not one value per node.
+    #[error("the state has {length} values of {column} for {nodes} nodes")]
+    StateLength {
+        /// Name of the column.
+        column: &'static str,
+        /// Its length.
+        length: usize,
+        /// Number of nodes of all grains.
+        nodes: usize,
+    },
+    /// The time step exceeds the limit of stability of a part of the model.
+    #[error("the time step of {step:.4e} s exceeds the limit of {limit}, {value:.4e} s")]
+    TimeStep {
+        /// The time step in s.
+        step: f64,
+        /// What sets the limit.
+        limit: &'static str,
+        /// The limit in s.
+        value: f64,
+    },
+    /// The contact radius is so small that grains pass through each other.
+    #[error(
+        "the contact radius of {radius:.4e} m is below 1.2 times the smallest distance of two nodes of a grain, \
+         {smallest:.4e} m: grains would pass through each other"
+    )]
+    ContactRadius {
+        /// The radius in m.
+        radius: f64,
+        /// The smallest distance in m.
+        smallest: f64,
+    },
     /// A ring of vertices is not a polygon.
     #[error("ring {ring} has {vertices} vertices, but a polygon needs 3")]
     TooFewVertices {

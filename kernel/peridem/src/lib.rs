@@ -24,3 +24,5 @@ pub mod forces;
 pub mod limits;
 pub mod energy;
 pub mod world;
+pub mod record;
+pub mod observables;

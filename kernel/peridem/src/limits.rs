@@ -1,7 +1,12 @@
 //! The longest stable time steps.
 
 use crate::bonds::Bonds;
-use crate::grain::Grains;
+use crate::contact_law::{Node, largest_step};
+use crate::contacts::Contact;
+use crate::error::SetupError;
+use crate::forces::{Settings, Walls};
+use crate::grain::{GrainRow, Grains};
+use core::f64::consts::PI;
 use gouge_common::geometry::Vec2;
 use gouge_equations::rendered;
 
@@ -198,5 +203,141 @@ impl BondLimits {
             exact: 2.0 / vibration.largest_eigenvalue().sqrt(),
             row_sum: 2.0 / bound.sqrt(),
         }
+    }
+}
+
+/// Longest steps in s by what limits them; infinite if it is absent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Of bonds.
+    pub bonds: BondLimits,
+    /// Of the repulsion between nodes.
+    pub contact: f64,
+    /// Of repulsion with damping between nodes.
+    pub damping: f64,
+    /// Of repulsion and damping at walls.
+    pub walls: f64,
+}
+
+/// Square of a frequency in 1/s^2 and rate of damping in 1/s.
+#[derive(Clone, Copy, Debug, Default)]
+struct Oscillator {
+    frequency_squared: f64,
+    damping_rate: f64,
+}
+
+#[rendered]
+impl Limits {
+    /// Limits of grains in their reference positions, with valid settings.
+    ///
+    /// A node in contact is assumed to have equal partners in half a disc of the contact radius:
+    ///
+    /// $$ \omega^2 = \frac{2 K}{\rho} \frac{\pi R_c^2}{2}, \qquad \lambda = \frac{2 n c_d}{\rho V}, \qquad n = \frac{\pi R_c^2}{2 V} $$
+    ///
+    /// K is the largest stiffness of its material, or $c/R_c$ of self contact. More partners, as in a sharp corner or under
+    /// strong compression, lower the limit.
+    pub fn of(grains: &Grains, bonds: &Bonds, settings: &Settings) -> Self {
+        let smallest = |step: &dyn Fn(&GrainRow, f64) -> f64| {
+            let rows = grains.rows.iter();
+            let of_row = rows.map(|row| step(row, smallest_area(grains, row)));
+            of_row.fold(f64::INFINITY, f64::min)
+        };
+        let contact = |is_damped: bool| match &settings.contact {
+            Some(contact) => smallest(&|row, area| {
+                let oscillator = between_nodes(contact, row, area);
+                let rate = if is_damped {
+                    oscillator.damping_rate
+                } else {
+                    0.0
+                };
+                largest_step(oscillator.frequency_squared, rate)
+            }),
+            None => f64::INFINITY,
+        };
+        let walls = match &settings.walls {
+            Some(walls) => smallest(&|row, area| {
+                let oscillator = at_wall(walls, row, area);
+                largest_step(oscillator.frequency_squared, oscillator.damping_rate)
+            }),
+            None => f64::INFINITY,
+        };
+        Self {
+            bonds: BondLimits::of(grains, bonds),
+            contact: contact(false),
+            damping: contact(true),
+            walls,
+        }
+    }
+
+    /// The limits with their names, without the bound by row sums.
+    pub fn named(&self) -> [(&'static str, f64); 4] {
+        [
+            ("bonds", self.bonds.exact),
+            ("contact", self.contact),
+            ("damping", self.damping),
+            ("walls", self.walls),
+        ]
+    }
+
+    /// The smallest limit in s with its name.
+    pub fn smallest(&self) -> (&'static str, f64) {
+        let [first, others @ ..] = self.named();
+        others.into_iter().fold(
+            first,
+            |least, other| {
+                if other.1 < least.1 { other } else { least }
+            },
+        )
+    }
+
+    /// Refuse a step in s above a limit.
+    ///
+    /// # Errors
+    /// [`SetupError::TimeStep`] with the smallest limit.
+    pub fn check(&self, step: f64) -> Result<(), SetupError> {
+        let (limit, value) = self.smallest();
+        if step <= value {
+            return Ok(());
+        }
+        Err(SetupError::TimeStep { step, limit, value })
+    }
+}
+
+fn smallest_area(grains: &Grains, row: &GrainRow) -> f64 {
+    let areas = grains.area[row.nodes.clone()].iter().copied();
+    areas.fold(f64::INFINITY, f64::min)
+}
+
+/// A node of a grain among partners in half a disc.
+fn between_nodes(contact: &Contact, row: &GrainRow, area: f64) -> Oscillator {
+    let law = &contact.law;
+    let own = contact.stiffness.get(row.material);
+    let mut stiffness = own.map_or(0.0, |own| own.iter().copied().fold(0.0, f64::max));
+    if row.touches_itself {
+        stiffness = stiffness.max(row.contact_stiffness / law.radius);
+    }
+    let node = Node {
+        area,
+        density: row.density,
+    };
+    let half_disc = 0.5 * PI * law.radius * law.radius;
+    let damping = law.damping(&node, &node, stiffness);
+    Oscillator {
+        frequency_squared: 2.0 * stiffness * half_disc / row.density,
+        damping_rate: 2.0 * half_disc * damping / (area * node.mass()),
+    }
+}
+
+/// A node of a grain at a wall.
+fn at_wall(walls: &Walls, row: &GrainRow, area: f64) -> Oscillator {
+    let law = &walls.law;
+    let node = Node {
+        area,
+        density: row.density,
+    };
+    let damping = [0.0, -law.radius].map(|distance| law.damping(distance, &node));
+    Oscillator {
+        frequency_squared: law.steepest(area) / node.mass(),
+        damping_rate: damping[0].max(damping[1]) / node.mass(),
     }
 }

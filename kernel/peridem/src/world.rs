@@ -5,6 +5,7 @@ use crate::energy::Energies;
 use crate::error::{SetupError, StepError, require};
 use crate::forces::{Settings, Workspace};
 use crate::grain::Grains;
+use crate::limits::Limits;
 use crate::state::State;
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
@@ -29,26 +30,69 @@ pub struct World {
     workspace: Workspace,
 }
 
+/// Refuse settings outside their ranges, and states of other grains.
+fn validate(grains: &Grains, settings: &Settings, state: &State) -> Result<(), SetupError> {
+    let step = settings.time_step;
+    require("time_step", step, "positive", step > 0.0)?;
+    if let Some(contact) = &settings.contact {
+        contact.validate(grains)?;
+    }
+    if let Some(walls) = &settings.walls {
+        walls.validate(&state.walls)?;
+    }
+    let nodes = grains.nodes();
+    let lengths = [
+        ("places", state.places.len()),
+        ("velocity", state.velocity.len()),
+        ("acceleration", state.acceleration.len()),
+        ("bonds", state.bonds.numbers().len()),
+    ];
+    match lengths.into_iter().find(|&(_, length)| length != nodes) {
+        Some((column, length)) => Err(SetupError::StateLength {
+            column,
+            length,
+            nodes,
+        }),
+        None => Ok(()),
+    }
+}
+
 #[rendered]
 impl World {
-    /// Grains in a state of motion.
+    /// Grains in a state of motion, as [`World::new`] makes them, with a time step and a contact radius that are safe.
     ///
     /// # Errors
-    /// [`SetupError::Parameter`] for a setting outside its range.
+    /// As for [`World::new`]; [`SetupError::TimeStep`] for a step above one of the [`Limits`], and
+    /// [`SetupError::ContactRadius`] for a radius below that of [`Contact::check_radius`].
+    ///
+    /// [`Contact::check_radius`]: crate::contacts::Contact::check_radius
+    pub fn within_limits(
+        grains: Grains,
+        settings: Settings,
+        state: State,
+        beginning: Beginning,
+    ) -> Result<Self, SetupError> {
+        validate(&grains, &settings, &state)?;
+        if let Some(contact) = &settings.contact {
+            contact.check_radius(&grains)?;
+        }
+        Limits::of(&grains, &state.bonds, &settings).check(settings.time_step)?;
+        Self::new(grains, settings, state, beginning)
+    }
+
+    /// Grains in a state of motion, whatever the time step and the contact radius are: results of others may have been
+    /// computed with unstable ones.
+    ///
+    /// # Errors
+    /// [`SetupError::Parameter`] for a setting outside its range, and [`SetupError::StateLength`] for a state of other
+    /// grains.
     pub fn new(
         grains: Grains,
         settings: Settings,
         state: State,
         beginning: Beginning,
     ) -> Result<Self, SetupError> {
-        let step = settings.time_step;
-        require("time_step", step, "positive", step > 0.0)?;
-        if let Some(contact) = &settings.contact {
-            contact.validate(&grains)?;
-        }
-        if let Some(walls) = &settings.walls {
-            walls.validate(&state.walls)?;
-        }
+        validate(&grains, &settings, &state)?;
         let workspace = Workspace::new(&grains, &settings, &state);
         let mut world = Self {
             grains,
@@ -151,6 +195,13 @@ impl World {
             depth,
             time: self.time(),
         })
+    }
+
+    /// The same grains in another state.
+    pub(crate) fn with_state(mut self, state: State) -> Self {
+        self.workspace = Workspace::new(&self.grains, &self.settings, &state);
+        self.state = state;
+        self
     }
 
     /// Forces in N per metre of depth of the grains on the left, right, top and bottom wall.

@@ -53,11 +53,16 @@ impl Workspace {
     /// Buffers for grains and their bonds.
     pub fn new(grains: &Grains, settings: &Settings, state: &State) -> Self {
         let contact = settings.contact.as_ref();
+        let pass = settings.walls.as_ref().map(|walls| WallPass {
+            grains,
+            walls,
+            time_step: settings.time_step,
+        });
         Self {
             blocks: Blocks::new(grains, &state.bonds),
             candidates: contact.map(|contact| Candidates::new(grains, contact.law.radius)),
             partners: Vec::new(),
-            wall_push: vec![Vec2::zero(); settings.walls.map_or(0, |_| grains.nodes())],
+            wall_push: pass.map_or_else(Vec::new, |pass| pass.elastic(state)),
             reactions: [Vec2::zero(); 4],
             force: vec![Vec2::zero(); grains.nodes()],
             broken: Vec::new(),

@@ -93,6 +93,14 @@ fn nearer(first: usize, second: usize, distances: &[f64; 4]) -> usize {
     }
 }
 
+/// The walls that a node may touch.
+struct NearWalls {
+    /// The nearer one of the left and the right wall, and of the top and the bottom wall.
+    walls: [usize; 2],
+    /// Distances in m from them, positive inside.
+    distances: [f64; 2],
+}
+
 /// What a pass over walls reads.
 pub(super) struct WallPass<'a> {
     pub(super) grains: &'a Grains,
@@ -101,6 +109,30 @@ pub(super) struct WallPass<'a> {
 }
 
 impl WallPass<'_> {
+    /// Elastic forces of all walls on each node in N per metre of depth.
+    pub(super) fn elastic(&self, state: &State) -> Vec<Vec2> {
+        let of_node = |node: usize| {
+            let near = self.near(state, node);
+            let push = self
+                .walls
+                .law
+                .corner_push(near.distances, self.grains.area[node]);
+            let forces = [0, 1].map(|k| OUTWARD[near.walls[k]] * -push[k]);
+            forces[0] + forces[1]
+        };
+        (0..self.grains.nodes()).map(of_node).collect()
+    }
+
+    /// The nearer wall of either direction.
+    fn near(&self, state: &State, node: usize) -> NearWalls {
+        let distances = distances(&state.walls, state.places[node].position());
+        let walls = [nearer(0, 1, &distances), nearer(2, 3, &distances)];
+        NearWalls {
+            walls,
+            distances: walls.map(|wall| distances[wall]),
+        }
+    }
+
     /// Add the forces of all walls to force densities in N/m^3, book their work, and return the forces on the walls.
     ///
     /// Elastic work is the mean of the forces before and after the step times the displacement in it.
@@ -112,21 +144,19 @@ impl WallPass<'_> {
     ) -> [Vec2; 4] {
         let mut reactions = [Vec2::zero(); 4];
         for node in 0..self.grains.nodes() {
-            let distances = distances(&state.walls, state.places[node].position());
-            let (side, level) = (nearer(0, 1, &distances), nearer(2, 3, &distances));
+            let NearWalls { walls, distances } = self.near(state, node);
             let before = pushes[node];
             let radius = self.walls.law.radius;
-            let is_far = distances[side] >= radius && distances[level] >= radius;
+            let is_far = distances.iter().all(|&distance| distance >= radius);
             if is_far && before == Vec2::zero() {
                 continue;
             }
             let area = self.grains.area[node];
-            let near = [distances[side], distances[level]];
-            let push = self.walls.law.corner_push(near, area);
+            let push = self.walls.law.corner_push(distances, area);
             let mut total = Vec2::zero();
             let mut after = Vec2::zero();
-            for (wall, push) in [side, level].into_iter().zip(push) {
-                let on_node = self.force(state, node, wall, distances[wall], push);
+            for (wall, (distance, push)) in walls.into_iter().zip(distances.into_iter().zip(push)) {
+                let on_node = self.force(state, node, wall, distance, push);
                 after += on_node.repulsion;
                 total += on_node.total();
                 reactions[wall] += -on_node.total();
