@@ -10,6 +10,7 @@ fn table(source: Source) -> &'static str {
     match source {
         Source::Thesis => include_str!("../../../docs/thesis/equations.md"),
         Source::Azema => include_str!("../../../docs/contact-dynamics/equations.md"),
+        Source::Peridem => include_str!("../../../docs/peridem/equations.md"),
     }
 }
 
@@ -18,6 +19,7 @@ pub fn title(source: Source) -> &'static str {
     match source {
         Source::Thesis => "the thesis",
         Source::Azema => "Azéma, Estrada and Radjai",
+        Source::Peridem => "Bhattacharya and Lipton",
     }
 }
 
