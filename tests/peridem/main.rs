@@ -4,6 +4,8 @@
 
 mod quadrature;
 
+mod cloud;
+
 mod material;
 
 mod bond_law;
@@ -11,3 +13,21 @@ mod bond_law;
 mod contact_law;
 
 mod wall_law;
+
+mod lattice_sums;
+
+mod vibrations;
+
+mod balance;
+
+mod breaking;
+
+mod identical;
+
+mod crack_start;
+
+mod friction;
+
+mod robust;
+
+mod observables;
