@@ -2,11 +2,9 @@
 
 use crate::cloud::{H, at_rest, contact, grain, lattice, run, settings, throw, walls, world};
 use gouge_common::geometry::Vec2;
-use gouge_peridem::contacts::Contact;
-use gouge_peridem::grain::Grain;
 use gouge_peridem::limits::Limits;
 use gouge_peridem::material::Weight;
-use gouge_peridem::world::World;
+use gouge_peridem::world::{Beginning, World};
 
 const GRAVITY: f64 = 1e4;
 const FRICTION: f64 = 0.4;
@@ -31,13 +29,7 @@ fn on_floor(speed: f64) -> World {
     let (grains, settings) = (world.grains().clone(), world.settings().clone());
     let mut state = world.state().clone();
     throw(&grains, &mut state, 0, Vec2::new(speed, 0.0));
-    World::new(
-        grains,
-        settings,
-        state,
-        gouge_peridem::world::Beginning::Forces,
-    )
-    .unwrap()
+    World::new(grains, settings, state, Beginning::Forces).unwrap()
 }
 
 #[test]
@@ -70,46 +62,61 @@ fn a_block_stops_on_a_wall_and_stays() {
         lowest = lowest.min(mean_velocity(&world, 0).x);
     }
     let last = mean_velocity(&world, 0).x.abs();
-    assert!(lowest > -0.01 && last < 0.002, "{lowest} {last}");
+    assert!(lowest > -0.1 * 0.2 && last < 0.01 * 0.2, "{lowest} {last}");
 }
 
-/// A block without bonds that is pressed on a clamped one, with a number of contacts per node.
-fn on_block(contact: Contact, speed: f64, fraction: f64) -> (World, [Grain; 2]) {
-    let mut lower = grain(lattice(24, 3), 3.015, Weight::Constant);
-    lower.clamped = (0..72).collect();
-    let above = lattice(8, 3)
-        .iter()
-        .map(|&at| at + Vec2::new(8.3, 3.2) * H)
-        .collect();
-    let mut upper = grain(above, 3.015, Weight::Constant);
-    upper.load = vec![Vec2::new(0.0, -1e7); 24];
-    let grains = [lower, upper];
+/// A free node between two clamped rows, as far from either as from its neighbours, that moves along them.
+fn in_slot(shares: bool, speed: f64) -> World {
+    let rows = [-1.2 * H, 1.2 * H].map(|y| (-4..=4).map(move |x| Vec2::new(f64::from(x) * H, y)));
+    let mut fixed = grain(rows.into_iter().flatten().collect(), 0.5, Weight::Constant);
+    fixed.clamped = (0..18).collect();
+    let grains = [fixed, grain(vec![Vec2::zero()], 0.5, Weight::Constant)];
     let (all, state) = at_rest(&grains);
     let mut settings = settings(1.0);
+    let mut contact = contact(0.0, 5.0);
+    contact.law.radius = 2.9 * H;
+    contact.shares_sticking = shares;
     settings.contact = Some(contact);
-    settings.time_step = fraction * Limits::of(&all, &state.bonds, &settings).smallest().1;
-    let world = world(&grains, settings, |state| {
+    settings.time_step = 1e-3 * Limits::of(&all, &state.bonds, &settings).contact;
+    world(&grains, settings, |state| {
         throw(&all, state, 1, Vec2::new(speed, 0.0));
-    });
-    (world, grains)
+    })
 }
 
 #[test]
-fn many_contacts_of_a_node_stop_it_without_reversing_it() {
-    let changes = |shares: bool| {
-        let mut contact = contact(0.9, 5.0);
-        contact.law.radius = 2.4 * H;
-        contact.shares_sticking = shares;
-        let (mut world, _) = on_block(contact, 1e-3, 0.2);
-        let mut signs = 0;
-        let mut before = mean_velocity(&world, 1).x;
-        for _ in 0..60 {
-            run(&mut world, 1);
-            let now = mean_velocity(&world, 1).x;
-            signs += usize::from(now * before < 0.0);
-            before = now;
-        }
-        (signs, before.abs())
-    };
-    eprintln!("{:?} {:?}", changes(true), changes(false));
+fn many_contacts_stop_a_node_only_if_they_share_its_sticking() {
+    let speed = 1e-9;
+    let left = [true, false].map(|shares| {
+        let mut world = in_slot(shares, speed);
+        run(&mut world, 200);
+        world.state().velocity[18].x.abs() / speed
+    });
+    assert!(left[0] < 1e-3 && left[1] > 10.0, "{left:?}");
+}
+
+#[test]
+fn sticking_with_the_previous_velocity_halves_the_speed_with_a_sign() {
+    // One node on a floor with a push that limits friction to more than it needs: with the accelerations
+    // -v/dt of the previous velocities, velocity Verlet has v'' = (v' - v)/2.
+    let single = grain(vec![Vec2::zero()], 0.5, Weight::Constant);
+    let mut settings = settings(1e-7);
+    let mut floor = walls(0.0, 2.0);
+    floor.law.stiffness *= 1e-3;
+    settings.walls = Some(floor);
+    let mut world = world(&[single], settings, |state| {
+        state.walls[3] = -0.5 * H;
+        state.velocity[0] = Vec2::new(1e-6, 0.0);
+    });
+    let mut before = [1e-6, 1e-6];
+    for step in 0..40 {
+        let expected = 0.5 * (before[1] - before[0]);
+        run(&mut world, 1);
+        let now = world.state().velocity[0].x;
+        assert!(
+            (now - expected).abs() < 1e-12 * 1e-6,
+            "{step}: {now:e} {expected:e}"
+        );
+        before = [before[1], now];
+    }
+    assert!(before[1].abs() < 1e-11);
 }

@@ -20,7 +20,7 @@ fn large() -> World {
     settings.contact = Some(contact(0.3, 0.4));
     settings.walls = Some(walls(0.3, 0.4));
     world(&[grain], settings, |state| {
-        state.walls = [-3.0 * H, 70.0 * H, 60.0 * H, -1.0 * H];
+        state.walls = [-3.0 * H, 70.0 * H, 60.0 * H, -H];
         for (velocity, place) in state.velocity.iter_mut().zip(&state.places) {
             let from = place.reference - Vec2::new(30.0, 25.0) * H;
             *velocity = from * (3.0 / H) + Vec2::new(5.0, -40.0);

@@ -179,7 +179,7 @@ fn extreme_inputs_are_refused_or_give_numbers_or_an_error() {
             "{field} {value}: {limits:?}"
         );
         let mut state = State::at_rest(&grains, bonds);
-        state.walls = [-1.0 * H, 12.0 * H, 9.0 * H, -1.0 * H];
+        state.walls = [-H, 12.0 * H, 9.0 * H, -H];
         state.places[0].displacement = Vec2::new(0.3, 0.1) * H;
         let Ok(mut world) = World::new(grains, settings, state, Beginning::Forces) else {
             continue;
