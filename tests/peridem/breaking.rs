@@ -150,10 +150,7 @@ fn breaking_is_irreversible_and_counted() {
 #[test]
 fn the_energy_of_broken_bonds_leaves_the_grain() {
     let order: Vec<usize> = (0..81).collect();
-    for (break_order, sign) in [
-        (BreakOrder::BreakFirst, 1.0),
-        (BreakOrder::ForceFirst, -1.0),
-    ] {
+    for break_order in [BreakOrder::BreakFirst, BreakOrder::ForceFirst] {
         let error = |steps| {
             let mut sums = Vec::new();
             torn_with(break_order, steps, &order, |world| {
@@ -162,11 +159,9 @@ fn the_energy_of_broken_bonds_leaves_the_grain() {
             });
             sums[sums.len() - 1] / sums[0] - 1.0
         };
-        // A bond that breaks pulls for half a step less, or for half a step more: errors are of first order.
         let errors = [150, 300, 600].map(error);
-        assert!(errors.iter().all(|error| error * sign > 0.0), "{errors:?}");
-        let order = 0.5 * (errors[0] / errors[2]).log2();
-        assert!((order - 1.0).abs() < 0.2, "{break_order:?} {errors:?}");
+        let order = 0.5 * (errors[0] / errors[2]).abs().log2();
+        assert!(order > 1.6, "{break_order:?} {errors:?}");
     }
 }
 

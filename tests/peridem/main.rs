@@ -2,32 +2,24 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod quadrature;
-
-mod cloud;
-
-mod material;
-
-mod bond_law;
-
-mod contact_law;
-
-mod wall_law;
-
-mod lattice_sums;
-
-mod vibrations;
-
 mod balance;
-
+mod bond_law;
 mod breaking;
-
-mod identical;
-
+mod cloud;
+mod contact_law;
 mod crack_start;
-
+mod exact;
 mod friction;
-
-mod robust;
-
+mod generators;
+mod identical;
+mod interior;
+mod lattice_sums;
+mod material;
+mod meshes;
 mod observables;
+mod quadrature;
+mod robust;
+mod section_five;
+mod shapes;
+mod vibrations;
+mod wall_law;

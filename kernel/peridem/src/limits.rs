@@ -33,22 +33,33 @@ struct Spring {
     stiffness: f64,
 }
 
-/// The matrix of the linearised bonds, scaled by the masses, without the rows of clamped nodes.
-struct Vibration {
-    springs: Vec<Spring>,
+/// The matrix of the linearised bonds, scaled by the masses, without the rows of clamped nodes. It is not stored: it would
+/// need more room than the bonds themselves.
+struct Vibration<'a> {
+    grains: &'a Grains,
+    bonds: &'a Bonds,
     /// Inverse square roots of the masses; zero for clamped nodes.
     scale: Vec<f64>,
 }
 
-impl Vibration {
-    fn new(grains: &Grains, bonds: &Bonds) -> Self {
+impl<'a> Vibration<'a> {
+    fn new(grains: &'a Grains, bonds: &'a Bonds) -> Self {
         let mut scale: Vec<_> = (0..grains.nodes())
             .map(|node| 1.0 / grains.mass(node).sqrt())
             .collect();
         for &node in &grains.clamped {
             scale[node as usize] = 0.0;
         }
-        let spring = |(earlier, later, length): (usize, usize, f64)| {
+        Self {
+            grains,
+            bonds,
+            scale,
+        }
+    }
+
+    fn springs(&self) -> impl Iterator<Item = Spring> + '_ {
+        let grains = self.grains;
+        self.bonds.all().map(|(earlier, later, length)| {
             let constants = &grains.of(later).constants;
             let weight = constants.weight.at(length, constants.horizon);
             let areas = grains.area[earlier] * grains.area[later];
@@ -57,16 +68,12 @@ impl Vibration {
                 direction: (grains.position[later] - grains.position[earlier]) * (1.0 / length),
                 stiffness: constants.stiffness * weight * areas / length,
             }
-        };
-        Self {
-            springs: bonds.all().map(spring).collect(),
-            scale,
-        }
+        })
     }
 
     fn product(&self, vector: &[Vec2]) -> Vec<Vec2> {
         let mut result = vec![Vec2::zero(); vector.len()];
-        for spring in &self.springs {
+        for spring in self.springs() {
             let [i, j] = spring.ends;
             let change = vector[j] * self.scale[j] - vector[i] * self.scale[i];
             let force = spring.direction * (spring.stiffness * change.dot(spring.direction));
@@ -186,7 +193,7 @@ impl BondLimits {
     pub fn of(grains: &Grains, bonds: &Bonds) -> Self {
         let vibration = Vibration::new(grains, bonds);
         let mut sums = vec![0.0; grains.nodes()];
-        for spring in &vibration.springs {
+        for spring in vibration.springs() {
             for node in spring.ends {
                 sums[node] += spring.stiffness * vibration.scale[node] * vibration.scale[node];
             }

@@ -1,10 +1,11 @@
 //! Forces of bonds, and which of them break.
 
+use super::Settings;
 use super::blocks::{Block, Blocks, Buffer};
 use crate::bond_law::{BreakOrder, BreakingRule, Elongation};
 use crate::bonds::BondRows;
 use crate::grain::Grains;
-use crate::material::Weight;
+use crate::material::{BondConstants, Weight};
 use crate::state::{Place, State};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
@@ -31,14 +32,25 @@ impl Weigh for Parabolic {
 struct Nodes<'a> {
     grains: &'a Grains,
     places: &'a [Place],
+    velocity: &'a [Vec2],
+    acceleration: &'a [Vec2],
+    time_step: f64,
     order: BreakOrder,
+}
+
+impl Nodes<'_> {
+    /// Displacement in m of a node in this step.
+    fn moved(&self, node: usize) -> Vec2 {
+        let step = self.time_step;
+        self.velocity[node] * step + self.acceleration[node] * (0.5 * step * step)
+    }
 }
 
 /// Add the forces of all bonds to force densities in N/m^3, remove bonds that break, and list them by later node and then
 /// by earlier one.
 pub(super) fn add_bond_forces(
     grains: &Grains,
-    order: BreakOrder,
+    settings: &Settings,
     state: &mut State,
     blocks: &mut Blocks,
     force: &mut [Vec2],
@@ -47,7 +59,10 @@ pub(super) fn add_bond_forces(
     let nodes = Nodes {
         grains,
         places: &state.places,
-        order,
+        velocity: &state.velocity,
+        acceleration: &state.acceleration,
+        time_step: settings.time_step,
+        order: settings.break_order,
     };
     let Blocks { blocks, buffers } = blocks;
     run(nodes, blocks, state.bonds.rows_mut(), buffers);
@@ -142,14 +157,34 @@ fn pass<W: Weigh, const BREAKS: bool, const TWO_SIDED: bool, const BREAK_FIRST: 
         }
         buffer.sums[later - block.first] += sum;
         if BREAKS && has_broken {
-            let is_over = |earlier: usize, length| {
+            let energy_if_over = |earlier: usize, length| {
                 let elongation = places[earlier].elongation_to(own, length);
-                is_over(&elongation)
-                    .then(|| elongation.energy(&constants) * own_area * area[earlier])
+                let moved = nodes.moved(later) - nodes.moved(earlier);
+                is_over(&elongation).then(|| {
+                    let lost = lost_energy::<BREAK_FIRST>(&elongation, &constants, moved);
+                    lost * own_area * area[earlier]
+                })
             };
-            remove(&mut rows, row, later, buffer, is_over);
+            remove(&mut rows, row, later, buffer, energy_if_over);
         }
     }
+}
+
+/// Energy in J/m per product of the two areas that a breaking bond takes with it, for the relative displacement in m of its
+/// ends in this step.
+///
+/// A step gives nodes half of the work of the force at its beginning and half of that at its end. A bond that breaks first
+/// does not act at the end, and one that breaks last acts once more at the beginning of the next step: its energy at the end
+/// less, or more, half of the work of its force. With it the balance of energy closes with the second order of the step.
+fn lost_energy<const BREAK_FIRST: bool>(
+    elongation: &Elongation,
+    constants: &BondConstants,
+    moved: Vec2,
+) -> f64 {
+    let pull = elongation.pull(constants.weight, constants.horizon);
+    let work = pull.dot(moved) * constants.stiffness;
+    let sign = if BREAK_FIRST { -0.5 } else { 0.5 };
+    elongation.energy(constants) + sign * work
 }
 
 /// Remove bonds that break from a row, and keep the order of the others.

@@ -75,7 +75,7 @@ impl Workspace {
         self.add_external(grains, settings);
         bond_pass::add_bond_forces(
             grains,
-            settings.break_order,
+            settings,
             state,
             &mut self.blocks,
             &mut self.force,

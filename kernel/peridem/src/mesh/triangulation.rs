@@ -3,12 +3,7 @@
 use super::boundary::Chains;
 use gouge_common::geometry::Vec2;
 use spade::handles::{FixedFaceHandle, FixedVertexHandle, InnerTag};
-use spade::{
-    AngleLimit, ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation as _,
-};
-
-/// Smallest angle of a triangle in degrees below which refinement adds a node, where the shape permits.
-const ANGLE_LIMIT: f64 = 28.0;
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
 /// A triangulation of the convex hull of nodes with all pieces of the boundary as edges.
 pub(super) struct Delaunay(ConstrainedDelaunayTriangulation<Point2<f64>>);
@@ -25,23 +20,6 @@ impl Delaunay {
         );
         let cdt = cdt.ok()?;
         (conflicts == 0 && cdt.num_vertices() == nodes.len()).then_some(Self(cdt))
-    }
-
-    /// Add nodes until no triangle exceeds an area in m^2 and angles are wide. False if the limit of nodes is reached.
-    pub(super) fn refine(&mut self, largest_area: f64, most_nodes: usize) -> bool {
-        let parameters = RefinementParameters::new()
-            .with_angle_limit(AngleLimit::from_deg(ANGLE_LIMIT))
-            .with_max_allowed_area(largest_area)
-            .with_max_additional_vertices(most_nodes)
-            .exclude_outer_faces(true)
-            .keep_constraint_edges();
-        self.0.refine(parameters).refinement_complete
-    }
-
-    /// Positions of the nodes in m: first those of the chains, in their order.
-    pub(super) fn nodes(&self) -> Vec<Vec2> {
-        let positions = self.0.vertices().map(|vertex| vertex.position());
-        positions.map(|p| Vec2::new(p.x, p.y)).collect()
     }
 
     /// Triangles inside the shape, anticlockwise.
