@@ -180,3 +180,14 @@ fn numbering_does_not_matter() {
     let reversed: Vec<usize> = order.iter().rev().copied().collect();
     assert_eq!(left(&torn(&reversed, |_| ()), &reversed), expected);
 }
+
+#[test]
+fn nodes_at_exactly_the_horizon_are_bonded() {
+    let nodes = || vec![Vec2::zero(), Vec2::new(3.0, 4.0)];
+    for (horizon, number) in [(5.0, 1), (5.0_f64.next_down(), 0)] {
+        let mut pair = grain(nodes(), 1.5, Weight::Constant);
+        pair.constants.horizon = horizon;
+        let (_, state) = at_rest(&[pair]);
+        assert_eq!(state.bonds.count(), number, "{horizon}");
+    }
+}

@@ -149,6 +149,10 @@ fn records_of_other_worlds_are_refused() {
             .position(|one| one.name == name)
             .unwrap()
     };
+    let begin = whole.columns[at("start")].words[20] as usize;
+    assert!(refuses(&|record| record.columns[at("earlier")]
+        .words
+        .swap(begin, begin + 1)));
     let bonds = world.bonds().count() as u64;
     for (name, place, word) in [
         ("start", 5, bonds + 1),

@@ -146,19 +146,19 @@ fn a_mode_oscillates_with_the_frequency_of_velocity_verlet() {
     }
 }
 
-/// Two blocks without bonds that face each other at a distance.
-fn facing(gap: f64) -> [Grain; 2] {
+/// Two blocks that face each other at a distance, with the horizon in lattice distances.
+fn facing(gap: f64, ratio: f64) -> [Grain; 2] {
     let upper = lattice(9, 3)
         .iter()
         .map(|&at| at + Vec2::new(0.0, 2.0 * H + gap))
         .collect();
-    [lattice(9, 3), upper].map(|nodes| grain(nodes, 0.5, Weight::Constant))
+    [lattice(9, 3), upper].map(|nodes| grain(nodes, ratio, Weight::Constant))
 }
 
 #[test]
 fn the_limit_of_contact_is_below_that_of_two_blocks() {
     for gap in [0.2, 0.5, 1.0] {
-        let (grains, state) = at_rest(&facing(gap * H));
+        let (grains, state) = at_rest(&facing(gap * H, 0.5));
         let mut settings = settings(1e-8);
         settings.contact = Some(contact(0.0, 0.0));
         let limits = Limits::of(&grains, &state.bonds, &settings);
@@ -177,7 +177,7 @@ fn the_limit_of_contact_is_below_that_of_two_blocks() {
 
 #[test]
 fn damped_contact_and_walls_are_stable_below_their_limits() {
-    let grains = facing(0.5 * H);
+    let grains = facing(0.5 * H, 0.5);
     let (all, state) = at_rest(&grains);
     let mut settings = settings(1e-8);
     settings.contact = Some(contact(0.8, 0.0));
@@ -191,6 +191,45 @@ fn damped_contact_and_walls_are_stable_below_their_limits() {
     let before = energy(&world);
     run(&mut world, 2000);
     assert!(energy(&world) < before, "{} {before}", energy(&world));
+}
+
+/// Growth of the energy of two bonded blocks in damped contact, for a step as a fraction of the limit of bonds.
+fn damped_growth(damping: f64, fraction: f64) -> f64 {
+    let mut grains = facing(1.35 * H, 3.015);
+    grains[0].clamped = (0..9).collect();
+    grains[1].clamped = (18..27).collect();
+    let (all, state) = at_rest(&grains);
+    let mut settings = settings(fraction * BondLimits::of(&all, &state.bonds).exact);
+    settings.contact = Some(contact(damping, 0.0));
+    let mut random = Random(9);
+    let mut world = world(&grains, settings, |state| {
+        for velocity in &mut state.velocity {
+            *velocity = Vec2::new(random.between(-1e-3, 1e-3), random.between(-1e-3, 1e-3));
+        }
+    });
+    let before = energy(&world);
+    for _ in 0..3000 {
+        if world.step().is_err() {
+            return f64::INFINITY;
+        }
+    }
+    energy(&world) / before
+}
+
+#[test]
+fn damping_of_contacts_lowers_the_limit_of_bonds() {
+    // Elastic contact leaves the limit of bonds alone, and the weakest damping does not.
+    assert!(damped_growth(0.0, 0.95) < 1.0 && damped_growth(0.05, 0.95) > 1e6);
+    let (all, state) = at_rest(&facing(1.35 * H, 3.015));
+    for damping in [0.05, 0.8] {
+        let mut settings = settings(1e-9);
+        settings.contact = Some(contact(damping, 0.0));
+        let limits = Limits::of(&all, &state.bonds, &settings);
+        let fraction = limits.damping / limits.bonds.exact;
+        assert!(fraction < 0.5_f64.sqrt() && limits.contact > limits.bonds.exact);
+        let growth = damped_growth(damping, fraction);
+        assert!(growth < 1.0, "{damping}: {growth:e}");
+    }
 }
 
 #[test]
