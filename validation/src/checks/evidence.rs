@@ -10,17 +10,20 @@ pub enum Source {
     Thesis,
     /// E. Azéma, N. Estrada and F. Radjai, Phys. Rev. E 86, 041301 (2012).
     Azema,
+    /// D. Bhattacharya and R. P. Lipton, SIAM J. Sci. Comput. 45, B1 (2023).
+    Peridem,
 }
 
 impl Source {
     /// All sources.
-    pub const ALL: [Self; 2] = [Self::Thesis, Self::Azema];
+    pub const ALL: [Self; 3] = [Self::Thesis, Self::Azema, Self::Peridem];
 
     /// Its name in citations.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Thesis => "thesis",
             Self::Azema => "azema",
+            Self::Peridem => "peridem",
         }
     }
 
@@ -29,6 +32,7 @@ impl Source {
         match self {
             Self::Thesis => "thesis",
             Self::Azema => "contact-dynamics",
+            Self::Peridem => "peridem",
         }
     }
 }
