@@ -2,14 +2,24 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod balance;
 mod bond_law;
+mod breaking;
+mod cloud;
 mod contact_law;
+mod crack_start;
 mod exact;
+mod friction;
 mod generators;
+mod identical;
 mod interior;
+mod lattice_sums;
 mod material;
 mod meshes;
+mod observables;
 mod quadrature;
+mod robust;
 mod section_five;
 mod shapes;
+mod vibrations;
 mod wall_law;

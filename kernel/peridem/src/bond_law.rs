@@ -25,6 +25,10 @@ pub enum BreakOrder {
     ForceFirst,
 }
 
+/// A distance in m below which the force of a bond fades, so that it has a limit where the direction has none. Its product
+/// with the square of any length of a bond does not underflow.
+const TINIEST: f64 = 1e-150;
+
 /// How a bond is stretched.
 #[rendered]
 #[derive(Clone, Copy, Debug)]
@@ -83,7 +87,7 @@ impl Elongation {
     /// attracts. Zero if the nodes are at the same place.
     #[inline(always)]
     pub fn pull(&self, weight: Weight, horizon: f64) -> Vec2 {
-        let distance = self.distance.max(f64::MIN_POSITIVE);
+        let distance = self.distance.max(TINIEST);
         self.branch * (weight.at(self.length, horizon) * self.excess / (self.scale * distance))
     }
 

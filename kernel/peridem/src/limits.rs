@@ -226,6 +226,18 @@ struct Oscillator {
     damping_rate: f64,
 }
 
+impl Oscillator {
+    /// Longest step in s, if damping acts on vibrations of bonds too, whose largest frequency squared is given in 1/s^2.
+    fn largest_step(self, of_bonds: f64) -> f64 {
+        let frequency_squared = if self.damping_rate > 0.0 {
+            self.frequency_squared.max(of_bonds)
+        } else {
+            self.frequency_squared
+        };
+        largest_step(frequency_squared, self.damping_rate)
+    }
+}
+
 #[rendered]
 impl Limits {
     /// Limits of grains in their reference positions, with valid settings.
@@ -234,39 +246,36 @@ impl Limits {
     ///
     /// $$ \omega^2 = \frac{2 K}{\rho} \frac{\pi R_c^2}{2}, \qquad \lambda = \frac{2 n c_d}{\rho V}, \qquad n = \frac{\pi R_c^2}{2 V} $$
     ///
-    /// K is the largest stiffness of its material, or $c/R_c$ of self contact. More partners, as in a sharp corner or under
-    /// strong compression, lower the limit.
+    /// K is the largest stiffness of its material, or $c/R_c$ of self contact. Damping, however weak, also acts on the
+    /// vibrations of bonds, which the velocities of the previous step feed above $\omega \Delta t = \sqrt 2$: with it,
+    /// $\omega^2$ is at least that of bonds (peridem Q8). More partners, as in a sharp corner or under strong compression,
+    /// lower the limits.
     pub fn of(grains: &Grains, bonds: &Bonds, settings: &Settings) -> Self {
-        let smallest = |step: &dyn Fn(&GrainRow, f64) -> f64| {
+        let of_bonds = BondLimits::of(grains, bonds);
+        let frequency_squared = (2.0 / of_bonds.exact).powi(2);
+        let smallest = |oscillator: &dyn Fn(&GrainRow, f64) -> Oscillator| {
             let rows = grains.rows.iter();
-            let of_row = rows.map(|row| step(row, smallest_area(grains, row)));
-            of_row.fold(f64::INFINITY, f64::min)
+            let of_row = |row| oscillator(row, smallest_area(grains, row));
+            let steps = rows.map(|row| of_row(row).largest_step(frequency_squared));
+            steps.fold(f64::INFINITY, f64::min)
         };
-        let contact = |is_damped: bool| match &settings.contact {
-            Some(contact) => smallest(&|row, area| {
-                let oscillator = between_nodes(contact, row, area);
-                let rate = if is_damped {
-                    oscillator.damping_rate
-                } else {
-                    0.0
-                };
-                largest_step(oscillator.frequency_squared, rate)
-            }),
-            None => f64::INFINITY,
+        let mut limits = Self {
+            bonds: of_bonds,
+            contact: f64::INFINITY,
+            damping: f64::INFINITY,
+            walls: f64::INFINITY,
         };
-        let walls = match &settings.walls {
-            Some(walls) => smallest(&|row, area| {
-                let oscillator = at_wall(walls, row, area);
-                largest_step(oscillator.frequency_squared, oscillator.damping_rate)
-            }),
-            None => f64::INFINITY,
-        };
-        Self {
-            bonds: BondLimits::of(grains, bonds),
-            contact: contact(false),
-            damping: contact(true),
-            walls,
+        if let Some(contact) = &settings.contact {
+            limits.contact = smallest(&|row, area| Oscillator {
+                damping_rate: 0.0,
+                ..between_nodes(contact, row, area)
+            });
+            limits.damping = smallest(&|row, area| between_nodes(contact, row, area));
         }
+        if let Some(walls) = &settings.walls {
+            limits.walls = smallest(&|row, area| at_wall(walls, row, area));
+        }
+        limits
     }
 
     /// The limits with their names, without the bound by row sums.

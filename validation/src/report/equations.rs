@@ -281,6 +281,15 @@ mod tests {
     }
 
     #[test]
+    fn every_equation_of_peridynamic_grains_has_one_row() {
+        let all = equations(Source::Peridem).into_iter();
+        let numbers: Vec<String> = all.map(|one| one.number).collect();
+        let contact = (1..=9).map(|number| format!("4.{number}"));
+        let earlier = ["2.1", "3.1", "3.2"].map(str::to_owned).into_iter();
+        assert_eq!(numbers, earlier.chain(contact).collect::<Vec<_>>());
+    }
+
+    #[test]
     fn a_row_links_to_its_checks_and_an_equation_without_one_says_so() {
         let entries = [
             entry(covering("laws.some", "(34)-(36), E15")),
