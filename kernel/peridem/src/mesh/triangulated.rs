@@ -26,11 +26,12 @@ impl Mesh {
     ///    rounded towards the inside, so that they belong to the closed shape exactly.
     /// 2. Refinement adds nodes until triangles are not larger than $\sqrt 3 h^2/4$ and have no angle below 28 degrees,
     ///    where the shape permits and without further nodes on the boundary.
-    /// 3. In 20 sweeps, each inner node moves to the centroid of the triangles around it, and all are triangulated again.
+    /// 3. In 20 sweeps, each inner node moves to the centroid of the triangles around it, and all are triangulated
+    ///    again.
     ///    After 5, 10 and 15 sweeps, inner nodes nearer than 0.6 h to a neighbour are removed.
     /// 4. The area of a node is a third of each triangle of which it is a vertex.
     ///
-    /// Most nodes then have a nearest neighbour at 0.6 h to 0.9 h; the smallest distance is [`smallest_distance`](super::smallest_distance).
+    /// Nodes then have a mean spacing of about 0.8 h and a [smallest distance](super::smallest_distance) of about 0.6 h.
     /// Cuts do not influence the triangulation. The result is the same, bit by bit, at each call.
     ///
     /// Source: section 5 of peridem uses a mesh generator without naming its settings.
