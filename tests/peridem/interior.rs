@@ -9,7 +9,7 @@ use gouge_peridem::shape::Outline;
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(120))]
+    #![proptest_config(ProptestConfig::with_cases(80))]
 
     /// Nodes lie on vertices, edges, extensions of edges, a grid, and one digit beside vertices.
     #[test]
