@@ -8,7 +8,9 @@ mod tables;
 use super::Study;
 use super::curves::CurvePlan;
 use super::pictures::Shown;
+use crate::columns::Columns;
 use maud::{Markup, html};
+use std::ops::Range;
 
 /// The study.
 pub static STUDY: Study = Study {
@@ -18,7 +20,11 @@ pub static STUDY: Study = Study {
     parts: sweeps::parts,
     order: &[KALTHOFF, CROSSES, CROSSES_FINE, NOTCH, PRINTED_NOTCH],
     rules: || claims::RULES.iter().collect(),
-    curves: CurvePlan::NONE,
+    curves: CurvePlan {
+        names: ["broken_bonds", "softened_area"],
+        is_shown: |_| true,
+        numbers: last,
+    },
     figures: figures::figures,
     tables: tables::tables,
     pictures: &[
@@ -71,6 +77,12 @@ const CROSSES_FINE: &str = "crosses-spacing";
 const NOTCH: &str = "notch";
 /// The same with the printed sizes.
 const PRINTED_NOTCH: &str = "notch-printed";
+
+/// Bonds that broke and the area of damaged nodes in m^2, at the end of some rows.
+fn last(series: &Columns, rows: Range<usize>) -> Option<[f64; 2]> {
+    let number = |name| Some(series.get(name)?[rows.end - 1]);
+    Some([number("broken_bonds")?, number("softened_area")?])
+}
 
 fn introduction() -> Markup {
     html! {
