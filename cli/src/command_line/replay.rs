@@ -119,8 +119,9 @@ fn repeat(arguments: &ReplayArguments) -> Result<(), Error> {
     let mode = arguments.mode.map_or(Mode::default(), ModeName::mode);
     let progress = StepProgress::new(arguments.quiet);
     let mut watch = |done, all| progress.report(done, all);
-    let repeated = peridem::repeat(file, mode, &mut watch).map_err(error)?;
+    let repeated = peridem::repeat(file, mode, &mut watch);
     progress.finish();
+    let repeated = repeated.map_err(error)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::file("create", folder, source))?;
     for (name, text) in &repeated.files {
         write_whole(&folder.join(name), text.as_bytes())?;

@@ -18,13 +18,15 @@ use gouge_peridem::world::{Beginning, World};
 
 /// Steps per inverse frequency in the coarsest run.
 const COARSEST: f64 = 64.0;
-/// Number of runs; each has half the step of the one before.
-const RUNS: u32 = 6;
+/// Most runs; each has half the step of the one before.
+const RUNS: u32 = 9;
+/// Relative change from one run to the next at which a moment counts as found.
+const CONVERGED: f64 = 1e-14;
 /// Number of steps through which a polynomial is laid.
 const POINTS: usize = 6;
 /// Longest motion, in inverse frequencies.
 const LONGEST: f64 = 200.0;
-/// Horizon in m of a bond that gives none: that of the material of the cases.
+/// Horizon in m of a bond that gives none although its weight depends on it.
 const HORIZON: f64 = 0.0005;
 /// Ratio of the speed to the least one that breaks, in the case that breaks.
 const BREAKING_RATIO: f64 = 1.3;
@@ -162,21 +164,23 @@ impl Two {
         find: impl Fn(&Motion) -> Moment,
     ) -> Result<Option<Moment>, Fault> {
         let mut row: Vec<Moment> = Vec::new();
+        let mut best = ([0.0; 3], f64::INFINITY);
         for run in 0..RUNS {
             let step = 1.0 / (self.frequency() * COARSEST * f64::from(1 << run));
             let Some(motion) = self.run(step, &ends)? else {
                 return Ok(None);
             };
-            let mut value = find(&motion);
-            let mut power = 1.0;
-            for before in &mut row {
-                power *= 2.0;
-                let better = [0, 1, 2].map(|k| value[k] + (value[k] - before[k]) / (power - 1.0));
-                *before = core::mem::replace(&mut value, better);
+            let before = row.last().copied();
+            let value = extrapolate(&mut row, find(&motion));
+            let change = before.map_or(f64::INFINITY, |before| largest_change(&before, &value));
+            if change <= best.1 {
+                best = (value, change);
             }
-            row.push(value);
+            if change <= CONVERGED {
+                break;
+            }
         }
-        Ok(row.last().copied())
+        Ok(Some(best.0))
     }
 
     /// The first moment after which the nodes are farther apart than an opening.
@@ -190,6 +194,27 @@ impl Two {
         let ends = |_: [f64; 2], [before, after]: [f64; 2]| before * after <= 0.0;
         self.moment(ends, Motion::turning)
     }
+}
+
+/// Add the result of a run to the last row of the scheme of Richardson, and return the extrapolated moment.
+fn extrapolate(row: &mut Vec<Moment>, result: Moment) -> Moment {
+    let mut value = result;
+    let mut power = 1.0;
+    for before in row.iter_mut() {
+        power *= 2.0;
+        let better = [0, 1, 2].map(|k| value[k] + (value[k] - before[k]) / (power - 1.0));
+        *before = core::mem::replace(&mut value, better);
+    }
+    row.push(value);
+    value
+}
+
+/// Largest relative change of the numbers of a moment.
+fn largest_change(before: &Moment, after: &Moment) -> f64 {
+    let changes = before.iter().zip(after);
+    let relative =
+        changes.map(|(before, after)| (after - before).abs() / after.abs().max(f64::MIN_POSITIVE));
+    relative.fold(0.0, f64::max)
 }
 
 /// Constants of nodes that have no bonds.
@@ -297,18 +322,21 @@ pub(super) fn collision(case: &Fields, reading: ContactReading) -> Result<Found,
 
 /// Two bonded nodes that are torn apart.
 pub(super) fn bond(case: &Fields) -> Result<Found, Fault> {
+    let length = case.positive("length")?;
+    let weight = weight(case)?;
+    let usual = match weight {
+        Weight::Constant => 2.0 * length,
+        Weight::Conic | Weight::Parabolic => HORIZON,
+    };
     let constants = BondConstants {
-        weight: weight(case)?,
-        horizon: case.number_or("eps", HORIZON)?,
+        weight,
+        horizon: case.number_or("eps", usual)?,
         stiffness: case.positive("c")?,
         critical_stretch: case.positive("s0")?,
     };
-    let length = case.positive("length")?;
     if length >= constants.horizon {
-        return Err(case.refuse_key(
-            "length",
-            format!("below the horizon, {} m", constants.horizon),
-        ));
+        let accepted = format!("below the horizon, {} m", constants.horizon);
+        return Err(case.refuse_key("length", accepted));
     }
     let mut two = Two {
         distance: length,
@@ -321,7 +349,7 @@ pub(super) fn bond(case: &Fields) -> Result<Found, Fault> {
     let critical = constants.critical_stretch * length;
     let trial = critical * two.frequency();
     two.opening_speed = trial;
-    let never = || case.refuse_key("s0", "so small that the nodes turn round before they meet");
+    let never = || case.refuse_key("s0", "a stretch that the bond reaches");
     let [quarter, largest, _] = two.turns()?.ok_or_else(never)?;
     let (period, least) = (4.0 * quarter, trial * critical / largest);
     let broken = |speed: f64| -> Result<Found, Fault> {
