@@ -17,8 +17,8 @@ use gouge_contact_dynamics::world::World;
 
 const WRONG: f64 = -1.3;
 /// A little more and a little less than one.
-const MORE: f64 = 1.0 + 1e-9;
-const LESS: f64 = 1.0 - 1e-9;
+pub const MORE: f64 = 1.0 + 1e-9;
+pub const LESS: f64 = 1.0 - 1e-9;
 
 /// The number that was refused.
 #[track_caller]
