@@ -140,7 +140,7 @@ fn relative_changes_are_those_of_each_point() {
     }
 }
 
-/// Two bodies on top of each other: one sweep leaves a residual, which a bound refuses or accepts.
+/// Columns of three bodies, one of which falls faster: one sweep leaves a residual, which a bound refuses or accepts.
 #[test]
 fn a_residual_is_bounded() {
     let masses = [1.0, 0.7, 0.4].map(|mass: f64| InverseMass {
@@ -148,51 +148,77 @@ fn a_residual_is_bounded() {
         y: 1.0 / mass,
         rotation: 0.0,
     });
-    let masses = [InverseMass::IMPOSED, masses[0], masses[1], masses[2]];
-    let start = [
-        Velocity::default(),
-        moving(3.0, -1.0, 0.0),
-        moving(-1.0, -2.0, 0.0),
-        moving(0.3, -2.5, 0.0),
-    ];
+    let mut all = vec![InverseMass::IMPOSED];
+    all.extend(masses.iter().cycle().take(3 * POINTS));
     let up = Vec2::new(0.0, 1.0);
     let input = |units| ContactInput {
         kinematics: PointKinematics::new(units, up, [Vec2::zero(); 2]),
         gap: 0.0,
         impulse: Components::default(),
     };
-    let points = [[0, 1], [1, 2], [2, 3]].map(input);
-    let run = |stop, largest_residual| {
-        let mut velocities = start;
+    let columns = (0..POINTS as u32).map(|k| 3 * k + 1);
+    let points: Vec<_> = columns
+        .flat_map(|first| [[0, first], [first, first + 1], [first + 1, first + 2]])
+        .map(input)
+        .collect();
+    let run = |(order, odd): (SweepOrder, usize), stop, largest_residual| {
+        let mut start = vec![Velocity::default()];
+        let speeds = [(3.0, -1.0), (-1.0, -2.0), (0.3, -2.5)];
+        let slow = speeds.map(|(x, y)| moving(x, y, 0.0));
+        start.extend(slow.iter().cycle().take(3 * POINTS));
+        start[3 * odd + 3] = moving(0.3, -4.0, 0.0);
+        let mut velocities = start.clone();
         let mut solver = Solver::new();
-        solver.prepare(
-            &points,
-            &law(0.1, 0.0, GapRule::Closed),
-            1.0,
-            &start,
-            &masses,
-        );
+        let place = |unit: usize| {
+            if unit == 0 {
+                f64::NAN
+            } else {
+                ((unit - 1) / 3) as f64
+            }
+        };
+        solver.set_places((0..all.len()).map(place), None);
+        solver.prepare(&points, &law(0.1, 0.0, GapRule::Closed), 1.0, &start, &all);
         let settings = SweepSettings {
             stop,
             max_sweeps: 1,
             largest_residual,
+            order,
             ..SweepSettings::default()
         };
-        let report = solver.solve(&settings, &masses, &mut velocities);
-        (report, solver.residual(&velocities))
+        let report = solver.solve(&settings, &all, &mut velocities);
+        (report.has_converged, solver.residual(&velocities))
     };
     let loose = StopCriterion::Increment {
         tolerance: 1e9,
         floor: 1.0,
     };
-    let (_, residual) = run(loose, None);
-    assert!(residual > 0.1);
-    for (factor, stops) in [(LESS, false), (MORE, true)] {
-        let velocity = residual * factor;
-        let (report, _) = run(loose, Some(velocity));
-        assert_eq!(report.has_converged, stops);
-        let (report, _) = run(StopCriterion::NaturalMap { velocity }, None);
-        assert_eq!(report.has_converged, stops);
+    for case in ORDERS
+        .into_iter()
+        .flat_map(|order| [0, 20, POINTS - 1].map(|odd| (order, odd)))
+    {
+        let (_, residual) = run(case, loose, None);
+        assert!(residual > 0.1);
+        for (factor, stops) in [(LESS, false), (MORE, true)] {
+            let velocity = residual * factor;
+            assert_eq!(run(case, loose, Some(velocity)).0, stops);
+            let stop = StopCriterion::NaturalMap { velocity };
+            assert_eq!(run(case, stop, None).0, stops);
+        }
+    }
+}
+
+/// By default, sweeps stop at changes of a thousandth of the mean impulse.
+#[test]
+fn the_default_stops_at_a_thousandth() {
+    for (factor, stops) in [(LESS, true), (MORE, false)] {
+        let falling = Falling {
+            guess: 0.5 * (1.0 - 1e-3 * factor),
+            ..Falling::but(0, 0.5)
+        };
+        for order in ORDERS {
+            let report = falling.sweep(order, SweepSettings::default().stop);
+            assert_eq!(report.has_converged, stops);
+        }
     }
 }
 
