@@ -1,6 +1,6 @@
 //! What a case says: grains, contact, walls, steps.
 
-use super::mode::Mode;
+use gouge_peridem::mode::Mode;
 use crate::error::Fault;
 use crate::fields::Fields;
 use gouge_common::geometry::Vec2;

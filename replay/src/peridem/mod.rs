@@ -1,12 +1,11 @@
 //! Cases of the kernel of peridynamic grains.
 
 mod inputs;
-mod mode;
 mod series;
 mod trajectory;
 
 use crate::error::ReplayError;
-pub use mode::Mode;
+pub use gouge_peridem::mode::Mode;
 use std::path::Path;
 
 /// What a repeated case writes.

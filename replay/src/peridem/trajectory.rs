@@ -2,7 +2,7 @@
 
 use super::Repeated;
 use super::inputs::{self, Input, Variant};
-use super::mode::Mode;
+use gouge_peridem::mode::Mode;
 use super::series::{Tables, broken};
 use crate::error::{Fault, ReplayError};
 use crate::fields::Fields;

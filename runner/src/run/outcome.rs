@@ -68,6 +68,9 @@ pub struct Summary {
     /// Means over the contact networks of the second half of a run of contact dynamics, if the scene measures them.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub network: Option<serde_json::Map<String, serde_json::Value>>,
+    /// Mode, damage, cracks and limits of the step of a run of peridynamic grains.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub peridem: Option<serde_json::Map<String, serde_json::Value>>,
     /// Number of times the neighbour list was built; resuming a run builds it once more.
     #[serde(default)]
     pub neighbor_rebuilds: u64,
@@ -158,6 +161,7 @@ impl Summary {
             balance_error: None,
             friction: None,
             network: None,
+            peridem: None,
             neighbor_rebuilds: 0,
         }
     }

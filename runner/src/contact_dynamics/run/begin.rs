@@ -5,7 +5,7 @@ use super::super::scene::{Body, Outline, PackingTable, Role, Wall};
 use crate::error::Error;
 use crate::machine::chosen_threads_for;
 use crate::run::NamedPhase;
-use crate::run::setup_states::random;
+use crate::random::random;
 use gouge_common::geometry::Vec2;
 use gouge_contact_dynamics::assembly::{self, Assembly, Configuration};
 use gouge_contact_dynamics::cell::{Cell, LOWER, UPPER};
