@@ -1,6 +1,5 @@
 //! What a case says: grains, contact, walls, steps.
 
-use gouge_peridem::mode::Mode;
 use crate::error::Fault;
 use crate::fields::Fields;
 use gouge_common::geometry::Vec2;
@@ -10,6 +9,7 @@ use gouge_peridem::contacts::Contact;
 use gouge_peridem::forces::{Settings, Walls};
 use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::{BondConstants, Weight};
+use gouge_peridem::mode::Mode;
 use gouge_peridem::state::State;
 use gouge_peridem::wall_law::WallLaw;
 use gouge_peridem::world::World;

@@ -2,12 +2,12 @@
 
 use super::Repeated;
 use super::inputs::{self, Input, Variant};
-use gouge_peridem::mode::Mode;
 use super::series::{Tables, broken};
 use crate::error::{Fault, ReplayError};
 use crate::fields::Fields;
 use flate2::read::GzDecoder;
 use gouge_peridem::material::Weight;
+use gouge_peridem::mode::Mode;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::io::Read;

@@ -144,11 +144,7 @@ fn refusal(folder: &Path, what: &str, advice: &str) -> Error {
 }
 
 /// A finished run needs nothing, unless a part of its results was removed.
-fn complete<C>(
-    folder: &Path,
-    results: &[&str],
-    summary: Summary,
-) -> Result<Beginning<C>, Error> {
+fn complete<C>(folder: &Path, results: &[&str], summary: Summary) -> Result<Beginning<C>, Error> {
     let missing = results.iter().find(|name| !folder.join(name).exists());
     match missing {
         None => Ok(Beginning::Complete(Box::new(summary))),

@@ -26,7 +26,8 @@ pub fn ramp(anchors: &[[u8; 3]], number: usize) -> Vec<String> {
         let below = (at as usize).min(last.saturating_sub(1));
         let part = at - below as f64;
         let [from, to] = [below, (below + 1).min(last)].map(|anchor| anchors[anchor]);
-        let channel = |c: usize| f64::from(from[c]) + part * (f64::from(to[c]) - f64::from(from[c]));
+        let channel =
+            |c: usize| f64::from(from[c]) + part * (f64::from(to[c]) - f64::from(from[c]));
         let [red, green, blue] = [0, 1, 2].map(|c| channel(c).round() as u8);
         format!("#{red:02x}{green:02x}{blue:02x}")
     };

@@ -131,7 +131,7 @@ impl Warning<'_> {
                 f,
                 "the balance of energy is off by {error:.1e} of what was exchanged, more than rounding"
             ),
-            _ => Ok(()),
+            _ => self.of_nodes(f),
         }
     }
 }

@@ -30,8 +30,7 @@ impl Crack {
         threshold: f64,
         belongs: impl Fn(usize) -> bool,
     ) -> Option<Self> {
-        let is_of_crack =
-            |&node: &usize| bonds.damage(node) > threshold && belongs(node);
+        let is_of_crack = |&node: &usize| bonds.damage(node) > threshold && belongs(node);
         let nodes = (0..grains.nodes()).filter(is_of_crack);
         let arms: Vec<Vec2> = nodes.map(|node| grains.position[node] - tip).collect();
         let mut sum = Vec2::zero();

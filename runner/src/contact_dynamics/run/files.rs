@@ -44,7 +44,9 @@ impl Files {
             has_links: false,
         };
         let schedule = scene.schedule();
-        let times: Vec<f64> = (0..samples).map(|sample| schedule.sample_time(sample)).collect();
+        let times: Vec<f64> = (0..samples)
+            .map(|sample| schedule.sample_time(sample))
+            .collect();
         let frames = Frames::open(&plan, folder, &times)?;
         let animation = match &frames {
             Some(_) if !options.data_only => {

@@ -195,8 +195,9 @@ impl<'a> SceneRun<'a> {
             let due = self.scene.schedule().sample_step(self.samples);
             self.advance_to(due)?;
             // The last step is always sampled, but only once.
-            let is_extra =
-                due == last && self.samples > 0 && self.scene.schedule().sample_step(self.samples - 1) >= last;
+            let is_extra = due == last
+                && self.samples > 0
+                && self.scene.schedule().sample_step(self.samples - 1) >= last;
             if !is_extra {
                 self.sample()?;
             }

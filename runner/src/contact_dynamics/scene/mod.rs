@@ -11,7 +11,7 @@ pub use setup::{CellTable, Compaction, Glue, PackingTable, ShearTable, Sizes};
 
 use crate::error::SceneError;
 use crate::scene::table::{Range, Table};
-use crate::scene::{Keys, MODELS, Overrides, Schedule, SceneFile, SceneText, domain, gravity};
+use crate::scene::{Keys, MODELS, Overrides, SceneFile, SceneText, Schedule, domain, gravity};
 use gouge_common::geometry::{Domain, Vec2};
 use gouge_contact_dynamics::step::StepSettings;
 use std::path::{Path, PathBuf};

@@ -72,6 +72,14 @@ pub fn checked(scene: &Scene) -> Result<Built, Error> {
     Ok(built)
 }
 
+/// The world at t = 0 of a scene, for programs that step it themselves.
+///
+/// # Errors
+/// As for a run.
+pub fn world(scene: &Scene) -> Result<World, Error> {
+    Ok(checked(scene)?.world)
+}
+
 /// An error that also says how to run the scene nevertheless.
 fn with_advice(error: Error, advice: &str) -> Error {
     match error {
@@ -111,11 +119,7 @@ fn set_velocities(scene: &Scene, grains: &Grains, state: &mut State) {
 }
 
 /// The mean over some nodes of a vector, weighted with their areas.
-pub fn centre(
-    grains: &Grains,
-    nodes: std::ops::Range<usize>,
-    of: impl Fn(usize) -> Vec2,
-) -> Vec2 {
+pub fn centre(grains: &Grains, nodes: std::ops::Range<usize>, of: impl Fn(usize) -> Vec2) -> Vec2 {
     let mut sum = Vec2::zero();
     let mut area = 0.0;
     for node in nodes {

@@ -24,9 +24,9 @@ pub fn frame(scene: &Scene, world: &World, cells: &[Cells]) -> Frame {
     let state = world.state();
     let is_whole = |triangle: &&[u32; 3]| {
         let [a, b, c] = triangle.map(|node| node as usize);
-        [[a, b], [b, c], [c, a]].iter().all(|&[i, j]| {
-            world.bonds().are_bonded(Pair::new(i, j))
-        })
+        [[a, b], [b, c], [c, a]]
+            .iter()
+            .all(|&[i, j]| world.bonds().are_bonded(Pair::new(i, j)))
     };
     let triangles = cells.iter().flat_map(|cells| &cells.triangles);
     Frame {
@@ -38,7 +38,11 @@ pub fn frame(scene: &Scene, world: &World, cells: &[Cells]) -> Frame {
         vectors: vec![
             (
                 "displacement",
-                state.places.iter().map(|place| place.displacement).collect(),
+                state
+                    .places
+                    .iter()
+                    .map(|place| place.displacement)
+                    .collect(),
             ),
             ("velocity", state.velocity.clone()),
         ],

@@ -24,8 +24,7 @@ struct Link {
 pub fn links(scene: &Scene) -> Result<Table, Error> {
     let world = built(scene)?.world;
     let links: Vec<Link> = bonds(&world).chain(contacts(&world)).collect();
-    let integers =
-        |of: &dyn Fn(&Link) -> usize| Values::Integers(links.iter().map(of).collect());
+    let integers = |of: &dyn Fn(&Link) -> usize| Values::Integers(links.iter().map(of).collect());
     let numbers = |of: &dyn Fn(&Link) -> f64| Values::Numbers(links.iter().map(of).collect());
     let grain = |node: usize| world.grains().grain_of[node] as usize;
     let kinds = Kinds {

@@ -101,10 +101,7 @@ fn rotated(point: Vec2, angle: f64) -> Vec2 {
         return point;
     }
     let (sin, cos) = libm::sincos(angle);
-    Vec2::new(
-        cos * point.x - sin * point.y,
-        sin * point.x + cos * point.y,
-    )
+    Vec2::new(cos * point.x - sin * point.y, sin * point.x + cos * point.y)
 }
 
 fn nodes(table: &GrainTable) -> Result<mesh::Mesh, SetupError> {

@@ -15,6 +15,7 @@ mod shown;
 mod stability;
 mod tables;
 
+pub use begin::world;
 pub use links::links;
 pub use samples::columns as series_columns;
 pub use shown::shown;

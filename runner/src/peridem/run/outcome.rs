@@ -86,10 +86,7 @@ impl SceneRun<'_> {
             wall_seconds,
             particle_steps_per_second: rate(nodes as f64 * steps as f64),
             link_steps_per_second: rate(self.bond_steps),
-            energy: scene
-                .output
-                .energy
-                .then(|| energies(&self.balance, world)),
+            energy: scene.output.energy.then(|| energies(&self.balance, world)),
             series_columns: columns.collect(),
             warnings: self.warnings.lines().map(str::to_owned).collect(),
             balance_error: scene.output.energy.then(|| self.balance.error()),

@@ -134,28 +134,20 @@ pub fn write(
 
 fn facts(scene: &Scene, summary: &Summary) -> Vec<Row> {
     let (broken, initial) = (summary.bonds_broken, summary.bonds_initial);
-    let limit = summary
-        .peridem
-        .as_ref()
-        .and_then(|own| own.get("step_over_smallest_limit")?.as_f64());
-    let limit = limit.map_or_else(String::new, |ratio| {
-        format!(", {ratio:.2} of the smallest limit")
-    });
-    vec![
+    let rows = [
         (
             "time",
             format!(
-                "{:.6e} s in {} steps of {:e} s{limit}",
+                "{:.6e} s in {} steps of {:e} s",
                 summary.time, summary.steps, scene.step
             ),
         ),
         ("model", "peridynamic grains".to_owned()),
-        ("mode", scene.mode.name().to_owned()),
-        ("grains", scene.grains.len().to_string()),
         ("nodes", summary.particles.to_string()),
         ("bonds", format!("{broken} of {initial} broken")),
         ("scene", scene.file.clone()),
-    ]
+    ];
+    rows.into_iter().chain(summary.peridem_lines()).collect()
 }
 
 fn files(scene: &Scene) -> Vec<(&'static str, &'static str, bool)> {
@@ -170,6 +162,10 @@ fn files(scene: &Scene) -> Vec<(&'static str, &'static str, bool)> {
             "frames for ParaView or OVITO",
             scene.output.trajectory != Trajectory::None,
         ),
-        ("summary.json", "status, warnings, energies, limits, speed", true),
+        (
+            "summary.json",
+            "status, warnings, energies, limits, speed",
+            true,
+        ),
     ]
 }

@@ -52,10 +52,26 @@ fn view(world: &World) -> View {
     let (mut low, mut high) = (low - margin, high + margin);
     let [left, right, top, bottom] = world.state().walls;
     let near = |wall: f64, side: f64| (wall - side).abs() < size;
-    low.x = if near(left, low.x) { low.x.min(left) } else { low.x };
-    high.x = if near(right, high.x) { high.x.max(right) } else { high.x };
-    high.y = if near(top, high.y) { high.y.max(top) } else { high.y };
-    low.y = if near(bottom, low.y) { low.y.min(bottom) } else { low.y };
+    low.x = if near(left, low.x) {
+        low.x.min(left)
+    } else {
+        low.x
+    };
+    high.x = if near(right, high.x) {
+        high.x.max(right)
+    } else {
+        high.x
+    };
+    high.y = if near(top, high.y) {
+        high.y.max(top)
+    } else {
+        high.y
+    };
+    low.y = if near(bottom, low.y) {
+        low.y.min(bottom)
+    } else {
+        low.y
+    };
     View::around([low, high].into_iter(), None)
 }
 

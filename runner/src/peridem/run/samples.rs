@@ -55,7 +55,12 @@ const PIECE: f64 = 0.05;
 /// Names of the values in every sample of a scene.
 pub fn columns(scene: &Scene) -> Vec<&'static str> {
     let energy = ENERGY.iter().filter(|_| scene.output.energy);
-    let mut names: Vec<&str> = ["time"].iter().chain(energy).chain(&STATE).copied().collect();
+    let mut names: Vec<&str> = ["time"]
+        .iter()
+        .chain(energy)
+        .chain(&STATE)
+        .copied()
+        .collect();
     names.extend(has_container(scene).then_some(FRACTION));
     names.extend(walls(scene).flat_map(|wall| WALLS[wall]));
     names.extend(CRACKS.iter().take(scene.cracks.len()).flatten());

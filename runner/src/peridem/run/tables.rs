@@ -15,7 +15,10 @@ pub fn nodes(world: &World) -> Table {
     Table {
         columns: vec![
             ("grain", Values::Integers(grain_of(world))),
-            ("node", Values::Integers(all.clone().map(|node| local(world, node)).collect())),
+            (
+                "node",
+                Values::Integers(all.clone().map(|node| local(world, node)).collect()),
+            ),
             ("x", numbers(&|node| place(node).position().x)),
             ("y", numbers(&|node| place(node).position().y)),
             ("ux", numbers(&|node| place(node).displacement.x)),
@@ -52,8 +55,14 @@ pub fn grains(world: &World, pieces: &[usize]) -> Table {
             ("y", numbers(&|grain| centres[grain].y)),
             ("vx", numbers(&|grain| velocities[grain].x)),
             ("vy", numbers(&|grain| velocities[grain].y)),
-            ("bonds", integers(&|grain| world.bonds().count_of(nodes(grain)))),
-            ("damage", numbers(&|grain| grain_damage(grains, world.bonds(), grain))),
+            (
+                "bonds",
+                integers(&|grain| world.bonds().count_of(nodes(grain))),
+            ),
+            (
+                "damage",
+                numbers(&|grain| grain_damage(grains, world.bonds(), grain)),
+            ),
             ("pieces", integers(&|grain| pieces[grain])),
         ],
     }
@@ -63,15 +72,17 @@ pub fn grains(world: &World, pieces: &[usize]) -> Table {
 pub fn bonds(world: &World) -> Table {
     let grain_of = |later: usize| world.grains().grain_of[later] as usize;
     let all: Vec<(usize, usize, f64)> = world.bonds().all().collect();
-    let integers = |of: &dyn Fn(&(usize, usize, f64)) -> usize| {
-        Values::Integers(all.iter().map(of).collect())
-    };
+    let integers =
+        |of: &dyn Fn(&(usize, usize, f64)) -> usize| Values::Integers(all.iter().map(of).collect());
     Table {
         columns: vec![
             ("grain", integers(&|bond| grain_of(bond.1))),
             ("i", integers(&|bond| local(world, bond.0))),
             ("j", integers(&|bond| local(world, bond.1))),
-            ("length", Values::Numbers(all.iter().map(|bond| bond.2).collect())),
+            (
+                "length",
+                Values::Numbers(all.iter().map(|bond| bond.2).collect()),
+            ),
         ],
     }
 }

@@ -118,7 +118,10 @@ pub(super) fn walls(
         return Ok(None);
     };
     let Some(contact) = contact else {
-        return Err(root.error("walls", "needs [contact], which has the coefficients of walls"));
+        return Err(root.error(
+            "walls",
+            "needs [contact], which has the coefficients of walls",
+        ));
     };
     table.allow(&[&WALLS[..], &["velocity", "law", "stiffness"]].concat())?;
     let far = [
@@ -208,7 +211,9 @@ impl ContactTable {
         let row = |first| (0..number).map(|second| between(first, second)).collect();
         Ok(Contact {
             law: self.law,
-            stiffness: (0..number).map(row).collect::<std::result::Result<_, _>>()?,
+            stiffness: (0..number)
+                .map(row)
+                .collect::<std::result::Result<_, _>>()?,
             shares_sticking: self.shares_sticking,
         })
     }

@@ -1,8 +1,8 @@
 //! `[mesh]` and `[[grains]]`.
 
+use super::Result;
 use super::materials::MaterialTable;
 use super::outline::Family;
-use super::Result;
 use crate::scene::Rectangle;
 use crate::scene::rows::rows_of;
 use crate::scene::table::{Range, Table};
@@ -178,7 +178,11 @@ fn grain(
         angular_velocity: number("angular_velocity")?,
         is_breakable: table.optional_truth("breakable")?.unwrap_or(true),
         clamped: clamped(table)?,
-        loads: table.tables("loads")?.iter().map(load).collect::<Result<_>>()?,
+        loads: table
+            .tables("loads")?
+            .iter()
+            .map(load)
+            .collect::<Result<_>>()?,
     })
 }
 
@@ -192,12 +196,7 @@ fn material(table: &Table, materials: &[MaterialTable]) -> Result<usize> {
     table.choice("material", &names)
 }
 
-fn mesh_of(
-    table: &Table,
-    mesh: Option<&Table>,
-    family: Family,
-    outline: &Outline,
-) -> Result<Mesh> {
+fn mesh_of(table: &Table, mesh: Option<&Table>, family: Family, outline: &Outline) -> Result<Mesh> {
     let shared_kind = match mesh {
         Some(mesh) => mesh.optional_choice("kind", &KINDS)?,
         None => None,
@@ -235,7 +234,9 @@ impl Mesh {
         let size = bounds.upper - bounds.lower;
         let cells = [size.x, size.y].map(|side| side / self.size);
         let is_whole = |cells: &f64| (cells - cells.round()).abs() < WHOLE * cells.max(1.0);
-        let all_fit = cells.iter().all(|number| is_whole(number) && *number >= 0.5);
+        let all_fit = cells
+            .iter()
+            .all(|number| is_whole(number) && *number >= 0.5);
         all_fit.then(|| cells.map(|number| number.round() as usize))
     }
 }
@@ -269,7 +270,10 @@ fn nodes(table: &Table, folder: &Path) -> Result<NodeList> {
     let path = place("nodes_file")?;
     let rows = rows_of(table, "nodes_file", &path)?;
     let nodes = rows.read(&["x", "y", "area"], &[], |row| {
-        let (x, y) = (row.number("x", Range::Finite)?, row.number("y", Range::Finite)?);
+        let (x, y) = (
+            row.number("x", Range::Finite)?,
+            row.number("y", Range::Finite)?,
+        );
         Ok((Vec2::new(x, y), row.number("area", Range::Positive)?))
     })?;
     if nodes.is_empty() {

@@ -60,7 +60,10 @@ pub(super) fn materials(root: &Table) -> Result<Vec<MaterialTable>> {
     let materials = all.names().map(|name| material(&all.table(name)?, name));
     let materials: Vec<MaterialTable> = materials.collect::<Result<_>>()?;
     match materials.is_empty() {
-        true => Err(root.error("materials", "must have a table per material: [materials.NAME]")),
+        true => Err(root.error(
+            "materials",
+            "must have a table per material: [materials.NAME]",
+        )),
         false => Ok(materials),
     }
 }
@@ -114,12 +117,16 @@ pub(super) fn bonds(root: &Table, mode: Mode) -> Result<BondTable> {
         ("consistent", Constants::Consistent),
         ("authors", Constants::Authors),
     ];
-    let weight = table.optional_choice("weight", &weights)?.unwrap_or_default();
+    let weight = table
+        .optional_choice("weight", &weights)?
+        .unwrap_or_default();
     let by_mode = match mode.is_of_authors() && weight == Weight::Constant {
         true => Constants::Authors,
         false => Constants::Consistent,
     };
-    let constants = table.optional_choice("constants", &origins)?.unwrap_or(by_mode);
+    let constants = table
+        .optional_choice("constants", &origins)?
+        .unwrap_or(by_mode);
     if constants == Constants::Authors && weight != Weight::Constant {
         return Err(table.error("constants", "needs bonds.weight = \"constant\""));
     }
@@ -151,7 +158,9 @@ impl MaterialTable {
     /// # Errors
     /// Numbers that the kernel refuses.
     pub fn constants(&self, bonds: &BondTable) -> std::result::Result<BondConstants, SetupError> {
-        let constants = self.material().bond_constants(bonds.weight, bonds.horizon)?;
+        let constants = self
+            .material()
+            .bond_constants(bonds.weight, bonds.horizon)?;
         Ok(BondConstants {
             stiffness: constants.stiffness * factor(bonds),
             critical_stretch: match self.fracture_energy {

@@ -7,7 +7,7 @@ mod output;
 mod outline;
 
 pub use contact::{ContactTable, WallTable};
-pub use grains::{Form, GrainTable, LoadTable, Mesh, MeshKind, NodeList};
+pub use grains::{Form, GrainTable, Mesh, MeshKind};
 pub use materials::{BondTable, Constants, MaterialTable};
 pub use output::{CrackTable, MOST_CRACKS, Output};
 
@@ -106,7 +106,9 @@ impl Scene {
 
     fn from_table(root: &Table, folder: &Path) -> Result<Self> {
         root.allow(&KEYS)?;
-        let mode = root.optional_choice("mode", &Mode::ALL)?.unwrap_or_default();
+        let mode = root
+            .optional_choice("mode", &Mode::ALL)?
+            .unwrap_or_default();
         let time = root.table("time")?;
         time.allow(&["step", "end", "forced"])?;
         let (end, step) = time.duration_and_step("end")?;

@@ -88,9 +88,7 @@ impl Family {
         Ok(match self {
             Self::Disc => Outline::disc(radius, sides(table)?),
             Self::Plus => Outline::plus(radius, inner_ratio(table, PLUS)?),
-            Self::Annulus => {
-                Outline::annulus(radius, inner_ratio(table, ANNULUS)?, sides(table)?)
-            }
+            Self::Annulus => Outline::annulus(radius, inner_ratio(table, ANNULUS)?, sides(table)?),
             Self::PerturbedDisc => perturbed_disc(table, radius)?,
             _ => Outline::square(radius),
         })

@@ -79,10 +79,7 @@ pub fn write_content(folder: &Path, summary: &Summary, content: &Content) -> Res
     let plans = content.plans.iter();
     let figures: Vec<_> = plans.filter_map(|plan| figure(plan, &series)).collect();
     let version = format!("{} (commit {})", summary.version, summary.commit);
-    let common = [
-        ("hash", summary.scene_sha256.clone()),
-        ("version", version),
-    ];
+    let common = [("hash", summary.scene_sha256.clone()), ("version", version)];
     let body = html! {
         h1 { (content.title) }
         (verdict(summary))
@@ -105,7 +102,10 @@ pub fn write_content(folder: &Path, summary: &Summary, content: &Content) -> Res
             }
         }
     };
-    write_soon(&folder.join(PAGE), with_style(content.title, body).as_bytes())
+    write_soon(
+        &folder.join(PAGE),
+        with_style(content.title, body).as_bytes(),
+    )
 }
 
 /// A page as text.
