@@ -42,13 +42,35 @@ struct Row {
 }
 
 impl Document {
+    /// Rows of the table of numbered equations.
     fn rows(&self) -> Vec<Row> {
-        let lines = self.equations.lines().filter(|line| line.starts_with("| "));
-        let below = lines.skip_while(|line| !line.starts_with("| equation |"));
-        below.skip(1).map(|line| self.row(line)).collect()
+        let below = self.lines_from("| equation |");
+        below.map(|line| self.row(line, numbers)).collect()
     }
 
-    fn row(&self, line: &str) -> Row {
+    /// Rows of the table above it of sections and tables without a number, if there is one.
+    fn unnumbered_rows(&self) -> Vec<Row> {
+        let lines = self.lines_from("| place |");
+        let own = lines.take_while(|line| !line.starts_with("| equation |"));
+        let place = |place: &str| vec![place.to_owned()];
+        own.map(|line| self.row(line, place)).collect()
+    }
+
+    fn all_rows(&self) -> Vec<Row> {
+        let mut rows = self.unnumbered_rows();
+        rows.extend(self.rows());
+        rows
+    }
+
+    /// Rows of tables below the one that starts like this.
+    fn lines_from(&self, head: &'static str) -> impl Iterator<Item = &str> {
+        let lines = self.equations.lines().filter(|line| line.starts_with("| "));
+        lines
+            .skip_while(move |line| !line.starts_with(head))
+            .skip(1)
+    }
+
+    fn row(&self, line: &str, numbers: impl Fn(&str) -> Vec<String>) -> Row {
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
         let ["", equations, formula, items, tests, errata, ""] = cells[..] else {
             panic!("five columns expected: {line}");
@@ -236,7 +258,8 @@ fn every_numbered_equation_has_exactly_one_row() {
 #[test]
 fn items_and_tests_named_by_the_table_exist() {
     let tests = tests();
-    for row in documents().iter().flat_map(Document::rows) {
+    let documents = documents();
+    for row in documents.iter().flat_map(Document::all_rows) {
         let numbers = &row.numbers;
         if row.items.is_empty() {
             assert_eq!(row.item_cell, "-", "{numbers:?}");
@@ -273,7 +296,7 @@ fn every_cited_erratum_has_its_section() {
     let mut errata = BTreeSet::new();
     for document in &documents {
         let (sections, source) = (document.sections(), document.source.as_str());
-        for row in document.rows() {
+        for row in document.all_rows() {
             for id in &row.errata {
                 assert!(sections.contains_key(id), "{:?} cites {id}", row.numbers);
             }
@@ -288,6 +311,29 @@ fn every_cited_erratum_has_its_section() {
                 .unwrap_or_else(|| panic!("{}: no source is named before {id}", file.display()));
             let is_there = errata.contains(&(source, id.to_owned()));
             assert!(is_there, "{} cites {source} {id}", file.display());
+        }
+    }
+}
+
+#[test]
+fn every_erratum_cited_with_its_source_has_its_section() {
+    let documents = documents();
+    let texts = prose();
+    let pairs = documents
+        .iter()
+        .flat_map(|one| texts.iter().map(move |text| (one, text)));
+    for (document, (file, text)) in pairs {
+        let (sections, name) = (document.sections(), format!("{} ", document.source));
+        for (at, _) in text.match_indices(&name) {
+            let id = leading_name(&text[at + name.len()..]);
+            let is_id = id.starts_with(['C', 'E', 'P', 'Q'])
+                && id.len() > 1
+                && id[1..].chars().all(|c| c.is_ascii_digit());
+            assert!(
+                !is_id || sections.contains_key(id),
+                "{} cites {name}{id}",
+                file.display()
+            );
         }
     }
 }
@@ -331,7 +377,9 @@ fn checks_cite_only_existing_equations() {
                 number.starts_with(|c: char| c.is_ascii_digit())
             }
             Some(_) => false,
-            None if place.starts_with(['E', 'C']) => document.sections().contains_key(place),
+            None if place.starts_with(['E', 'C', 'P', 'Q']) => {
+                document.sections().contains_key(place)
+            }
             None => numbers(place)
                 .iter()
                 .all(|number| numbered.contains(number)),

@@ -53,6 +53,7 @@ topics! {
     economy: "economy",
     work_precision: "work-precision",
     contact_dynamics: "contact-dynamics",
+    peridem: "peridem",
 }
 
 #[test]

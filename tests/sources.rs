@@ -37,9 +37,10 @@ pub fn quoted(text: &str) -> Vec<&str> {
 }
 
 /// Sources of the kernel's crates.
-pub const KERNELS: [&str; 3] = [
+pub const KERNELS: [&str; 4] = [
     "kernel/dem/src",
     "kernel/contact-dynamics/src",
+    "kernel/peridem/src",
     "kernel/common/src",
 ];
 

@@ -4,6 +4,7 @@ use crate::cloud::{H, at_rest, contact, disc, grain, lattice, run, settings, thr
 use gouge_common::geometry::Vec2;
 use gouge_common::record::Record;
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
+use gouge_peridem::error::SetupError;
 use gouge_peridem::grain::Grain;
 use gouge_peridem::material::Weight;
 use gouge_peridem::state::State;
@@ -173,9 +174,20 @@ fn records_of_other_worlds_are_refused() {
 #[test]
 fn states_of_other_grains_are_refused() {
     let (grains, world) = collision(BreakOrder::BreakFirst);
-    let (one, _) = at_rest(&grains[..1]);
-    let state = world.state().clone();
-    assert!(World::new(one, settings(1e-7), state, Beginning::Given).is_err());
+    let (all, state) = (world.grains(), world.state());
+    let (_, other) = at_rest(&grains[..1]);
+    let refused = |change: &dyn Fn(&mut State)| {
+        let mut state = state.clone();
+        change(&mut state);
+        match World::new(all.clone(), settings(1e-7), state, Beginning::Given) {
+            Err(SetupError::StateLength { column, .. }) => column,
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(refused(&|state| state.places.truncate(9)), "places");
+    assert_eq!(refused(&|state| state.velocity.truncate(9)), "velocity");
+    assert_eq!(refused(&|state| state.acceleration.clear()), "acceleration");
+    assert_eq!(refused(&|state| state.bonds = other.bonds.clone()), "bonds");
 }
 
 #[test]

@@ -298,6 +298,7 @@ proptest! {
         let sum = |mesh: &Mesh| total(&mesh.area) / shape.area() - 1.0;
         let mesh = Mesh::triangulated(&shape, size).unwrap();
         prop_assert!(sum(&mesh).abs() < 1e-13);
+        prop_assert!(mesh.position.iter().all(|&place| shape.contains(place)));
         if let Ok(mesh) = Mesh::lattice(&shape, size, Vec2::zero()) {
             prop_assert!(sum(&mesh).abs() < 1e-13);
         }

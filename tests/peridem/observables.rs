@@ -133,7 +133,7 @@ fn distances_of_nodes_without_bonds_and_of_faces() {
     });
     let row = |y: usize| (0..20).map(|x| 20 * y + x).collect::<Vec<usize>>();
     let (upper, lower) = (row(10), row(9));
-    for gap in [1.0, 0.25, -0.5] {
+    for gap in [1.5, 1.0, 0.25, -0.5] {
         for node in 200..400 {
             state.places[node].displacement = Vec2::new(0.0, (gap - 1.0) * H);
         }

@@ -14,6 +14,8 @@ pub enum Verdict {
     Holds,
     /// The opposite is shown.
     Refuted,
+    /// The printed numbers do not give the printed result.
+    NotAsPrinted,
     /// The runs show neither.
     Undecided,
 }
@@ -24,6 +26,7 @@ impl Verdict {
         match self {
             Self::Holds => "holds",
             Self::Refuted => "refuted",
+            Self::NotAsPrinted => "not reproducible as printed",
             Self::Undecided => "undecided",
         }
     }

@@ -6,6 +6,7 @@ mod curves;
 mod friction_curves;
 mod media;
 mod page;
+mod peridem;
 mod pictures;
 mod polygons;
 mod results;
@@ -51,12 +52,13 @@ pub struct Study {
 }
 
 /// All studies.
-pub static STUDIES: [&Study; 5] = [
+pub static STUDIES: [&Study; 6] = [
     &thesis::STUDY,
     &strength::STUDY,
     &media::STUDY,
     &rocks::STUDY,
     &polygons::STUDY,
+    &peridem::STUDY,
 ];
 
 /// How much is run.

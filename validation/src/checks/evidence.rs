@@ -10,17 +10,20 @@ pub enum Source {
     Thesis,
     /// E. Azéma, N. Estrada and F. Radjai, Phys. Rev. E 86, 041301 (2012).
     Azema,
+    /// D. Bhattacharya and R. P. Lipton, SIAM J. Sci. Comput. 45, B1 (2023).
+    Peridem,
 }
 
 impl Source {
     /// All sources.
-    pub const ALL: [Self; 2] = [Self::Thesis, Self::Azema];
+    pub const ALL: [Self; 3] = [Self::Thesis, Self::Azema, Self::Peridem];
 
     /// Its name in citations.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Thesis => "thesis",
             Self::Azema => "azema",
+            Self::Peridem => "peridem",
         }
     }
 
@@ -29,6 +32,7 @@ impl Source {
         match self {
             Self::Thesis => "thesis",
             Self::Azema => "contact-dynamics",
+            Self::Peridem => "peridem",
         }
     }
 }
@@ -111,6 +115,11 @@ pub fn thesis(places: &'static str) -> Evidence {
 /// Places in the source of contact dynamics, separated by commas: `azema("(A1)-(A3), E7")`.
 pub fn azema(places: &'static str) -> Evidence {
     places_in(Source::Azema, places)
+}
+
+/// Places in the source of peridynamic grains, separated by commas: `peridem("(3.2), P4")`.
+pub fn peridem(places: &'static str) -> Evidence {
+    places_in(Source::Peridem, places)
 }
 
 fn places_in(source: Source, places: &'static str) -> Evidence {

@@ -4,6 +4,7 @@ use super::Exhibit;
 use crate::scenes::Mistake;
 use gouge_contact_dynamics::error as rigid;
 use gouge_dem::{ModelError, StepError};
+use gouge_peridem::error as deformable;
 use gouge_runner::error::{Error, SceneError};
 use serde::Serialize;
 use thiserror::Error;
@@ -177,6 +178,12 @@ pub enum Failure {
     /// A run of contact dynamics stopped.
     #[error("{0}")]
     RigidStep(#[from] rigid::StepError),
+    /// The kernel of peridynamic grains refused a grain or a setting.
+    #[error("{0}")]
+    Grain(#[from] deformable::SetupError),
+    /// A run of peridynamic grains stopped.
+    #[error("{0}")]
+    GrainStep(#[from] deformable::StepError),
     /// A command failed.
     #[error("{0}")]
     Command(#[from] Error),

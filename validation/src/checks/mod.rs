@@ -8,9 +8,10 @@ mod evidence;
 mod exhibit;
 mod extrapolation;
 mod measurement;
+pub mod peridem;
 mod random;
 
-pub use evidence::{Citation, Evidence, Source, azema, thesis};
+pub use evidence::{Citation, Evidence, Source, azema, peridem, thesis};
 pub use exhibit::{Exhibit, Table};
 pub use gouge_page::{Axis, Curve, Figure, Style};
 pub use measurement::{
@@ -68,5 +69,6 @@ pub struct Topic {
 pub fn register() -> Vec<Topic> {
     let mut topics = dem::topics();
     topics.push(contact_dynamics::topic());
+    topics.push(peridem::topic());
     topics
 }

@@ -20,6 +20,7 @@ pub mod minimum;
 pub mod normal;
 pub mod original;
 pub mod oscillator;
+pub mod peridem;
 pub mod printed;
 pub mod quadrature;
 pub mod rolling;

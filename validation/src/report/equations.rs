@@ -10,6 +10,7 @@ fn table(source: Source) -> &'static str {
     match source {
         Source::Thesis => include_str!("../../../docs/thesis/equations.md"),
         Source::Azema => include_str!("../../../docs/contact-dynamics/equations.md"),
+        Source::Peridem => include_str!("../../../docs/peridem/equations.md"),
     }
 }
 
@@ -18,6 +19,7 @@ pub fn title(source: Source) -> &'static str {
     match source {
         Source::Thesis => "the thesis",
         Source::Azema => "Azéma, Estrada and Radjai",
+        Source::Peridem => "Bhattacharya and Lipton",
     }
 }
 
@@ -276,6 +278,15 @@ mod tests {
         assert_eq!(numbers, expected);
         let page = chapter(&[], true).into_string();
         assert_eq!(page.matches("<tr id=\"equation-azema-").count(), 42);
+    }
+
+    #[test]
+    fn every_equation_of_peridynamic_grains_has_one_row() {
+        let all = equations(Source::Peridem).into_iter();
+        let numbers: Vec<String> = all.map(|one| one.number).collect();
+        let contact = (1..=9).map(|number| format!("4.{number}"));
+        let earlier = ["2.1", "3.1", "3.2"].map(str::to_owned).into_iter();
+        assert_eq!(numbers, earlier.chain(contact).collect::<Vec<_>>());
     }
 
     #[test]

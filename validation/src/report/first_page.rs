@@ -85,7 +85,7 @@ fn verdict(entries: &[Entry], facts: &Facts) -> Markup {
 }
 
 /// Which equations are covered, in words.
-fn scope(coverage: [(Source, Coverage); 2], is_complete: bool) -> String {
+fn scope(coverage: [(Source, Coverage); 3], is_complete: bool) -> String {
     coverage
         .map(|(source, coverage)| scope_of(source, coverage, is_complete))
         .join(" ")
@@ -98,8 +98,13 @@ fn scope_of(source: Source, coverage: Coverage, is_complete: bool) -> String {
         tested,
         missing,
     } = coverage;
-    if source != Source::Thesis {
-        return format!("Of {all} of contact dynamics, {checked} have checks.");
+    let model = match source {
+        Source::Thesis => None,
+        Source::Azema => Some("contact dynamics"),
+        Source::Peridem => Some("peridynamic grains"),
+    };
+    if let Some(model) = model {
+        return format!("Of {all} of {model}, {checked} have checks.");
     }
     let covered =
         format!("Checks stand for {checked} of the {all} numbered equations of the thesis");
@@ -110,7 +115,7 @@ fn scope_of(source: Source, coverage: Coverage, is_complete: bool) -> String {
     format!("{covered}; {tested} have only unit tests, and {missing} {verb} not implemented.")
 }
 
-fn table(entries: &[Entry], coverage: [(Source, Coverage); 2], facts: &Facts) -> Markup {
+fn table(entries: &[Entry], coverage: [(Source, Coverage); 3], facts: &Facts) -> Markup {
     let records = || entries.iter().map(|entry| &entry.record);
     let passed = records().filter(|record| record.passed()).count();
     let weakest = weakest_first(entries);

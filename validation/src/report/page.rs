@@ -174,7 +174,8 @@ fn how_to_read() -> Markup {
                 "In figures, lines are theory or data of others and marks are results of the kernel, unless the legend says otherwise. All quantities are in SI units. "
                 "“thesis (42)” is equation (42) of the thesis, and “thesis E15” is section E15 of docs/thesis/errata.md; "
                 "a number in parentheses without a source is an equation of the thesis. "
-                "“azema (A18)” is equation (A18) of Azéma, Estrada and Radjai (2012), and “azema E2” is section E2 of docs/contact-dynamics/errata.md."
+                "“azema (A18)” is equation (A18) of Azéma, Estrada and Radjai (2012), and “azema E2” is section E2 of docs/contact-dynamics/errata.md. "
+                "“peridem (4.3)” is equation (4.3) of Bhattacharya and Lipton (2023), and “peridem P2” is section P2 of docs/peridem/errata.md."
             }
         }
     }

@@ -1,0 +1,147 @@
+//! Tables of the paper, and of the runs.
+
+use super::claims::from_notch;
+use super::{CROSSES, CROSSES_FINE, KALTHOFF, NOTCH, PRINTED_NOTCH};
+use crate::study::results::{Results, Run};
+use crate::study::sample::Sample;
+use gouge_page::table;
+use gouge_peridem::material::{Material, Plane, Weight};
+use maud::Markup;
+
+pub(super) fn tables(results: &Results) -> Vec<Markup> {
+    let runs = [
+        (KALTHOFF, "The plate", PLATE),
+        (CROSSES, "Crosses over horizons", AREAS),
+        (CROSSES_FINE, "Crosses over spacings", AREAS),
+        (
+            NOTCH,
+            "The notched square, sizes of the public script",
+            PIECES,
+        ),
+        (PRINTED_NOTCH, "The notched square, printed sizes", PIECES),
+    ];
+    let of_runs = runs
+        .iter()
+        .filter_map(|(part, caption, columns)| table_of_runs(results, part, caption, columns));
+    constants()
+        .into_iter()
+        .chain([materials()])
+        .chain(of_runs)
+        .collect()
+}
+
+/// Columns of a table of runs: heading, observation, factor and decimals.
+type Columns = &'static [(&'static str, &'static str, f64, usize)];
+
+const PLATE: Columns = &[
+    ("grid", "grid", 1.0, 0),
+    ("breaking", "breaking", 1.0, 0),
+    ("self contact", "self contact", 1.0, 0),
+    ("length in mm", "crack_length_0_last", 1e3, 1),
+    ("broken bonds", "broken_bonds_last", 1.0, 0),
+];
+const AREAS: Columns = &[
+    ("horizon", "horizon", 1.0, 0),
+    ("spacing", "spacing", 1.0, 0),
+    ("area after 400 ns in mm²", "area_at_400_ns", 1.0, 4),
+    ("after 1 us", "area_at_1_us", 1.0, 4),
+    ("broken bonds", "broken_bonds_last", 1.0, 0),
+];
+const PIECES: Columns = &[
+    ("Gc", "Gc", 1.0, 0),
+    ("spacing", "spacing", 1.0, 0),
+    ("pieces with two planks", "pieces_last", 1.0, 0),
+    ("two pieces at us", "two_pieces", 1.0, 1),
+    ("three pieces at us", "three_pieces", 1.0, 1),
+    ("broken bonds", "broken_bonds_last", 1.0, 0),
+];
+
+fn table_of_runs(
+    results: &Results,
+    part: &'static str,
+    caption: &str,
+    columns: Columns,
+) -> Option<Markup> {
+    let sample = Sample { results, part };
+    let cell = |run: &Run, (_, column, factor, digits): &(&str, &str, f64, usize)| match run
+        .number(column)
+    {
+        Some(number) if run.text(column).parse::<f64>().is_ok() => {
+            format!("{:.*}", digits, number * factor)
+        }
+        _ => run.text(column).to_owned(),
+    };
+    let angle = |run: &Run| {
+        let angles = [0, 1].map(|crack| from_notch(run, crack));
+        let said = angles.map(|angle| angle.map_or_else(|| "-".to_owned(), |a| format!("{a:.1}")));
+        said.join(" and ")
+    };
+    let has_cracks = part == KALTHOFF;
+    let row = |run: &Run| {
+        let cells = columns.iter().map(|column| cell(run, column));
+        cells
+            .chain(has_cracks.then(|| angle(run)))
+            .collect::<Vec<String>>()
+    };
+    let rows: Vec<Vec<String>> = sample.runs().map(row).collect();
+    let names = columns.iter().map(|column| column.0);
+    let names: Vec<String> = names
+        .chain(has_cracks.then_some("angles in degrees"))
+        .map(str::to_owned)
+        .collect();
+    (!rows.is_empty()).then(|| table(caption, &names, &rows))
+}
+
+/// Table 1 for the second material.
+fn constants() -> Option<Markup> {
+    let material = Material {
+        young_modulus: 1.23e9,
+        poisson_ratio: 1.0 / 3.0,
+        fracture_energy: 135.0,
+        density: 1200.0,
+        plane: Plane::Stress,
+    };
+    let row = |(name, weight)| {
+        let constants = material.bond_constants(weight, 5e-4).ok()?;
+        Some(vec![
+            String::from(name),
+            format!("{:.6e}", constants.stiffness),
+            format!("{:.6}", constants.critical_stretch),
+        ])
+    };
+    let weights = [("constant", Weight::Constant), ("conic", Weight::Conic)];
+    let rows: Option<Vec<Vec<String>>> = weights.map(row).into_iter().collect();
+    let columns = ["weight", "c in N/m⁶", "critical stretch"].map(str::to_owned);
+    Some(table(
+        "Table 1 for E = 1.23 GPa, Gc = 135 J/m², horizon 0.5 mm",
+        &columns,
+        &rows?,
+    ))
+}
+
+/// Table 2 with Poisson's ratios of the printed moduli, which bonds cannot have.
+fn materials() -> Markup {
+    let row = |(name, young, bulk, density): (&str, f64, f64, f64)| {
+        let ratio = 0.5 - young / (6.0 * bulk);
+        vec![
+            name.to_owned(),
+            format!("{:.2}", 1e-9 * young),
+            format!("{:.1}", 1e-9 * bulk),
+            format!("{density}"),
+            format!("{ratio:.2}"),
+        ]
+    };
+    let rows = [("M1", 191e9, 159.2e9, 8000.0), ("M2", 1.23e9, 2e9, 1200.0)].map(row);
+    let columns = [
+        "material",
+        "E in GPa",
+        "k in GPa",
+        "density in kg/m³",
+        "Poisson's ratio of E and k",
+    ];
+    table(
+        "Table 2, with the Poisson's ratio that follows; that of bonds is 1/3",
+        &columns.map(str::to_owned),
+        &rows,
+    )
+}
