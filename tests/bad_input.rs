@@ -27,8 +27,8 @@ use tempfile::TempDir;
 /// Longest time that the program may take to reject its input.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// CSV files of the scene `bad_input/beside.toml`.
-const BESIDE: [(&str, &str); 3] = [
+/// CSV files of the scenes `bad_input/beside.toml` and `bad_input/grains.toml`.
+const BESIDE: [(&str, &str); 5] = [
     (
         "p.csv",
         "x,y,radius,vx,role\n0,0,1e-3,0,free\n2e-3,0,1e-3,0,free\n3.9e-3,0,1e-3,0,fixed\n",
@@ -38,6 +38,8 @@ const BESIDE: [(&str, &str); 3] = [
         "c.csv",
         "i,j,initial_angle_i,initial_angle_j\n1,2,0.1,0.2\n",
     ),
+    ("n.csv", "x,y,area\n0,0,4e-8\n2e-4,0,4e-8\n0,2e-4,4e-8\n"),
+    ("nb.csv", "i,j\n0,1\n0,2\n"),
 ];
 
 /// A mistake and the message that it must cause.
@@ -242,6 +244,12 @@ fn mistakes_in_scenes_of_contact_dynamics_are_named() {
     assert!(check_list(include_str!("bad_input/polygons.toml"), list) > 30);
     let list = include_str!("bad_input/packings.txt");
     assert!(check_list(include_str!("bad_input/packings.toml"), list) > 12);
+}
+
+#[test]
+fn mistakes_in_scenes_of_peridynamic_grains_are_named() {
+    let list = include_str!("bad_input/grains.txt");
+    assert!(check_list(include_str!("bad_input/grains.toml"), list) > 50);
 }
 
 #[test]

@@ -21,6 +21,7 @@ mod examples;
 mod final_state;
 mod friction;
 mod geometry;
+mod grains;
 mod guard;
 mod identities;
 mod integrators;

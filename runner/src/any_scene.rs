@@ -5,7 +5,7 @@ use crate::run::{
     Observer, RunOptions, Summary, Table, links_of, phases, run_setup, series_columns,
 };
 use crate::scene::{Keys, Overrides, Scene, SceneFile, SceneText};
-use crate::{commands, contact_dynamics, run};
+use crate::{commands, contact_dynamics, peridem, run};
 use std::path::{Path, PathBuf};
 
 /// A scene of any model.
@@ -15,6 +15,8 @@ pub enum AnyScene {
     Dem(Box<Scene>),
     /// `model = "contact-dynamics"`.
     ContactDynamics(Box<contact_dynamics::Scene>),
+    /// `model = "peridem"`.
+    Peridem(Box<peridem::Scene>),
 }
 
 impl AnyScene {
@@ -45,6 +47,7 @@ impl AnyScene {
                 let scene = contact_dynamics::Scene::read(file, overrides)?;
                 Self::ContactDynamics(Box::new(scene))
             }
+            "peridem" => Self::Peridem(Box::new(peridem::Scene::read(file, overrides)?)),
             _ => Self::Dem(Box::new(Scene::read(file, overrides)?)),
         })
     }
@@ -54,20 +57,21 @@ impl AnyScene {
     /// # Errors
     /// A scene of another model, which `what` cannot use.
     pub fn dem(self, what: &str) -> Result<Scene, Error> {
-        match self {
-            Self::Dem(scene) => Ok(*scene),
-            Self::ContactDynamics(scene) => Err(Error::Argument(format!(
-                "{}: model = \"contact-dynamics\": {what} needs a scene with model = \"dem\"",
-                scene.file
-            ))),
-        }
+        let (file, model) = match self {
+            Self::Dem(scene) => return Ok(*scene),
+            Self::ContactDynamics(scene) => (scene.file, "contact-dynamics"),
+            Self::Peridem(scene) => (scene.file, "peridem"),
+        };
+        Err(Error::Argument(format!(
+            "{file}: model = \"{model}\": {what} needs a scene with model = \"dem\""
+        )))
     }
 
     /// The scene, if it is one of the thesis's model.
     pub fn as_dem(&self) -> Option<&Scene> {
         match self {
             Self::Dem(scene) => Some(scene),
-            Self::ContactDynamics(_) => None,
+            Self::ContactDynamics(_) | Self::Peridem(_) => None,
         }
     }
 
@@ -75,7 +79,7 @@ impl AnyScene {
     pub fn into_dem(self) -> Option<Scene> {
         match self {
             Self::Dem(scene) => Some(*scene),
-            Self::ContactDynamics(_) => None,
+            Self::ContactDynamics(_) | Self::Peridem(_) => None,
         }
     }
 
@@ -92,10 +96,12 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => run::run(scene, folder, options, observer),
             Self::ContactDynamics(scene) => contact_dynamics::run(scene, folder, options, observer),
+            Self::Peridem(scene) => peridem::run(scene, folder, options, observer),
         }
     }
 
-    /// Every pair that interacts at t = 0; of contact dynamics, the contact points of the first step.
+    /// Every pair that interacts at t = 0; of contact dynamics, the contact points of the first step; of peridynamic
+    /// grains, all bonds and contacts of nodes.
     ///
     /// # Errors
     /// Scenes that the kernel refuses.
@@ -103,6 +109,7 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => Ok(links_of(&run_setup(scene)?)),
             Self::ContactDynamics(scene) => contact_dynamics::contacts(scene),
+            Self::Peridem(scene) => peridem::links(scene),
         }
     }
 
@@ -114,6 +121,7 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => commands::stability(scene),
             Self::ContactDynamics(scene) => contact_dynamics::stability(scene),
+            Self::Peridem(scene) => peridem::stability(scene),
         }
     }
 
@@ -121,6 +129,7 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => &**scene,
             Self::ContactDynamics(scene) => &**scene,
+            Self::Peridem(scene) => &**scene,
         }
     }
 
@@ -144,6 +153,7 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => &scene.sha256,
             Self::ContactDynamics(scene) => &scene.sha256,
+            Self::Peridem(scene) => &scene.sha256,
         }
     }
 
@@ -152,6 +162,7 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => phases(scene).iter().map(|phase| phase.steps).sum(),
             Self::ContactDynamics(scene) => scene.steps(),
+            Self::Peridem(scene) => scene.schedule().steps(),
         }
     }
 
@@ -160,13 +171,14 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => scene.end / scene.output.interval,
             Self::ContactDynamics(scene) => scene.end / scene.output.interval,
+            Self::Peridem(scene) => scene.end / scene.output.interval,
         }
     }
 
     /// Whether runs measure contact networks.
     pub fn measures_network(&self) -> bool {
         match self {
-            Self::Dem(_) => false,
+            Self::Dem(_) | Self::Peridem(_) => false,
             Self::ContactDynamics(scene) => scene.measures_network(),
         }
     }
@@ -176,6 +188,7 @@ impl AnyScene {
         match self {
             Self::Dem(scene) => series_columns(scene),
             Self::ContactDynamics(scene) => contact_dynamics::series_columns(scene),
+            Self::Peridem(scene) => peridem::series_columns(scene),
         }
     }
 }

@@ -91,6 +91,14 @@ pub enum Error {
         /// The cause.
         source: gouge_contact_dynamics::error::StepError,
     },
+    /// A run of peridynamic grains stopped at an error of the kernel.
+    #[error("the run stopped in phase '{phase}': {source} (run `gouge stability` for the limits)")]
+    PeridemStep {
+        /// The phase of the run.
+        phase: String,
+        /// The cause.
+        source: gouge_peridem::error::StepError,
+    },
     /// A packing did not settle.
     #[error(
         "the packing has not settled after {steps} steps; give setup.compaction.max_steps or settled_distance other values"
@@ -102,6 +110,9 @@ pub enum Error {
     /// The kernel of contact dynamics refused the bodies of a scene.
     #[error("the scene cannot be set up: {0}")]
     ContactDynamicsSetup(#[from] gouge_contact_dynamics::error::SetupError),
+    /// The kernel of peridynamic grains refused the grains of a scene.
+    #[error("the scene cannot be set up: {0}")]
+    PeridemSetup(#[from] gouge_peridem::error::SetupError),
     /// An energy overflowed although the state itself is still finite.
     #[error(
         "the run stopped in phase '{phase}': the {name} energy is not finite at {time:.6e} s; likely \
@@ -156,6 +167,8 @@ impl Error {
                 | Self::Setup(_)
                 | Self::ContactDynamicsStep { .. }
                 | Self::ContactDynamicsSetup(_)
+                | Self::PeridemStep { .. }
+                | Self::PeridemSetup(_)
                 | Self::Unsettled { .. }
         )
     }

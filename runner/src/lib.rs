@@ -7,6 +7,8 @@ pub mod compare;
 pub mod contact_dynamics;
 pub mod error;
 pub mod machine;
+pub mod peridem;
+pub mod random;
 pub mod references;
 pub mod run;
 pub mod scene;

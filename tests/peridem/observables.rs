@@ -104,7 +104,7 @@ fn the_line_of_a_crack_is_found_with_its_sign() {
                 Vec2::zero()
             }
         });
-        let belongs = |at: Vec2| at.x < 50.0 * H;
+        let belongs = |node: usize| grains.position[node].x < 50.0 * H;
         let crack = Crack::from_tip(&grains, &state.bonds, tip, 0.3, belongs).unwrap();
         let error = (crack.angle.to_degrees() - degrees + 540.0).rem_euclid(360.0) - 180.0;
         assert!(error.abs() < 3.0, "{degrees}: {crack:?}");

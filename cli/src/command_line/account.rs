@@ -2,6 +2,7 @@
 
 use gouge_runner::any_scene::AnyScene;
 use gouge_runner::contact_dynamics;
+use gouge_runner::peridem;
 use gouge_runner::run::{Friction, Summary};
 use gouge_runner::scene::{Scene, Trajectory};
 use std::fmt::Write;
@@ -15,6 +16,7 @@ pub fn account(scene: &AnyScene, summary: &Summary, folder: &Path) -> String {
     match scene {
         AnyScene::Dem(scene) => account_of_grains(scene, summary, folder),
         AnyScene::ContactDynamics(scene) => account_of_bodies(scene, summary, folder),
+        AnyScene::Peridem(scene) => account_of_nodes(scene, summary, folder),
     }
 }
 
@@ -149,11 +151,7 @@ fn files(scene: &Scene) -> Vec<(&'static str, &'static str)> {
             "final bonds; breaks.csv lists those that broke",
         ));
     }
-    match scene.output.trajectory {
-        Trajectory::None => {}
-        Trajectory::Vtk => files.push(("trajectory/run.vtk.series", "frames; opens in ParaView")),
-        Trajectory::Extxyz => files.push(("trajectory/frame_000000.xyz", "frames; opens in OVITO")),
-    }
+    files.extend(frames(scene.output.trajectory));
     match (scene.output.links, scene.output.trajectory) {
         (true, Trajectory::Vtk) => {
             files.push((
@@ -174,10 +172,6 @@ fn files(scene: &Scene) -> Vec<(&'static str, &'static str)> {
 
 /// The account of a run of contact dynamics.
 fn account_of_bodies(scene: &contact_dynamics::Scene, summary: &Summary, folder: &Path) -> String {
-    let warnings = match summary.warnings.len() {
-        0 => "none".to_owned(),
-        number => format!("{number}, listed in summary.json"),
-    };
     let run = format!(
         "{} bodies, {} steps until {:.4e} s, in {:.1} s of wall time",
         summary.particles, summary.steps, summary.time, summary.wall_seconds
@@ -186,23 +180,85 @@ fn account_of_bodies(scene: &contact_dynamics::Scene, summary: &Summary, folder:
         ("status", summary.status.clone()),
         ("run", run),
         ("energy balance", balance(summary)),
-        ("warnings", warnings),
+        ("warnings", warnings(summary)),
     ];
-    let mut text = String::new();
     let lines = lines.into_iter().chain(summary.network_lines());
+    written(lines) + &listed(files_of_bodies(scene), folder)
+}
+
+fn warnings(summary: &Summary) -> String {
+    match summary.warnings.len() {
+        0 => "none".to_owned(),
+        number => format!("{number}, listed in summary.json"),
+    }
+}
+
+/// One line per name and content, then an empty line.
+fn written(lines: impl Iterator<Item = (&'static str, String)>) -> String {
+    let mut text = String::new();
     for (name, content) in lines {
         let _ = writeln!(text, "{name:16}{content}");
     }
     text.push('\n');
-    text + &listed(files_of_bodies(scene), folder)
+    text
 }
 
-fn files_of_bodies(scene: &contact_dynamics::Scene) -> Vec<(&'static str, &'static str)> {
-    let frames = match scene.output.trajectory {
+/// The account of a run of peridynamic grains.
+fn account_of_nodes(scene: &peridem::Scene, summary: &Summary, folder: &Path) -> String {
+    let run = format!(
+        "{} nodes, {} steps until {:.4e} s, in {:.1} s of wall time",
+        summary.particles, summary.steps, summary.time, summary.wall_seconds
+    );
+    let (broken, initial) = (summary.bonds_broken, summary.bonds_initial);
+    let lines = [
+        ("status", summary.status.clone()),
+        ("run", run),
+        ("bonds", format!("{broken} of {initial} broken")),
+    ];
+    let last = [
+        ("energy balance", balance(summary)),
+        ("warnings", warnings(summary)),
+    ];
+    let own = summary.peridem_lines();
+    let lines = lines.into_iter().chain(own).chain(last);
+    written(lines) + &listed(files_of_nodes(scene), folder)
+}
+
+fn files_of_nodes(scene: &peridem::Scene) -> Vec<(&'static str, &'static str)> {
+    let files = [
+        (
+            "run.html",
+            "verdict, figures and picture; opens in a browser",
+        ),
+        (
+            "picture.svg",
+            "final state coloured by damage; opens in a browser",
+        ),
+        (
+            "series.csv",
+            "energies, damage, pieces, cracks and wall forces over time; opens in pandas",
+        ),
+        ("nodes.csv", "final nodes; opens in pandas"),
+        ("grains.csv", "final grains; opens in pandas"),
+        ("breaks.csv", "the bonds that broke, in order"),
+        ("bonds.csv", "the final bonds"),
+        ("summary.json", "this account and more"),
+        ("checkpoint", "final state to the bit, for --resume"),
+    ];
+    let frames = frames(scene.output.trajectory);
+    files.into_iter().chain(frames).collect()
+}
+
+/// The files of frames in a format.
+fn frames(trajectory: Trajectory) -> Option<(&'static str, &'static str)> {
+    match trajectory {
         Trajectory::None => None,
         Trajectory::Vtk => Some(("trajectory/run.vtk.series", "frames; opens in ParaView")),
         Trajectory::Extxyz => Some(("trajectory/frame_000000.xyz", "frames; opens in OVITO")),
-    };
+    }
+}
+
+fn files_of_bodies(scene: &contact_dynamics::Scene) -> Vec<(&'static str, &'static str)> {
     let files = [
         (
             "run.html",
@@ -231,6 +287,7 @@ fn files_of_bodies(scene: &contact_dynamics::Scene) -> Vec<(&'static str, &'stat
         ("summary.json", "this account and more"),
         ("checkpoint", "final state to the bit, for --resume"),
     ];
+    let frames = frames(scene.output.trajectory);
     files.into_iter().chain(frames).collect()
 }
 

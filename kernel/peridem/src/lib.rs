@@ -24,5 +24,6 @@ pub mod forces;
 pub mod limits;
 pub mod energy;
 pub mod world;
+pub mod mode;
 pub mod record;
 pub mod observables;

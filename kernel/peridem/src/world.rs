@@ -3,7 +3,7 @@
 use crate::bonds::Bonds;
 use crate::energy::Energies;
 use crate::error::{SetupError, StepError, require};
-use crate::forces::{Settings, Workspace};
+use crate::forces::{Settings, Touching, Workspace};
 use crate::grain::Grains;
 use crate::limits::Limits;
 use crate::state::State;
@@ -207,6 +207,12 @@ impl World {
     /// Forces in N per metre of depth of the grains on the left, right, top and bottom wall.
     pub fn reactions(&self) -> [Vec2; 4] {
         self.workspace.reactions
+    }
+
+    /// All contacts between nodes.
+    pub fn contacts(&self) -> Vec<Touching> {
+        self.workspace
+            .contacts(&self.grains, &self.settings, &self.state)
     }
 
     /// What a run does not change.

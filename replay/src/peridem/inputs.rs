@@ -1,6 +1,5 @@
 //! What a case says: grains, contact, walls, steps.
 
-use super::mode::Mode;
 use super::options;
 use crate::error::Fault;
 use crate::fields::Fields;
@@ -11,6 +10,7 @@ use gouge_peridem::contacts::Contact;
 use gouge_peridem::forces::{Settings, Walls};
 use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::{BondConstants, Weight};
+use gouge_peridem::mode::Mode;
 use gouge_peridem::state::State;
 use gouge_peridem::wall_law::WallLaw;
 use gouge_peridem::world::World;

@@ -1,7 +1,6 @@
 //! Cases of the kernel of peridynamic grains.
 
 mod inputs;
-mod mode;
 mod options;
 mod series;
 mod states;
@@ -9,7 +8,7 @@ mod trajectory;
 
 use crate::error::{CaseError, ReplayError};
 use flate2::read::GzDecoder;
-pub use mode::Mode;
+pub use gouge_peridem::mode::Mode;
 use serde_json::Value;
 use std::io::Read;
 use std::path::Path;

@@ -1,12 +1,12 @@
 //! Motion of grains, step by step.
 
 use super::inputs::{self, Input, Variant};
-use super::mode::Mode;
 use super::series::{Tables, broken};
 use super::{Repeated, Watch, json, output_name, text};
 use crate::error::{CaseError, Fault, ReplayError};
 use crate::fields::Fields;
 use gouge_peridem::material::Weight;
+use gouge_peridem::mode::Mode;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

@@ -5,5 +5,5 @@ mod run;
 mod scene;
 
 pub use means::Means;
-pub use run::{Shown, contacts, run, series_columns, shown, stability};
+pub use run::{contacts, run, series_columns, shown, stability};
 pub use scene::{Bodies, CellTable, Compaction, Glue, PackingTable, Scene, ShearTable, Sizes};

@@ -48,6 +48,11 @@ impl<'a> Reader<'a> {
         self.words(1)?.first().copied()
     }
 
+    /// The next N words.
+    pub fn array<const N: usize>(&mut self) -> Option<[u64; N]> {
+        self.words(N as u64)?.try_into().ok()
+    }
+
     /// The next string.
     pub fn text(&mut self) -> Option<String> {
         let length = self.word()?;

@@ -187,6 +187,7 @@ pub fn frame(scene: &Scene, world: &World) -> Frame {
     ];
     Frame {
         time: world.time(),
+        note: String::new(),
         domain: scene.domain,
         positions: p.position.clone(),
         shapes: Shapes::Discs(p.radius.clone()),

@@ -1,12 +1,15 @@
 //! What an output folder already holds, and what a new run does about it: it never replaces results unasked.
 
-use super::RunOptions;
 use super::checkpoint::Checkpoint;
 use super::fingerprint::Kinship;
-use super::folder::{CHECKPOINT, PARTICLES, PICTURE, SERIES, SUMMARY, outputs};
+use super::folder::{
+    CHECKPOINT, PARTICLES, PICTURE, SERIES, SUMMARY, outputs, refuse_replacing_inputs,
+};
+use super::lock::Lock;
 use super::outcome::Summary;
+use super::{Event, Observer, RunOptions};
 use crate::error::Error;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneText};
 use std::path::Path;
 
 /// How a run begins.
@@ -22,6 +25,9 @@ pub enum Beginning<C> {
 
 /// A checkpoint of the scenes of a model.
 pub trait Saved<S>: Sized {
+    /// Files that every finished run has.
+    const RESULTS: &'static [&'static str] = &[SERIES, PARTICLES, PICTURE];
+
     /// Read a checkpoint from a file, and whether it belongs to a scene.
     ///
     /// # Errors
@@ -46,6 +52,28 @@ pub fn with_interval_of_earlier_run(scene: &Scene, folder: &Path) -> Option<Scen
     let scene = scene.with_interval(saved.keys.number("output.interval")?);
     let (_, kinship) = Checkpoint::parse(&bytes, &scene).ok()?;
     (!matches!(kinship, Kinship::Other(_))).then_some(scene)
+}
+
+/// Lock the folder of a run, decide how it begins there, and report that to an observer.
+///
+/// # Errors
+/// A folder that cannot be written or that another run is using, and as [`beginning`].
+pub fn prepared<S: SceneText, C: Saved<S>>(
+    scene: &S,
+    folder: &Path,
+    options: RunOptions,
+    observer: &mut dyn Observer,
+) -> Result<(Lock, Beginning<C>), Error> {
+    std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
+    let lock = Lock::take(folder)?;
+    refuse_replacing_inputs(scene, folder)?;
+    let beginning = beginning(scene, folder, options)?;
+    match beginning {
+        Beginning::Complete(_) => observer.event(Event::AlreadyDone { folder }),
+        Beginning::Fresh if options.resume => observer.event(Event::NothingToResume { folder }),
+        _ => {}
+    }
+    Ok((lock, beginning))
 }
 
 /// How a run of a scene begins in a folder.
@@ -86,7 +114,7 @@ pub fn beginning<S, C: Saved<S>>(
     })?;
     let finished = Summary::read(folder).ok().filter(Summary::is_finished);
     match (kinship, finished) {
-        (Kinship::Same, Some(summary)) => complete(folder, summary),
+        (Kinship::Same, Some(summary)) => complete(folder, C::RESULTS, summary),
         (Kinship::Same | Kinship::Shorter(_), _) if options.resume => {
             Ok(Beginning::Checkpoint(Box::new(saved)))
         }
@@ -116,10 +144,8 @@ fn refusal(folder: &Path, what: &str, advice: &str) -> Error {
 }
 
 /// A finished run needs nothing, unless a part of its results was removed.
-fn complete<C>(folder: &Path, summary: Summary) -> Result<Beginning<C>, Error> {
-    let missing = [SERIES, PARTICLES, PICTURE]
-        .into_iter()
-        .find(|name| !folder.join(name).exists());
+fn complete<C>(folder: &Path, results: &[&str], summary: Summary) -> Result<Beginning<C>, Error> {
+    let missing = results.iter().find(|name| !folder.join(name).exists());
     match missing {
         None => Ok(Beginning::Complete(Box::new(summary))),
         Some(name) => Err(refusal(

@@ -33,12 +33,16 @@ pub const RESTART_CONTACTS: &str = "restart-contacts.csv";
 pub const NETWORK: &str = "network.csv";
 /// The contact points of the last step of contact dynamics.
 pub const CONTACTS: &str = "contacts.csv";
+/// The final nodes of peridynamic grains.
+pub const NODES: &str = "nodes.csv";
+/// The final peridynamic grains.
+pub const GRAINS: &str = "grains.csv";
 /// The picture of stresses over strains.
 pub const STRESS_STRAIN: &str = "stress-strain.svg";
 
 /// The files of a run outside the trajectory, in the order in which a new run removes them. If the removal is
 /// interrupted, what remains looks like results without a checkpoint, which nothing replaces unasked.
-const FILES: [&str; 14] = [
+const FILES: [&str; 16] = [
     CHECKPOINT,
     SUMMARY,
     SERIES,
@@ -53,6 +57,8 @@ const FILES: [&str; 14] = [
     STRESS_STRAIN,
     NETWORK,
     CONTACTS,
+    NODES,
+    GRAINS,
 ];
 
 /// All files in a folder that have the name of an output.

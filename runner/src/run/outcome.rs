@@ -8,6 +8,7 @@ use crate::build::COMMIT;
 use crate::error::Error;
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::path::Path;
 
 /// Status of a finished run.
@@ -68,6 +69,9 @@ pub struct Summary {
     /// Means over the contact networks of the second half of a run of contact dynamics, if the scene measures them.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub network: Option<serde_json::Map<String, serde_json::Value>>,
+    /// Mode, damage, cracks and limits of the step of a run of peridynamic grains.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub peridem: Option<serde_json::Map<String, serde_json::Value>>,
     /// Number of times the neighbour list was built; resuming a run builds it once more.
     #[serde(default)]
     pub neighbor_rebuilds: u64,
@@ -120,6 +124,36 @@ impl Summary {
         SHOWN.into_iter().filter_map(line).collect()
     }
 
+    /// Mode, damage, cracks and step of a run of peridynamic grains, as names and texts.
+    pub fn peridem_lines(&self) -> Vec<(&'static str, String)> {
+        let Some(own) = &self.peridem else {
+            return Vec::new();
+        };
+        let number = |key: &str| own.get(key).and_then(Value::as_f64).unwrap_or(f64::NAN);
+        let mode = own.get("mode").and_then(Value::as_str).unwrap_or_default();
+        let state = format!(
+            "{} grains in {} pieces, bulk damage {:.4}",
+            number("grains"),
+            number("pieces"),
+            number("bulk_damage")
+        );
+        let step = number("step_over_smallest_limit");
+        let crack = |crack: &Value| {
+            let number = |key: &str| crack.get(key)?.as_f64();
+            let (angle, length) = (number("angle")?.to_degrees(), number("length")?);
+            let text = format!("{length:.4e} m long, at {angle:.2} degrees from the x axis");
+            Some(("crack", text))
+        };
+        let cracks = own.get("cracks").and_then(Value::as_array);
+        let mut lines = vec![
+            ("mode", mode.to_owned()),
+            ("state", state),
+            ("time step", format!("{step:.2} of the smallest limit")),
+        ];
+        lines.extend(cracks.into_iter().flatten().filter_map(crack));
+        lines
+    }
+
     /// Whether the user stopped the run.
     pub fn is_interrupted(&self) -> bool {
         self.status == INTERRUPTED
@@ -158,6 +192,7 @@ impl Summary {
             balance_error: None,
             friction: None,
             network: None,
+            peridem: None,
             neighbor_rebuilds: 0,
         }
     }

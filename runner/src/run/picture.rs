@@ -2,6 +2,7 @@
 
 use super::dem::lines;
 use super::folder::{PICTURE, write_whole};
+use super::legend::Legend;
 use super::scale_bar::ScaleBar;
 use crate::error::Error;
 use crate::scene::Scene;
@@ -20,11 +21,11 @@ const HUE: f64 = 137.507_764;
 /// Longest scale bar, as a part of the longer edge.
 const LONGEST_BAR: f64 = 0.25;
 /// Height in pixels of the strip for the scale bar, below the grains.
-const STRIP: f64 = 70.0;
+pub(super) const STRIP: f64 = 70.0;
 /// Distance in pixels of the scale bar from the edges and from its label.
-const MARGIN: f64 = 16.0;
+pub(super) const MARGIN: f64 = 16.0;
 /// Size of letters in pixels.
-const LETTERS: f64 = 32.0;
+pub(super) const LETTERS: f64 = 32.0;
 
 /// The region that the picture shows.
 pub struct View {
@@ -98,15 +99,40 @@ pub fn draw_picture(scene: &Scene, world: &World) -> Document {
     framed(&view, &title, parts)
 }
 
+/// A state of a scene and its picture.
+pub struct Shown {
+    /// Number of steps after the set-up.
+    pub steps: u64,
+    /// Time in s.
+    pub time: f64,
+    /// The picture as SVG.
+    pub svg: String,
+}
+
 /// A picture of some parts with a scale bar below them.
 pub fn framed(view: &View, title: &str, parts: [Group; 2]) -> Document {
+    framed_with(view, title, parts, None)
+}
+
+/// A picture of some parts with a scale bar below them, and a legend below that.
+pub fn framed_with(
+    view: &View,
+    title: &str,
+    parts: [Group; 2],
+    legend: Option<&Legend>,
+) -> Document {
     let [mut width, mut height] = view.size();
     let mut below = Group::new();
     if let Some(bar) = ScaleBar::within(LONGEST_BAR * SIZE / view.scale()) {
-        below = draw_bar(view, &bar, height);
+        below = below.add(draw_bar(view, &bar, height));
         // A letter is about 0.6 times as wide as high.
         let label = 0.6 * LETTERS * bar.label.chars().count() as f64;
         width = width.max(bar.length * view.scale() + label + 3.0 * MARGIN);
+        height += STRIP;
+    }
+    if let Some(legend) = legend {
+        below = below.add(legend.draw(height));
+        width = width.max(legend.width());
         height += STRIP;
     }
     let picture = Document::new()

@@ -103,6 +103,15 @@ impl Series {
         self.append_row(&cells)
     }
 
+    /// Append several rows at once.
+    ///
+    /// # Errors
+    /// As for [`Series::write`].
+    pub fn append_rows(&mut self, rows: &[Vec<String>]) -> Result<(), Error> {
+        let lines = rows.iter().map(|cells| cells.join(",") + "\n");
+        self.append(&lines.collect::<String>())
+    }
+
     /// Append a row.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 use super::phases::{PhaseKind, phase_model};
 use crate::machine::with_chosen_execution;
+use crate::random::random;
 use crate::scene::{Amount, BondStrength, Bonding, Scene, Setup, wrap};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
@@ -11,15 +12,6 @@ use gouge_dem::model::Model;
 use gouge_dem::particles::{Particle, Particles, Role};
 use gouge_dem::setup::{Fault, bonds_within, is_above, strength_factors};
 use gouge_dem::{ModelError, Start, World};
-use rand::RngExt;
-use rand_pcg::Pcg64;
-
-/// The stream of random numbers for one purpose. Streams are independent, so that no result depends on how many
-/// numbers another purpose uses.
-pub fn random(seed: u64, purpose: u128) -> impl FnMut() -> f64 {
-    let mut source = Pcg64::new(u128::from(seed), purpose);
-    move || source.random::<f64>()
-}
 
 /// The grains on the lattice, in addition to the particles that the scene lists.
 ///

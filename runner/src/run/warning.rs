@@ -69,6 +69,12 @@ pub enum Warning<'a> {
     },
     /// The balance of energy, which is exact, is off by this part of what was exchanged.
     Imbalance(f64),
+    /// Nodes of different grains touch from the beginning, and store this energy in J per metre of depth.
+    Touching(f64),
+    /// Walls have lost this number of nodes.
+    BehindWalls(usize),
+    /// The residual of the balance of energy is this part of the energy exchanged.
+    Residual(f64),
     /// Positions are so large that overlaps lose their digits.
     FarOut {
         /// The particle.
@@ -124,6 +130,31 @@ impl Warning<'_> {
             Self::Imbalance(error) => write!(
                 f,
                 "the balance of energy is off by {error:.1e} of what was exchanged, more than rounding"
+            ),
+            _ => self.of_nodes(f),
+        }
+    }
+}
+
+impl Warning<'_> {
+    /// Problems of runs of peridynamic grains.
+    fn of_nodes(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Touching(energy) => write!(
+                f,
+                "grains are nearer than contact.radius at the beginning: they store {energy:.3e} J/m and push each other \
+                 apart"
+            ),
+            Self::BehindWalls(number) => write!(
+                f,
+                "{number} nodes are farther behind a wall than contact.radius: the results cannot be trusted; walls.law = \
+                 \"paper\" would have stopped the run"
+            ),
+            Self::Residual(error) => write!(
+                f,
+                "the energy balance is off by {:.1} % of the energy exchanged: the results cannot be trusted; try a \
+                 smaller time step (run `gouge stability` for the limits)",
+                100.0 * error
             ),
             _ => Ok(()),
         }

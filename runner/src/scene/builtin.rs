@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 /// Name, purpose and text of every built-in scene.
-pub const SCENES: [(&str, &str, &str); 16] = [
+pub const SCENES: [(&str, &str, &str); 20] = [
     (
         "granite-fault",
         "two blocks of granite, 100 mm, sheared under pressure for 50 ms (thesis section 4.2)",
@@ -85,6 +85,26 @@ pub const SCENES: [(&str, &str, &str); 16] = [
         "square-on-incline",
         "a square slides down an incline, by contact dynamics",
         include_str!("../scenes/square-on-incline.toml"),
+    ),
+    (
+        "two-grains",
+        "two deformable, breakable grains collide, by peridynamics",
+        include_str!("../scenes/two-grains.toml"),
+    ),
+    (
+        "kalthoff-winkler",
+        "cracks grow from two notches of a plate, by peridynamics; takes ten seconds",
+        include_str!("../scenes/kalthoff-winkler.toml"),
+    ),
+    (
+        "colliding-crosses",
+        "an arm of a cross falls on that of another, by peridynamics",
+        include_str!("../scenes/colliding-crosses.toml"),
+    ),
+    (
+        "notched-square",
+        "a notched square breaks between two planks, by peridynamics",
+        include_str!("../scenes/notched-square.toml"),
     ),
 ];
 

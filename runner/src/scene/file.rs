@@ -19,7 +19,11 @@ pub struct SceneFile<'a> {
 }
 
 /// The models, by the values of the key `model`.
-pub const MODELS: [(&str, &str); 2] = [("dem", "dem"), ("contact-dynamics", "contact-dynamics")];
+pub const MODELS: [(&str, &str); 3] = [
+    ("dem", "dem"),
+    ("contact-dynamics", "contact-dynamics"),
+    ("peridem", "peridem"),
+];
 
 impl<'a> SceneFile<'a> {
     /// A scene in memory.

@@ -1,9 +1,11 @@
 //! Scene files, read and checked completely.
 
+mod arrays;
 pub mod builtin;
 mod check;
 mod file;
 mod history;
+mod external;
 mod keys;
 mod laws;
 mod output;
@@ -11,12 +13,14 @@ mod overrides;
 mod scene_text;
 mod particles;
 pub(crate) mod rows;
+mod schedule;
 mod setup;
 mod shape;
 mod strength;
 pub(crate) mod table;
 mod text;
 
+pub(crate) use external::gravity;
 pub use file::{MODELS, SceneFile};
 pub use history::{History, initial_angles};
 pub use keys::Keys;
@@ -25,6 +29,7 @@ pub use output::{Measure, Output, Trajectory};
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
 pub use scene_text::SceneText;
+pub use schedule::{Schedule, steps_for};
 pub use setup::{Amount, Bonding, FaultTable, LatticeTable, PhaseTable, Roles, Setup};
 pub use shape::{Rectangle, Shape};
 pub use strength::BondStrength;
@@ -344,33 +349,29 @@ impl Scene {
         scene
     }
 
+    /// When a run takes samples.
+    pub fn schedule(&self) -> Schedule {
+        Schedule {
+            step: self.step,
+            end: self.end,
+            interval: self.output.interval,
+        }
+    }
+
     /// Number of steps until the end time.
     pub fn steps(&self) -> u64 {
-        steps_for(self.end, self.step)
+        self.schedule().steps()
     }
 
     /// Step of a sample, counted from zero; the last step is always sampled.
     pub fn sample_step(&self, sample: u64) -> u64 {
-        self.regular_sample_step(sample).min(self.steps())
+        self.schedule().sample_step(sample)
     }
 
     /// Step of a sample if the scene had no end.
     pub fn regular_sample_step(&self, sample: u64) -> u64 {
-        let exact = sample as f64 * self.output.interval / self.step;
-        (exact.round() as u64).max(sample)
+        self.schedule().regular_sample_step(sample)
     }
-}
-
-/// Number of steps that cover a duration: the quotient if it is an integer up to rounding, otherwise rounded up.
-pub fn steps_for(duration: f64, step: f64) -> u64 {
-    let exact = duration / step;
-    let nearest = exact.round();
-    let steps = if (exact - nearest).abs() < 1e-6 {
-        nearest
-    } else {
-        exact.ceil()
-    };
-    steps as u64
 }
 
 /// Map the positions of all particles into the periodic box.

@@ -229,6 +229,14 @@ impl Row<'_> {
         number.ok_or_else(|| self.error(key, "must be a particle index, counted from 0"))
     }
 
+    /// The index of one of a number of nodes.
+    pub fn node(&self, key: &str, nodes: usize) -> Result<usize> {
+        let number = self.cell(key).and_then(|cell| cell.parse().ok());
+        let accepted = format!("must be a node from 0 to {}", nodes.saturating_sub(1));
+        let number = number.filter(|&number| number < nodes);
+        number.ok_or_else(|| self.error(key, &accepted))
+    }
+
     /// The indices in the columns i and j.
     pub fn pair(&self) -> Result<[usize; 2]> {
         Ok([self.index("i")?, self.index("j")?])

@@ -1,5 +1,6 @@
 //! A table of a scene file that knows the position of its keys and rejects unknown ones.
 
+use super::arrays::array_of;
 use super::overrides::{Override, located};
 use crate::error::SceneError;
 use std::collections::BTreeMap;
@@ -158,7 +159,7 @@ fn is_integer(value: &DeValue) -> bool {
     matches!(value, DeValue::Integer(_))
 }
 
-fn integer_of(value: &DeValue) -> Option<i64> {
+pub(super) fn integer_of(value: &DeValue) -> Option<i64> {
     match value {
         DeValue::Integer(number) => i64::from_str_radix(number.as_str(), number.radix()).ok(),
         _ => None,
@@ -225,16 +226,21 @@ impl<'a> Table<'a> {
         self.source.error(at, &self.key(key), &value, accepted)
     }
 
+    /// An error about this table as a whole.
+    pub fn own_error(&self, accepted: &str) -> SceneError {
+        self.source.error(self.at, &self.path, "", accepted)
+    }
+
     fn is_overridden(&self, key: &str) -> bool {
         let at = self.keys.get(key).map(|(at, _)| *at);
         at.is_some_and(|at| self.source.overriding(at).is_some())
     }
 
-    fn missing(&self, key: &str, accepted: &str) -> SceneError {
+    pub(super) fn missing(&self, key: &str, accepted: &str) -> SceneError {
         self.error(key, &format!("missing; {accepted}"))
     }
 
-    fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+    pub(super) fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.keys.get(key).map(|(_, value)| *value)
     }
 
@@ -342,101 +348,17 @@ impl<'a> Table<'a> {
             .ok_or_else(|| self.missing(key, &format!("must be one of: {}", list.join(", "))))
     }
 
-    /// Some of several names, none twice; empty if the key is absent.
-    pub fn optional_choices<T: Copy>(&self, key: &str, names: &[(&str, T)]) -> Result<Vec<T>> {
-        let Some(value) = self.value(key) else {
-            return Ok(Vec::new());
-        };
-        let place = |value: &Spanned<DeValue>| match value.get_ref() {
-            DeValue::String(text) => names.iter().position(|(name, _)| *name == text.as_ref()),
-            _ => None,
-        };
-        let places: Option<Vec<usize>> =
-            array_of(value).and_then(|array| array.iter().map(place).collect());
-        let is_new = |places: &[usize], at: usize| !places[..at].contains(&places[at]);
-        match places {
-            Some(places) if (0..places.len()).all(|at| is_new(&places, at)) => {
-                Ok(places.into_iter().map(|place| names[place].1).collect())
-            }
-            _ => {
-                let list: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
-                let accepted =
-                    format!("must be an array of names, none twice: {}", list.join(", "));
-                Err(self.error(key, &accepted))
-            }
-        }
+    /// Whether the key is present and its value is a string.
+    pub fn has_text(&self, key: &str) -> bool {
+        matches!(
+            self.value(key).map(|value| value.get_ref()),
+            Some(DeValue::String(_))
+        )
     }
 
-    /// A pair of finite numbers, if the key is present.
-    pub fn optional_pair(&self, key: &str) -> Result<Option<[f64; 2]>> {
-        let Some(value) = self.value(key) else {
-            return Ok(None);
-        };
-        let accepted = "must be an array of two finite numbers";
-        let pair = array_of(value).and_then(|array| match array {
-            [a, b] => Some([number_of(a.get_ref())?, number_of(b.get_ref())?]),
-            _ => None,
-        });
-        match pair {
-            Some(pair) if pair.iter().all(|x| x.is_finite()) => Ok(Some(pair)),
-            _ => Err(self.error(key, accepted)),
-        }
-    }
-
-    /// A pair of finite numbers.
-    pub fn pair(&self, key: &str) -> Result<[f64; 2]> {
-        self.optional_pair(key)?
-            .ok_or_else(|| self.missing(key, "must be an array of two finite numbers"))
-    }
-
-    /// An array of pairs of finite numbers.
-    pub fn pairs(&self, key: &str) -> Result<Vec<[f64; 2]>> {
-        let accepted = "must be an array of pairs of numbers";
-        let Some(value) = self.value(key) else {
-            return Err(self.missing(key, accepted));
-        };
-        let DeValue::Array(items) = value.get_ref() else {
-            return Err(self.error(key, accepted));
-        };
-        let pair = |item: &Spanned<DeValue>| {
-            let DeValue::Array(numbers) = item.get_ref() else {
-                return None;
-            };
-            let numbers = numbers.iter().map(|one| number_of(one.get_ref()));
-            let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
-            let is_finite = numbers.iter().all(|number| number.is_finite());
-            numbers.try_into().ok().filter(|_| is_finite)
-        };
-        let pairs = items.iter().map(pair).collect::<Option<_>>();
-        pairs.ok_or_else(|| self.error(key, accepted))
-    }
-
-    /// An array of numbers.
-    pub fn numbers(&self, key: &str, range: Range) -> Result<Vec<f64>> {
-        let accepted = format!(
-            "must be an array of numbers, each of which {}",
-            range.text()
-        );
-        let Some(value) = self.value(key) else {
-            return Err(self.missing(key, &accepted));
-        };
-        let number = |v: &Spanned<DeValue>| number_of(v.get_ref()).filter(|&x| range.contains(x));
-        let numbers = array_of(value).and_then(|array| array.iter().map(number).collect());
-        numbers.ok_or_else(|| self.error(key, &accepted))
-    }
-
-    /// A pair of indices.
-    pub fn index_pair(&self, key: &str) -> Result<[usize; 2]> {
-        let accepted = "must be an array of two particle indices, counted from 0";
-        let Some(value) = self.value(key) else {
-            return Err(self.missing(key, accepted));
-        };
-        let index = |v: &Spanned<DeValue>| usize::try_from(integer_of(v.get_ref())?).ok();
-        let pair = array_of(value).and_then(|array| match array {
-            [a, b] => Some([index(a)?, index(b)?]),
-            _ => None,
-        });
-        pair.ok_or_else(|| self.error(key, accepted))
+    /// All keys of this table, in alphabetical order.
+    pub fn names(&self) -> impl Iterator<Item = &'a str> + '_ {
+        self.keys.keys().copied()
     }
 
     /// Whether the key is present and its value is a table.
@@ -488,12 +410,5 @@ impl<'a> Table<'a> {
             _ => Err(self.error(key, accepted)),
         };
         array.iter().enumerate().map(item).collect()
-    }
-}
-
-fn array_of<'a>(value: &'a Spanned<DeValue<'a>>) -> Option<&'a [Spanned<DeValue<'a>>]> {
-    match value.get_ref() {
-        DeValue::Array(array) => Some(array),
-        _ => None,
     }
 }

@@ -3,6 +3,7 @@
 use super::plan::Planned;
 use gouge_runner::any_scene::AnyScene;
 use gouge_runner::error::Error;
+use gouge_runner::peridem;
 use gouge_runner::run::{begin_phase, phases};
 use gouge_runner::scene::Scene;
 use std::time::Instant;
@@ -11,6 +12,8 @@ use std::time::Instant;
 const PILOTS: usize = 5;
 /// Steps of a pilot run.
 const STEPS: u64 = 2000;
+/// Nodes times steps of a pilot run of peridynamic grains.
+const NODE_STEPS: u64 = 2_000_000;
 /// Time in s per body and step of contact dynamics. The first steps tell nothing of the later ones, which need many
 /// sweeps: sheared packings took 1 to 4 microseconds.
 const PER_BODY: f64 = 3e-6;
@@ -58,11 +61,26 @@ fn pilot_run(run: &Planned) -> Result<Cost, Error> {
             let bodies = scene.number_of_bodies() as f64;
             [PER_BODY * bodies, bodies]
         }
+        AnyScene::Peridem(scene) => steps_of_nodes(scene)?,
     };
     Ok(Cost {
         core_hours: per_step * scene.steps() as f64 / 3600.0,
         bytes: BYTES[0] * 16.0 * scene.samples() + BYTES[1] * particles,
     })
+}
+
+/// Time per step in s at the beginning of a run of peridynamic grains, and the number of nodes.
+fn steps_of_nodes(scene: &peridem::Scene) -> Result<[f64; 2], Error> {
+    let mut world = peridem::world(scene)?;
+    let nodes = world.grains().nodes();
+    let steps = (NODE_STEPS / nodes.max(1) as u64).clamp(1, STEPS);
+    let began = Instant::now();
+    for _ in 0..steps {
+        if world.step().is_err() {
+            break;
+        }
+    }
+    Ok([began.elapsed().as_secs_f64() / steps as f64, nodes as f64])
 }
 
 /// Time per step in s at the beginning of a run, and the number of particles.

@@ -2,9 +2,10 @@
 
 use super::fold::{Fold, counted};
 use gouge_runner::any_scene::AnyScene;
-use gouge_runner::contact_dynamics::shown;
+use gouge_runner::contact_dynamics;
 use gouge_runner::error::Error;
-use gouge_runner::run::{advance, draw_picture, run_setup};
+use gouge_runner::peridem;
+use gouge_runner::run::{Shown, advance, draw_picture, run_setup};
 use gouge_runner::scene::{Overrides, Scene, builtin};
 use maud::{Markup, PreEscaped, html};
 use rayon::prelude::*;
@@ -28,8 +29,8 @@ fn steps_of(scene: &Scene, particles: usize) -> u64 {
     scene.steps().min(MOST_STEPS).min(affordable)
 }
 
-/// Largest number of steps of a scene of contact dynamics: a few seconds.
-const MOST_RIGID_STEPS: u64 = 4000;
+/// Largest number of steps of a scene of another model: a few seconds.
+const MOST_STEPS_OF_OTHERS: u64 = 4000;
 
 /// Pictures of all built-in scenes, at their end, or as far as a short run gets.
 ///
@@ -42,16 +43,24 @@ pub fn pictures() -> Result<Vec<Picture>, Error> {
     )? {
         AnyScene::Dem(scene) => of_dem(name, purpose, &scene),
         AnyScene::ContactDynamics(scene) => {
-            let shown = shown(&scene, MOST_RIGID_STEPS)?;
-            Ok(Picture {
-                name,
-                purpose,
-                moment: moment(shown.steps, scene.steps(), shown.time),
-                svg: shown.svg,
-            })
+            let shown = contact_dynamics::shown(&scene, MOST_STEPS_OF_OTHERS)?;
+            Ok(of_shown(name, purpose, shown, scene.steps()))
+        }
+        AnyScene::Peridem(scene) => {
+            let shown = peridem::shown(&scene, MOST_STEPS_OF_OTHERS)?;
+            Ok(of_shown(name, purpose, shown, scene.schedule().steps()))
         }
     };
     builtin::SCENES.par_iter().map(draw).collect()
+}
+
+fn of_shown(name: &'static str, purpose: &'static str, shown: Shown, steps: u64) -> Picture {
+    Picture {
+        name,
+        purpose,
+        moment: moment(shown.steps, steps, shown.time),
+        svg: shown.svg,
+    }
 }
 
 fn of_dem(name: &'static str, purpose: &'static str, scene: &Scene) -> Result<Picture, Error> {

@@ -4,10 +4,24 @@ use crate::contact_law::{
     ContactForce, ContactReading, ContactSpring, FrictionStep, Node, NodePair,
 };
 use crate::contacts::{Candidates, Contact};
+use crate::forces::Settings;
 use crate::grain::Grains;
 use crate::state::State;
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
+
+/// Two nodes that touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touching {
+    /// The nodes.
+    pub pair: Pair,
+    /// Vector from the first to the second node in m.
+    pub separation: Vec2,
+    /// Distance in m below which they repel each other.
+    pub rest_distance: f64,
+    /// Forces on the first node, with friction that is not shared among contacts.
+    pub on_first: ContactForce,
+}
 
 /// What a pass over contacts reads.
 pub(super) struct ContactPass<'a> {
@@ -24,7 +38,21 @@ pub(super) struct Losses {
     pub(super) friction: f64,
 }
 
-impl ContactPass<'_> {
+impl<'a> ContactPass<'a> {
+    pub(super) fn new(
+        grains: &'a Grains,
+        contact: &'a Contact,
+        settings: &Settings,
+        state: &'a State,
+    ) -> Self {
+        Self {
+            grains,
+            contact,
+            state,
+            time_step: settings.time_step,
+        }
+    }
+
     /// Add the forces of all contacts to force densities in N/m^3. `partners` is a buffer.
     pub(super) fn add_forces(
         &self,
@@ -126,6 +154,26 @@ impl ContactPass<'_> {
                 partners[j] = partners[j].saturating_add(1);
             }
         }
+    }
+
+    /// All contacts, by second node and then by first.
+    pub(super) fn touching(&self, candidates: &Candidates) -> Vec<Touching> {
+        let step = FrictionStep {
+            time_step: self.time_step,
+            stick_share: 1.0,
+        };
+        let of_pair = |&pair: &Pair| {
+            let (i, j) = pair.indices();
+            let separation = self.state.places[i].to(self.state.places[j]);
+            let spring = self.spring(pair);
+            (separation.norm() < spring.rest_distance).then(|| Touching {
+                pair,
+                separation,
+                rest_distance: spring.rest_distance,
+                on_first: self.both(pair, separation, &spring, &step).0,
+            })
+        };
+        candidates.pairs.iter().filter_map(of_pair).collect()
     }
 
     /// Energy in J per metre of depth stored in contacts.

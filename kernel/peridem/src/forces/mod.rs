@@ -15,6 +15,7 @@ use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 use wall_pass::WallPass;
 
+pub use contact_pass::Touching;
 pub use wall_pass::Walls;
 
 /// What acts on nodes besides bonds, and how.
@@ -58,9 +59,14 @@ impl Workspace {
             walls,
             time_step: settings.time_step,
         });
+        let candidates = contact.map(|contact| {
+            let mut candidates = Candidates::new(grains, contact.law.radius);
+            candidates.update(grains, &state.bonds, positions(&state.places), &[]);
+            candidates
+        });
         Self {
             blocks: Blocks::new(grains, &state.bonds),
-            candidates: contact.map(|contact| Candidates::new(grains, contact.law.radius)),
+            candidates,
             partners: Vec::new(),
             wall_push: pass.map_or_else(Vec::new, |pass| pass.elastic(state)),
             reactions: [Vec2::zero(); 4],
@@ -82,14 +88,8 @@ impl Workspace {
             &mut self.broken,
         );
         if let (Some(contact), Some(candidates)) = (&settings.contact, &mut self.candidates) {
-            let positions = state.places.iter().map(|place| place.position());
-            candidates.update(grains, &state.bonds, positions, &self.broken);
-            let pass = ContactPass {
-                grains,
-                contact,
-                state,
-                time_step: settings.time_step,
-            };
+            candidates.update(grains, &state.bonds, positions(&state.places), &self.broken);
+            let pass = ContactPass::new(grains, contact, settings, state);
             let losses = pass.add_forces(candidates, &mut self.partners, &mut self.force);
             state.work.damping += losses.damping * settings.time_step;
             state.work.friction += losses.friction * settings.time_step;
@@ -121,16 +121,18 @@ impl Workspace {
 
     /// Energy in J per metre of depth stored in contacts between nodes, at the latest pass.
     pub fn contact_energy(&self, grains: &Grains, settings: &Settings, state: &State) -> f64 {
-        match (&settings.contact, &self.candidates) {
-            (Some(contact), Some(candidates)) => ContactPass {
-                grains,
-                contact,
-                state,
-                time_step: settings.time_step,
-            }
-            .energy(candidates),
-            _ => 0.0,
-        }
+        let (Some(contact), Some(candidates)) = (&settings.contact, &self.candidates) else {
+            return 0.0;
+        };
+        ContactPass::new(grains, contact, settings, state).energy(candidates)
+    }
+
+    /// All contacts between nodes, at the latest pass.
+    pub fn contacts(&self, grains: &Grains, settings: &Settings, state: &State) -> Vec<Touching> {
+        let (Some(contact), Some(candidates)) = (&settings.contact, &self.candidates) else {
+            return Vec::new();
+        };
+        ContactPass::new(grains, contact, settings, state).touching(candidates)
     }
 }
 

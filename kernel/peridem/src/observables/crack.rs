@@ -22,17 +22,15 @@ impl Crack {
     ///
     /// $$ \tan 2 \alpha = \frac{2 \sum x y}{\sum x^2 - \sum y^2} $$
     ///
-    /// with reference positions from the tip. Nodes count if their damage exceeds a threshold and `belongs` accepts their
-    /// reference position. The direction is that in which most of them lie.
+    /// with reference positions from the tip. Nodes count if their damage exceeds a threshold and `belongs` accepts them. The direction is that in which most of them lie.
     pub fn from_tip(
         grains: &Grains,
         bonds: &Bonds,
         tip: Vec2,
         threshold: f64,
-        belongs: impl Fn(Vec2) -> bool,
+        belongs: impl Fn(usize) -> bool,
     ) -> Option<Self> {
-        let is_of_crack =
-            |&node: &usize| bonds.damage(node) > threshold && belongs(grains.position[node]);
+        let is_of_crack = |&node: &usize| bonds.damage(node) > threshold && belongs(node);
         let nodes = (0..grains.nodes()).filter(is_of_crack);
         let arms: Vec<Vec2> = nodes.map(|node| grains.position[node] - tip).collect();
         let mut sum = Vec2::zero();

@@ -4,11 +4,11 @@ use super::constants::object;
 use super::{Found, Sheet, two_nodes};
 use crate::error::Fault;
 use crate::fields::Fields;
-use crate::peridem::mode::Mode;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::contact_law::{
     ContactForce, ContactLaw, ContactReading, FrictionStep, Motion, Node, NodePair,
 };
+use gouge_peridem::mode::Mode;
 use serde_json::{Value, json};
 
 /// Lists of cases.

@@ -7,11 +7,11 @@ mod forces;
 mod two_nodes;
 mod walls;
 
-use super::mode::Mode;
 use super::{Repeated, output_name};
 use crate::error::{CaseError, Fault, ReplayError};
 use crate::fields::Fields;
 use crate::outcome::require_finite;
+use gouge_peridem::mode::Mode;
 use serde_json::{Map, Value};
 use std::path::Path;
 

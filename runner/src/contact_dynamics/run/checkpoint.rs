@@ -80,9 +80,9 @@ impl Checkpoint {
     fn read_content(mut rest: Reader) -> Option<Self> {
         let phase = rest.word()?;
         let samples = rest.word()?;
-        let bytes = numbers(&mut rest)?;
-        let [run, main, point_steps, kinetic, strain] = numbers(&mut rest)?.map(f64::from_bits);
-        let mut since = || Some(Since::from_words(numbers::<WORDS>(&mut rest)?));
+        let bytes = rest.array()?;
+        let [run, main, point_steps, kinetic, strain] = rest.array()?.map(f64::from_bits);
+        let mut since = || Some(Since::from_words(rest.array::<WORDS>()?));
         let since = [since()?, since()?];
         let keys = Keys::of_text(&rest.text()?);
         let warnings = rest.text()?;
@@ -104,10 +104,6 @@ impl Checkpoint {
             state: rest.record().filter(|_| rest.0.is_empty())?,
         })
     }
-}
-
-fn numbers<const N: usize>(rest: &mut Reader) -> Option<[u64; N]> {
-    rest.words(N as u64)?.try_into().ok()
 }
 
 impl Saved<Scene> for Checkpoint {

@@ -43,8 +43,10 @@ impl Files {
             trajectory: scene.output.trajectory,
             has_links: false,
         };
-        let time = |sample| scene.sample_step(sample) as f64 * scene.settings.time_step;
-        let times: Vec<f64> = (0..samples).map(time).collect();
+        let schedule = scene.schedule();
+        let times: Vec<f64> = (0..samples)
+            .map(|sample| schedule.sample_time(sample))
+            .collect();
         let frames = Frames::open(&plan, folder, &times)?;
         let animation = match &frames {
             Some(_) if !options.data_only => {

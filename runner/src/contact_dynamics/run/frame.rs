@@ -129,6 +129,7 @@ pub fn frame(scene: &Scene, world: &World) -> Frame {
     let linear = assembly.unit.iter().map(|unit| velocity(unit).linear);
     Frame {
         time: world.time(),
+        note: String::new(),
         domain: scene.domain,
         shapes: Shapes::Polygons(radii(assembly), (0..positions.len()).map(corners).collect()),
         vectors: vec![("velocity", linear.collect())],

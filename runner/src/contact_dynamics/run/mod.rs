@@ -16,16 +16,14 @@ mod statistics;
 
 pub use contacts::contacts;
 pub use samples::columns as series_columns;
-pub use shown::{Shown, shown};
+pub use shown::shown;
 pub use stability::stability;
 pub use statistics::Statistics;
 
 use super::Scene;
 use crate::error::Error;
-use crate::run::existing::{Beginning, beginning};
-use crate::run::folder::refuse_replacing_inputs;
-use crate::run::lock::Lock;
-use crate::run::{Event, Observer, RunOptions, Summary};
+use crate::run::existing::{Beginning, prepared};
+use crate::run::{Observer, RunOptions, Summary};
 use scene_run::SceneRun;
 use std::path::Path;
 
@@ -40,23 +38,12 @@ pub fn run(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<Summary, Error> {
-    std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
-    let lock = Lock::take(folder)?;
-    refuse_replacing_inputs(scene, folder)?;
-    let mut run = match beginning(scene, folder, options)? {
-        Beginning::Complete(summary) => {
-            observer.event(Event::AlreadyDone { folder });
-            return Ok(*summary);
-        }
-        Beginning::Checkpoint(saved) => {
-            SceneRun::resume(scene, (folder, &lock), options, observer, *saved)?
-        }
-        Beginning::Fresh => {
-            if options.resume {
-                observer.event(Event::NothingToResume { folder });
-            }
-            SceneRun::begin(scene, (folder, &lock), options, observer)?
-        }
+    let (lock, beginning) = prepared(scene, folder, options, observer)?;
+    let place = (folder, &lock);
+    let mut run = match beginning {
+        Beginning::Complete(summary) => return Ok(*summary),
+        Beginning::Checkpoint(saved) => SceneRun::resume(scene, place, options, observer, *saved)?,
+        Beginning::Fresh => SceneRun::begin(scene, place, options, observer)?,
     };
     let ended = run.run_phases();
     run.complete(ended)

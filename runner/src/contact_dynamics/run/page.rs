@@ -4,13 +4,10 @@ use super::super::Scene;
 use super::{frame, picture};
 use crate::error::Error;
 use crate::run::Summary;
-use crate::run::columns::Columns;
-use crate::run::folder::{PAGE, SERIES, write_soon};
-use crate::run::page::{Drawn, Plan, figure, motion, verdict, with_style};
+use crate::run::page::{Content, Drawn, Plan, Row, motion_or_hint, write_content};
 use crate::scene::Trajectory;
 use gouge_contact_dynamics::world::World;
-use gouge_page::Figure;
-use maud::{Markup, PreEscaped, html};
+use maud::Markup;
 use std::path::Path;
 
 /// The figures of every series, as far as it has their columns.
@@ -66,41 +63,26 @@ const PLANS: [Plan; 7] = [
 /// # Errors
 /// Failures of the file system.
 pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> Result<(), Error> {
-    let title = match scene.title.as_str() {
-        "" => &scene.file,
-        title => title,
+    let content = Content {
+        title: match scene.title.as_str() {
+            "" => &scene.file,
+            title => title,
+        },
+        facts: facts(scene, summary),
+        plans: &PLANS,
+        picture: picture::draw(scene, world).to_string(),
+        legend: LEGEND,
+        motion: animation(folder, scene, world),
+        files: files(scene),
     };
-    let series = Columns::read(&folder.join(SERIES));
-    let figures: Vec<Figure> = PLANS
-        .iter()
-        .filter_map(|plan| figure(plan, &series))
-        .collect();
-    let body = html! {
-        h1 { (title) }
-        (verdict(summary))
-        (facts(scene, summary))
-        @if !figures.is_empty() {
-            h2 { "Series" }
-            div.figures { @for figure in &figures { (figure.html()) } }
-        }
-        h2 { "Final state" }
-        figure.picture {
-            (PreEscaped(picture::draw(scene, world).to_string()))
-            figcaption { (LEGEND) }
-        }
-        h2 { "Motion" }
-        (animation(folder, scene, world))
-        h2 { "Files" }
-        (files(scene))
-    };
-    write_soon(&folder.join(PAGE), with_style(title, body).as_bytes())
+    write_content(folder, summary, &content)
 }
 
 const LEGEND: &str = "Lines between centres are as wide as the normal force between the two bodies: orange at one point \
     (side-vertex), green at two (side-side). Bodies with fewer than two contacts are light grey, those that belong to a \
     wall dark grey.";
 
-fn facts(scene: &Scene, summary: &Summary) -> Markup {
+fn facts(scene: &Scene, summary: &Summary) -> Vec<Row> {
     let rows = [
         (
             "time",
@@ -113,22 +95,11 @@ fn facts(scene: &Scene, summary: &Summary) -> Markup {
         ("friction", scene.settings.law.friction.to_string()),
         ("model", "contact dynamics".to_owned()),
         ("scene", scene.file.clone()),
-        ("hash", summary.scene_sha256.clone()),
-        (
-            "version",
-            format!("{} (commit {})", summary.version, summary.commit),
-        ),
     ];
-    let rows = rows.into_iter().chain(summary.network_lines());
-    html! { dl { @for (name, value) in rows { dt { (name) } dd { (value) } } } }
+    rows.into_iter().chain(summary.network_lines()).collect()
 }
 
 fn animation(folder: &Path, scene: &Scene, world: &World) -> Markup {
-    if scene.output.trajectory == Trajectory::None {
-        return html! {
-            p.about { "With " code { "output.trajectory" } " the page shows the motion, too." }
-        };
-    }
     let bodies = world.assembly().shape.len();
     let diameters = (0..bodies).map(|body| super::statistics::diameter(world.assembly(), body));
     let radii: Vec<f64> = diameters.map(|diameter| 0.5 * diameter).collect();
@@ -136,22 +107,23 @@ fn animation(folder: &Path, scene: &Scene, world: &World) -> Markup {
         radii: &radii,
         sides: &frame::drawn_sides(scene, world),
         label: "role",
-        pressure: "the mean stress in a body",
+        pressure: Some("the mean stress in a body"),
+        is_scale: false,
     };
-    let step = scene.settings.time_step;
-    motion(folder, &drawn, &|sample| {
-        scene.sample_step(sample) as f64 * step
+    let schedule = scene.schedule();
+    let has_trajectory = scene.output.trajectory != Trajectory::None;
+    motion_or_hint(has_trajectory, folder, &drawn, &|sample| {
+        schedule.sample_time(sample)
     })
 }
 
-fn files(scene: &Scene) -> Markup {
-    let network = scene.measures_network();
-    let all = [
+fn files(scene: &Scene) -> Vec<(&'static str, &'static str, bool)> {
+    vec![
         ("series.csv", "the samples shown above", true),
         (
             "network.csv",
             "sums over the contact network at every sample",
-            network,
+            scene.measures_network(),
         ),
         ("particles.csv", "the final bodies", true),
         ("contacts.csv", "the contact points of the last step", true),
@@ -161,12 +133,5 @@ fn files(scene: &Scene) -> Markup {
             scene.output.trajectory != Trajectory::None,
         ),
         ("summary.json", "status, warnings, work, speed", true),
-    ];
-    html! {
-        ul.files {
-            @for (name, about, exists) in all {
-                @if exists { li { a href=(name) { (name) } ": " (about) } }
-            }
-        }
-    }
+    ]
 }

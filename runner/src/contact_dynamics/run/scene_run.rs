@@ -124,7 +124,7 @@ impl<'a> SceneRun<'a> {
     /// it, and return the bytes of the files before it.
     fn without_early_sample(&mut self, bytes: [u64; 2]) -> Result<[u64; 2], Error> {
         let last = self.samples.checked_sub(1);
-        let is_early = |last| self.scene.regular_sample_step(last) > self.world.steps();
+        let is_early = |last| self.scene.schedule().regular_sample_step(last) > self.world.steps();
         if !last.is_some_and(is_early) {
             return Ok(bytes);
         }
@@ -192,11 +192,12 @@ impl<'a> SceneRun<'a> {
         self.clock.begin_main();
         let last = self.scene.steps();
         loop {
-            let due = self.scene.sample_step(self.samples);
+            let due = self.scene.schedule().sample_step(self.samples);
             self.advance_to(due)?;
             // The last step is always sampled, but only once.
-            let is_extra =
-                due == last && self.samples > 0 && self.scene.sample_step(self.samples - 1) >= last;
+            let is_extra = due == last
+                && self.samples > 0
+                && self.scene.schedule().sample_step(self.samples - 1) >= last;
             if !is_extra {
                 self.sample()?;
             }
@@ -322,7 +323,7 @@ impl<'a> SceneRun<'a> {
             sample: self.samples,
             time: self.world.time(),
         });
-        let is_early = self.scene.regular_sample_step(self.samples) > self.world.steps();
+        let is_early = self.scene.schedule().regular_sample_step(self.samples) > self.world.steps();
         self.before_early = is_early.then_some(self.since);
         if !is_early {
             self.sampled.extend(&self.since);

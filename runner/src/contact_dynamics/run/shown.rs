@@ -4,17 +4,8 @@ use super::super::Scene;
 use super::begin::{after_compaction, first, phases};
 use super::picture::draw;
 use crate::error::Error;
+use crate::run::picture::Shown;
 use gouge_contact_dynamics::world::World;
-
-/// A state of a scene and its picture.
-pub struct Shown {
-    /// Number of steps after the set-up.
-    pub steps: u64,
-    /// Time in s.
-    pub time: f64,
-    /// The picture as SVG.
-    pub svg: String,
-}
 
 /// The picture of a scene after a number of steps, or at its end if that comes first.
 ///

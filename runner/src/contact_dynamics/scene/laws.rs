@@ -1,8 +1,7 @@
-//! `[contact]`, `[solver]`, `[external]`: how a step goes.
+//! `[contact]`, `[solver]`: how a step goes.
 
 use super::Result;
 use crate::scene::table::{Range, Table};
-use gouge_common::geometry::Vec2;
 use gouge_contact_dynamics::detection::{DetectionSettings, PointLine};
 use gouge_contact_dynamics::law::{ContactLaw, GapRule};
 use gouge_contact_dynamics::local::Components;
@@ -193,20 +192,4 @@ fn criterion(table: &Table) -> Result<StopCriterion> {
             velocity: tolerance,
         },
     })
-}
-
-/// `[external]`: the acceleration of gravity, downwards unless it has another direction.
-pub(super) fn gravity(root: &Table) -> Result<Vec2> {
-    let Some(table) = root.optional_law("external")? else {
-        return Ok(Vec2::zero());
-    };
-    table.allow(&["law", "acceleration", "direction"])?;
-    table.choice("law", &[("gravity", ())])?;
-    let acceleration = table.number("acceleration", Range::Finite)?;
-    let [x, y] = table.optional_pair("direction")?.unwrap_or([0.0, -1.0]);
-    let direction = Vec2::new(x, y);
-    if direction.norm() == 0.0 {
-        return Err(table.error("direction", "must not be [0, 0]"));
-    }
-    Ok(direction * (acceleration / direction.norm()))
 }

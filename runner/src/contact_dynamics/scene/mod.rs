@@ -11,7 +11,7 @@ pub use setup::{CellTable, Compaction, Glue, PackingTable, ShearTable, Sizes};
 
 use crate::error::SceneError;
 use crate::scene::table::{Range, Table};
-use crate::scene::{Keys, MODELS, Overrides, SceneFile, SceneText, domain, steps_for};
+use crate::scene::{Keys, MODELS, Overrides, SceneFile, SceneText, Schedule, domain, gravity};
 use gouge_common::geometry::{Domain, Vec2};
 use gouge_contact_dynamics::step::StepSettings;
 use std::path::{Path, PathBuf};
@@ -110,7 +110,7 @@ impl Scene {
             settings: laws::settings(root, &time, step, diameter)?,
             domain: domain(root)?,
             density,
-            gravity: laws::gravity(root)?,
+            gravity: gravity(root)?,
             bodies,
             packing,
             cell,
@@ -210,18 +210,16 @@ impl Scene {
 
     /// Number of steps until the end time.
     pub fn steps(&self) -> u64 {
-        steps_for(self.end, self.settings.time_step)
+        self.schedule().steps()
     }
 
-    /// Step of a sample, counted from zero; the last step is always sampled.
-    pub fn sample_step(&self, sample: u64) -> u64 {
-        self.regular_sample_step(sample).min(self.steps())
-    }
-
-    /// Step of a sample if the scene had no end.
-    pub fn regular_sample_step(&self, sample: u64) -> u64 {
-        let exact = sample as f64 * self.output.interval / self.settings.time_step;
-        (exact.round() as u64).max(sample)
+    /// When a run takes samples.
+    pub fn schedule(&self) -> Schedule {
+        Schedule {
+            step: self.settings.time_step,
+            end: self.end,
+            interval: self.output.interval,
+        }
     }
 }
 

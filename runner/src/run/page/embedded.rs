@@ -37,6 +37,9 @@ pub struct Motion {
     /// Numbers of sides, 0 for discs; empty if there are only discs.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     sides: Vec<u16>,
+    /// Whether colours are numbers from 0 to 255 on a scale.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    scale: bool,
     /// The samples, each as columns: x, y, angles, colours, speeds, pressures.
     samples: String,
     /// Whether grains are outside of the view in some sample.
@@ -108,6 +111,7 @@ impl Motion {
             pressure,
             radii: BASE64_STANDARD.encode(radii),
             sides: drawn.sides.to_vec(),
+            scale: drawn.is_scale,
             samples: BASE64_STANDARD.encode(bytes),
             loses_grains,
         }

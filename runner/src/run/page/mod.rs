@@ -6,7 +6,7 @@ mod figures;
 mod player;
 
 pub use animation::{Animation, DRIVEN, FIXED, Grain, NAME as ANIMATION, SINGLE};
-pub use figures::{Plan, figure};
+pub use figures::Plan;
 pub use player::Drawn;
 
 use super::columns::Columns;
@@ -16,6 +16,7 @@ use super::picture::draw_picture;
 use crate::error::Error;
 use crate::scene::{Scene, Trajectory, integrator_name};
 use animation::Recording;
+use figures::figure;
 use gouge_dem::World;
 use gouge_page::styled_page;
 use maud::{Markup, PreEscaped, html};
@@ -48,18 +49,87 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> 
     write_soon(&folder.join(PAGE), with_style(title, body).as_bytes())
 }
 
+/// A fact: its name and its text.
+pub type Row = (&'static str, String);
+
+/// What the page of a run shows besides the verdict.
+pub struct Content<'a> {
+    /// Title.
+    pub title: &'a str,
+    /// Facts; hash and version follow them.
+    pub facts: Vec<Row>,
+    /// The figures of the series, as far as it has their columns.
+    pub plans: &'a [Plan],
+    /// The picture of the final state as SVG.
+    pub picture: String,
+    /// What the picture shows.
+    pub legend: &'a str,
+    /// The motion.
+    pub motion: Markup,
+    /// Names of files, what they contain, and whether they exist.
+    pub files: Vec<(&'static str, &'static str, bool)>,
+}
+
+/// Write the page of a run that ended.
+///
+/// # Errors
+/// Failures of the file system.
+pub fn write_content(folder: &Path, summary: &Summary, content: &Content) -> Result<(), Error> {
+    let series = Columns::read(&folder.join(SERIES));
+    let plans = content.plans.iter();
+    let figures: Vec<_> = plans.filter_map(|plan| figure(plan, &series)).collect();
+    let version = format!("{} (commit {})", summary.version, summary.commit);
+    let common = [("hash", summary.scene_sha256.clone()), ("version", version)];
+    let body = html! {
+        h1 { (content.title) }
+        (verdict(summary))
+        dl { @for (name, value) in content.facts.iter().chain(&common) { dt { (name) } dd { (value) } } }
+        @if !figures.is_empty() {
+            h2 { "Series" }
+            div.figures { @for figure in &figures { (figure.html()) } }
+        }
+        h2 { "Final state" }
+        figure.picture {
+            (PreEscaped(&content.picture))
+            figcaption { (content.legend) }
+        }
+        h2 { "Motion" }
+        (content.motion)
+        h2 { "Files" }
+        ul.files {
+            @for (name, about, exists) in &content.files {
+                @if *exists { li { a href=(name) { (name) } ": " (about) } }
+            }
+        }
+    };
+    write_soon(
+        &folder.join(PAGE),
+        with_style(content.title, body).as_bytes(),
+    )
+}
+
 /// A page as text.
-pub fn with_style(title: &str, body: Markup) -> String {
+fn with_style(title: &str, body: Markup) -> String {
     styled_page(title, STYLE, body).into_string()
 }
 
-/// The motion in the folder of a run; `time` is that of a sample in s.
-pub fn motion(folder: &Path, drawn: &Drawn, time: &dyn Fn(u64) -> f64) -> Markup {
-    player::show(&Recording::read(folder, drawn.radii.len()), drawn, time)
+/// The motion in the folder of a run, or a hint if it has no trajectory; `time` is that of a sample in s.
+pub fn motion_or_hint(
+    has_trajectory: bool,
+    folder: &Path,
+    drawn: &Drawn,
+    time: &dyn Fn(u64) -> f64,
+) -> Markup {
+    match has_trajectory {
+        true => player::show(&Recording::read(folder, drawn.radii.len()), drawn, time),
+        false => html! {
+            p.about { "With " code { "output.trajectory" } " the page shows the motion, too." }
+        },
+    }
 }
 
 /// How the run ended, and whether its results can be trusted.
-pub fn verdict(summary: &Summary) -> Markup {
+fn verdict(summary: &Summary) -> Markup {
     let balance = match summary.balance_error {
         Some(error) => format!("The energy balance closes to {error:.1e} of the energy exchanged."),
         None => "The energy balance was not watched, because output.energy is false.".to_owned(),
@@ -135,20 +205,17 @@ fn picture(scene: &Scene, world: &World) -> Markup {
 }
 
 fn animation(folder: &Path, scene: &Scene, world: &World) -> Markup {
-    if scene.output.trajectory == Trajectory::None {
-        return html! {
-            p.about { "With " code { "output.trajectory" } " the page shows the motion, too." }
-        };
-    }
     let radii = &world.particles().radius;
     let time = |sample| scene.sample_step(sample) as f64 * scene.step;
     let drawn = Drawn {
         radii,
         sides: &[],
         label: "fragment",
-        pressure: "that of contacts and bonds in a grain",
+        pressure: Some("that of contacts and bonds in a grain"),
+        is_scale: false,
     };
-    motion(folder, &drawn, &time)
+    let has_trajectory = scene.output.trajectory != Trajectory::None;
+    motion_or_hint(has_trajectory, folder, &drawn, &time)
 }
 
 fn files(scene: &Scene, world: &World) -> Markup {

@@ -22,9 +22,11 @@
   });
   const speeds = ramp([[240, 240, 240], [86, 180, 233], [0, 114, 178], [20, 30, 80]]);
   const pressures = ramp([[0, 114, 178], [160, 200, 225], [250, 250, 250], [240, 170, 120], [180, 60, 0]]);
-  const fragments = Array.from({ length: 256 }, (_, label) =>
+  const kinds = Array.from({ length: 256 }, (_, label) =>
     label === SINGLE ? "#fff" : label === DRIVEN ? "#aaa" : label === FIXED ? "#777"
       : `hsl(${(label * 137.507764) % 360} 60% 75%)`);
+  const isScale = motion.scale === true;
+  const fragments = isScale ? ramp([[205, 214, 222], [245, 200, 66], [213, 94, 0], [90, 0, 30]]) : kinds;
 
   const engineering = (value, unit) => {
     if (value === 0) return `0 ${unit}`;
@@ -64,8 +66,8 @@
         context.arc(cx, cy, r, 0, 7);
       }
       context.fill();
-      if (r > 2) context.stroke();
-      if (r > 4) {
+      if (r > 2 && !isScale) context.stroke();
+      if (r > 4 && !isScale) {
         context.beginPath();
         context.moveTo(cx, cy);
         context.lineTo(cx + r * Math.cos(angle), cy - r * Math.sin(angle));
@@ -77,8 +79,10 @@
 
   const show = () => {
     const kind = select.value;
-    scale.hidden = kind === "fragment";
-    const [from, to, palette] = kind === "speed"
+    scale.hidden = kind === "fragment" && !isScale;
+    const [from, to, palette] = kind === "fragment"
+      ? ["0", "1", fragments]
+      : kind === "speed"
       ? ["0 m/s", engineering(motion.speed, "m/s"), speeds]
       : [engineering(-motion.pressure, "Pa"), engineering(motion.pressure, "Pa"), pressures];
     const [low, bar, high] = scale.children;

@@ -15,8 +15,10 @@ pub struct Drawn<'a> {
     pub sides: &'a [u16],
     /// What the colour that is neither speed nor pressure tells.
     pub label: &'static str,
-    /// What pressure means.
-    pub pressure: &'static str,
+    /// What pressure means, if grains have one. Then a line in each grain shows how it turns.
+    pub pressure: Option<&'static str>,
+    /// Whether that colour is a number from 0 to 255 on a scale, instead of a kind.
+    pub is_scale: bool,
 }
 
 /// The motion of all grains, or why it is not shown. `time` is that of a sample in s.
@@ -46,7 +48,7 @@ pub fn show(recording: &Recording, drawn: &Drawn, time: &dyn Fn(u64) -> f64) -> 
                     select {
                         option value="fragment" { (drawn.label) }
                         option value="speed" { "speed" }
-                        option value="pressure" { "pressure" }
+                        @if drawn.pressure.is_some() { option value="pressure" { "pressure" } }
                     }
                 }
             }
@@ -61,7 +63,9 @@ pub fn show(recording: &Recording, drawn: &Drawn, time: &dyn Fn(u64) -> f64) -> 
 
 fn caption(motion: &Motion, drawn: &Drawn, shown: usize, number: usize) -> Markup {
     html! {
-        "A line in each grain shows how it turns. Pressure is " (drawn.pressure) ", positive in compression; the colours cover 99.5 % of all values. "
+        @if let Some(pressure) = drawn.pressure {
+            "A line in each grain shows how it turns. Pressure is " (pressure) ", positive in compression; the colours cover 99.5 % of all values. "
+        }
         @if shown < number {
             (shown) " of " (number) " samples are shown, so that the page stays small; " code { "trajectory/" } " has all. "
         }

@@ -51,7 +51,11 @@ fn head(frame: &Frame) -> String {
         let _ = write!(text, ":{}:{kind}:1", name(own));
     }
     let periodic = if frame.domain.periodic { "T" } else { "F" };
-    let _ = writeln!(text, " pbc=\"{periodic} F F\" Time={:?}", frame.time);
+    let _ = write!(text, " pbc=\"{periodic} F F\" Time={:?}", frame.time);
+    if !frame.note.is_empty() {
+        let _ = write!(text, " {}", frame.note.replace(" = ", "="));
+    }
+    text.push('\n');
     text
 }
 

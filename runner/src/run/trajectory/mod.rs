@@ -31,6 +31,8 @@ const KINDS: [(&str, &str); 4] = [
 pub struct Frame {
     /// Time in s.
     pub time: f64,
+    /// What a reader should know besides; empty if there is nothing.
+    pub note: String,
     /// The box.
     pub domain: Domain,
     /// Positions of the particles in m.
@@ -52,12 +54,15 @@ pub enum Shapes {
     Discs(Vec<f64>),
     /// Polygons: the radii of their circumscribed circles, and their corners, both in m. Discs have many corners.
     Polygons(Vec<f64>, Vec<Vec<Vec2>>),
+    /// Nodes of meshes: the radii in m of discs with their areas, and triangles of nodes.
+    Nodes(Vec<f64>, Vec<[u32; 3]>),
 }
 
 impl Frame {
     /// The radii of discs or of circumscribed circles.
     fn radii(&self) -> &[f64] {
-        let (Shapes::Discs(radii) | Shapes::Polygons(radii, _)) = &self.shapes;
+        let (Shapes::Discs(radii) | Shapes::Polygons(radii, _) | Shapes::Nodes(radii, _)) =
+            &self.shapes;
         radii
     }
 }

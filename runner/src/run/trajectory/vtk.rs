@@ -15,10 +15,11 @@ use vtkio::model::{
 /// A frame that the library cannot write.
 pub fn text(frame: &Frame) -> Result<String, Error> {
     let piece = match &frame.shapes {
-        Shapes::Discs(_) => piece(frame),
+        Shapes::Discs(_) => piece(frame, &[]),
+        Shapes::Nodes(_, triangles) => piece(frame, triangles),
         Shapes::Polygons(_, outlines) => polygons(frame, outlines),
     };
-    file(frame.time, piece)
+    file(frame.time, &frame.note, piece)
 }
 
 /// Links as text: a segment from the centre of i to that of j, or beyond the seam to its image; their data belong to
@@ -44,13 +45,17 @@ pub fn links(frame: &LinkFrame) -> Result<String, Error> {
             cell: frame.links.columns.iter().map(scalar).collect(),
         },
     };
-    file(frame.time, piece)
+    file(frame.time, "", piece)
 }
 
-fn file(time: f64, piece: PolyDataPiece) -> Result<String, Error> {
+fn file(time: f64, note: &str, piece: PolyDataPiece) -> Result<String, Error> {
+    let note = match note {
+        "" => String::new(),
+        note => format!(", {note}"),
+    };
     let file = Vtk {
         version: Version::new_legacy(4, 2),
-        title: format!("t = {time:?} s"),
+        title: format!("t = {time:?} s{note}"),
         byte_order: ByteOrder::BigEndian,
         file_path: None,
         data: DataSet::PolyData {
@@ -69,9 +74,11 @@ fn file(time: f64, piece: PolyDataPiece) -> Result<String, Error> {
     Ok(text)
 }
 
-fn piece(frame: &Frame) -> PolyDataPiece {
+/// One vertex per particle, or one cell per triangle if there are any.
+fn piece(frame: &Frame, triangles: &[[u32; 3]]) -> PolyDataPiece {
     let number = frame.positions.len() as u32;
     let vertices = (0..number).flat_map(|i| [1, i]).collect();
+    let cells = triangles.iter().flat_map(|&[a, b, c]| [3, a, b, c]);
     let lines: Vec<u32> = frame
         .lines
         .iter()
@@ -79,7 +86,7 @@ fn piece(frame: &Frame) -> PolyDataPiece {
         .collect();
     PolyDataPiece {
         points: flat(&frame.positions).into(),
-        verts: Some(VertexNumbers::Legacy {
+        verts: triangles.is_empty().then_some(VertexNumbers::Legacy {
             num_cells: number,
             vertices,
         }),
@@ -87,7 +94,10 @@ fn piece(frame: &Frame) -> PolyDataPiece {
             num_cells: lines.len() as u32 / 3,
             vertices: lines,
         }),
-        polys: None,
+        polys: (!triangles.is_empty()).then_some(VertexNumbers::Legacy {
+            num_cells: triangles.len() as u32,
+            vertices: cells.collect(),
+        }),
         strips: None,
         data: Attributes {
             point: attributes(frame).collect(),

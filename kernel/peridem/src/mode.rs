@@ -1,9 +1,9 @@
 //! Readings of the source, by name.
 
-use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
-use gouge_peridem::contact_law::ContactReading;
-use gouge_peridem::wall_law::WallReading;
-use gouge_peridem::world::Beginning;
+use crate::bond_law::{BreakOrder, BreakingRule};
+use crate::contact_law::ContactReading;
+use crate::wall_law::WallReading;
+use crate::world::Beginning;
 
 /// A reading of the source.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,21 +39,24 @@ impl Mode {
         matches!(self, Self::Authors | Self::TwoFixes)
     }
 
-    pub(super) fn breaking(self) -> BreakingRule {
+    /// Which bonds break.
+    pub fn breaking(self) -> BreakingRule {
         match self {
             Self::Paper => BreakingRule::TwoSided,
             _ => BreakingRule::TensionOnly,
         }
     }
 
-    pub(super) fn break_order(self) -> BreakOrder {
+    /// Whether bonds act in the step in which they break.
+    pub fn break_order(self) -> BreakOrder {
         match self.is_of_authors() {
             true => BreakOrder::ForceFirst,
             false => BreakOrder::BreakFirst,
         }
     }
 
-    pub(super) fn contact(self) -> ContactReading {
+    /// The mass in damping and friction between nodes.
+    pub fn contact(self) -> ContactReading {
         match self {
             Self::Corrected => ContactReading::Symmetric,
             Self::Paper => ContactReading::Printed,
@@ -62,7 +65,8 @@ impl Mode {
         }
     }
 
-    pub(super) fn walls(self) -> WallReading {
+    /// The force of walls.
+    pub fn walls(self) -> WallReading {
         match self {
             Self::Corrected | Self::Paper => WallReading::Paper,
             Self::TwoFixes => WallReading::TwoFixes,
@@ -70,7 +74,8 @@ impl Mode {
         }
     }
 
-    pub(super) fn beginning(self) -> Beginning {
+    /// Where the first accelerations come from.
+    pub fn beginning(self) -> Beginning {
         match self.is_of_authors() {
             true => Beginning::Given,
             false => Beginning::Forces,

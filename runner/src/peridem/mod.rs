@@ -1,0 +1,7 @@
+//! Scenes of deformable, breakable grains by peridynamics: what they say, and how they run.
+
+mod run;
+mod scene;
+
+pub use run::{links, run, series_columns, shown, stability, world};
+pub use scene::Scene;

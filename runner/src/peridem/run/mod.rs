@@ -1,0 +1,51 @@
+//! Running a scene of peridynamic grains.
+
+mod begin;
+mod checkpoint;
+mod files;
+mod frame;
+mod links;
+mod mesh;
+mod outcome;
+mod page;
+mod picture;
+mod samples;
+mod scene_run;
+mod shown;
+mod stability;
+mod tables;
+
+pub use begin::world;
+pub use links::links;
+pub use samples::columns as series_columns;
+pub use shown::shown;
+pub use stability::stability;
+
+use super::Scene;
+use crate::error::Error;
+use crate::run::existing::{Beginning, prepared};
+use crate::run::{Observer, RunOptions, Summary};
+use scene_run::SceneRun;
+use std::path::Path;
+
+/// Run a scene, write its outputs into a folder, report what happens to an observer, and return the summary.
+///
+/// # Errors
+/// A folder that cannot be written, that another run is using, or that holds results which the run would replace; a
+/// damaged checkpoint; a state that becomes invalid; an interruption. What was written before the error is kept.
+pub fn run(
+    scene: &Scene,
+    folder: &Path,
+    options: RunOptions,
+    observer: &mut dyn Observer,
+) -> Result<Summary, Error> {
+    let (lock, beginning) = prepared(scene, folder, options, observer)?;
+    let place = (folder, &lock);
+    let mut run = match beginning {
+        Beginning::Complete(summary) => return Ok(*summary),
+        Beginning::Checkpoint(saved) => SceneRun::resume(scene, place, options, observer, *saved)?,
+        Beginning::Fresh => SceneRun::begin(scene, place, options, observer)?,
+    };
+    let ended = run.run_to_end();
+    run.complete(ended)
+}

@@ -1,0 +1,222 @@
+//! Samples: rows of the series.
+
+use super::super::Scene;
+use super::super::scene::{CrackTable, MOST_CRACKS};
+use crate::run::series::{Sample, Value};
+use gouge_common::geometry::Vec2;
+use gouge_peridem::observables::{Crack, bulk_damage, pieces, softened_area};
+use gouge_peridem::world::World;
+
+/// Terms of the balance of energy, in J per metre of depth.
+const ENERGY: [&str; 9] = [
+    "kinetic",
+    "bond",
+    "contact",
+    "external",
+    "wall_work",
+    "damping",
+    "friction",
+    "breaking",
+    "residual",
+];
+/// Columns of every scene.
+const STATE: [&str; 7] = [
+    "momentum_x",
+    "momentum_y",
+    "bonds",
+    "broken_bonds",
+    "bulk_damage",
+    "softened_area",
+    "pieces",
+];
+/// Share of the grains' area in the container, if there are four walls.
+const FRACTION: &str = "solid_fraction";
+/// Forces of the grains on the walls in N per metre of depth.
+const WALLS: [[&str; 2]; 4] = [
+    ["left_force_x", "left_force_y"],
+    ["right_force_x", "right_force_y"],
+    ["top_force_x", "top_force_y"],
+    ["bottom_force_x", "bottom_force_y"],
+];
+/// Directions in rad and lengths in m of cracks.
+const CRACKS: [[&str; 2]; MOST_CRACKS] = [
+    ["crack_angle_0", "crack_length_0"],
+    ["crack_angle_1", "crack_length_1"],
+    ["crack_angle_2", "crack_length_2"],
+    ["crack_angle_3", "crack_length_3"],
+    ["crack_angle_4", "crack_length_4"],
+    ["crack_angle_5", "crack_length_5"],
+    ["crack_angle_6", "crack_length_6"],
+    ["crack_angle_7", "crack_length_7"],
+];
+/// Smallest part of the nodes of a grain that counts as a piece.
+const PIECE: f64 = 0.05;
+
+/// Names of the values in every sample of a scene.
+pub fn columns(scene: &Scene) -> Vec<&'static str> {
+    let energy = ENERGY.iter().filter(|_| scene.output.energy);
+    let mut names: Vec<&str> = ["time"]
+        .iter()
+        .chain(energy)
+        .chain(&STATE)
+        .copied()
+        .collect();
+    names.extend(has_container(scene).then_some(FRACTION));
+    names.extend(walls(scene).flat_map(|wall| WALLS[wall]));
+    names.extend(CRACKS.iter().take(scene.cracks.len()).flatten());
+    names
+}
+
+/// The walls that exist.
+fn walls(scene: &Scene) -> impl Iterator<Item = usize> {
+    let positions = scene.walls.map(|walls| walls.position);
+    let exists = move |wall: &usize| positions.is_some_and(|all| all[*wall].is_finite());
+    (0..WALLS.len()).filter(exists)
+}
+
+fn has_container(scene: &Scene) -> bool {
+    walls(scene).count() == WALLS.len()
+}
+
+/// What the samples so far say about the balance of energy.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Balance {
+    /// Energy in J per metre of depth at t = 0.
+    pub beginning: f64,
+    /// Largest sum of the magnitudes of all terms.
+    pub exchanged: f64,
+    /// Largest magnitude of the residual.
+    pub residual: f64,
+}
+
+impl Balance {
+    /// The balance at the beginning.
+    pub fn new(world: &World) -> Self {
+        let energies = world.energies();
+        Self {
+            beginning: energies.kinetic + energies.bonds + energies.contacts + energies.external,
+            ..Self::default()
+        }
+    }
+
+    /// All terms of a state by their names.
+    pub fn terms(&self, world: &World) -> [(&'static str, f64); 9] {
+        let (energies, work) = (world.energies(), world.state().work);
+        let stored = energies.kinetic + energies.bonds + energies.contacts + energies.external;
+        let lost = work.damping + work.friction + work.broken;
+        let numbers = [
+            energies.kinetic,
+            energies.bonds,
+            energies.contacts,
+            energies.external,
+            work.walls,
+            work.damping,
+            work.friction,
+            work.broken,
+            stored + lost - work.walls - self.beginning,
+        ];
+        std::array::from_fn(|k| (ENERGY[k], numbers[k]))
+    }
+
+    /// Take note of the terms of a sample.
+    pub fn add(&mut self, terms: &[(&'static str, f64); 9]) {
+        let [others @ .., (_, residual)] = terms;
+        let sum: f64 = others.iter().map(|(_, term)| term.abs()).sum();
+        self.exchanged = self.exchanged.max(sum + self.beginning.abs());
+        self.residual = self.residual.max(residual.abs());
+    }
+
+    /// The largest residual in parts of the energy exchanged.
+    pub fn error(&self) -> f64 {
+        match self.exchanged > 0.0 {
+            true => self.residual / self.exchanged,
+            false => 0.0,
+        }
+    }
+}
+
+/// Numbers of pieces of all grains, counted again only for grains that lost bonds.
+#[derive(Clone, Debug, Default)]
+pub struct Pieces(Vec<(usize, usize)>);
+
+impl Pieces {
+    /// The number of pieces of every grain.
+    pub fn count(&mut self, world: &World) -> Vec<usize> {
+        let (grains, bonds) = (world.grains(), world.bonds());
+        self.0.resize(grains.rows.len(), (usize::MAX, 0));
+        for (grain, (counted, number)) in self.0.iter_mut().enumerate() {
+            let held = bonds.count_of(grains.rows[grain].nodes.clone());
+            if held != *counted {
+                *number = pieces(grains, bonds, grain, PIECE);
+                *counted = held;
+            }
+        }
+        self.0.iter().map(|(_, number)| *number).collect()
+    }
+}
+
+/// A sample of a world of which `intact` bonds existed at t = 0.
+pub fn sample(
+    scene: &Scene,
+    world: &World,
+    terms: Option<&[(&'static str, f64); 9]>,
+    (intact, pieces): (usize, usize),
+) -> Sample {
+    let (grains, bonds) = (world.grains(), world.bonds());
+    let mut sample = vec![("time", Value::Number(world.time()))];
+    let energies = terms.into_iter().flatten();
+    sample.extend(energies.map(|(name, energy)| (*name, Value::Number(*energy))));
+    let momentum = momentum(world);
+    let grain_numbers = 0..grains.rows.len();
+    let state = [
+        Value::Number(momentum.x),
+        Value::Number(momentum.y),
+        Value::Count(bonds.count()),
+        Value::Count(intact - bonds.count()),
+        Value::Number(bulk_damage(grains, bonds)),
+        Value::Number(
+            grain_numbers
+                .map(|grain| softened_area(grains, bonds, grain))
+                .sum(),
+        ),
+        Value::Count(pieces),
+    ];
+    sample.extend(STATE.into_iter().zip(state));
+    if has_container(scene) {
+        sample.push((FRACTION, Value::Number(solid_fraction(world))));
+    }
+    let reactions = world.reactions();
+    for wall in walls(scene) {
+        let force = [reactions[wall].x, reactions[wall].y].map(Value::Number);
+        sample.extend(WALLS[wall].into_iter().zip(force));
+    }
+    for (names, table) in CRACKS.into_iter().zip(&scene.cracks) {
+        let crack = crack(world, table);
+        let numbers = crack.map_or([f64::NAN; 2], |crack| [crack.angle, crack.length]);
+        sample.extend(names.into_iter().zip(numbers.map(Value::Number)));
+    }
+    sample
+}
+
+fn momentum(world: &World) -> Vec2 {
+    let grains = world.grains();
+    let of = |node: usize| world.state().velocity[node] * grains.mass(node);
+    (0..grains.nodes()).fold(Vec2::zero(), |sum, node| sum + of(node))
+}
+
+/// Area of the undeformed grains over that between the walls.
+fn solid_fraction(world: &World) -> f64 {
+    let [left, right, top, bottom] = world.state().walls;
+    let area: f64 = world.grains().area.iter().sum();
+    area / ((right - left) * (top - bottom))
+}
+
+/// The crack from a tip; none if no node belongs to it.
+pub fn crack(world: &World, table: &CrackTable) -> Option<Crack> {
+    let (grains, [low, high]) = (world.grains(), table.within);
+    let belongs = |node: usize| {
+        let distance = (grains.position[node] - table.tip).norm();
+        grains.grain_of[node] as usize == table.grain && (low..=high).contains(&distance)
+    };
+    Crack::from_tip(grains, world.bonds(), table.tip, table.threshold, belongs)
+}
