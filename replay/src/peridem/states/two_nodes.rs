@@ -21,11 +21,11 @@ const COARSEST: f64 = 64.0;
 /// Most runs; each has half the step of the one before.
 const RUNS: u32 = 9;
 /// Relative change from one run to the next at which a moment counts as found.
-const CONVERGED: f64 = 1e-14;
+const CONVERGED: f64 = 1e-13;
 /// Number of steps through which a polynomial is laid.
 const POINTS: usize = 6;
-/// Longest motion, in inverse frequencies.
-const LONGEST: f64 = 200.0;
+/// Longest motion, in inverse frequencies. Nodes that take longer to separate do so at the speed of rounding.
+const LONGEST: f64 = 30.0;
 /// Horizon in m of a bond that gives none although its weight depends on it.
 const HORIZON: f64 = 0.0005;
 /// Ratio of the speeds of separation and approach below which it is rounding.
