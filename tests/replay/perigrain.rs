@@ -9,12 +9,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// Largest difference of positions in m. Rounding makes them differ by up to 7e-18 m.
+/// Largest difference of positions and centres in m. Rounding makes them differ by up to 7e-18 m.
 const POSITION: f64 = 1e-16;
 /// Largest difference of velocities, and of sums, per largest one.
 const RELATIVE: f64 = 1e-10;
-/// Columns of the series that vanish in symmetric motions but for rounding.
-const CANCELLING: [&str; 2] = ["px", "py"];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../references/perigrain/motions")
@@ -97,9 +95,11 @@ fn repeats(name: &str) {
         &files["series.csv"],
         &stored("series.csv"),
         1,
-        |column, largest| match CANCELLING.contains(&column) {
-            true => f64::INFINITY,
-            false => RELATIVE * largest,
+        |column, largest| match column {
+            // Momentum vanishes in symmetric motions, but for rounding.
+            "px" | "py" => f64::INFINITY,
+            _ if column.starts_with('c') => POSITION,
+            _ => RELATIVE * largest,
         },
     );
     if own.join("bonds.csv.gz").is_file() {

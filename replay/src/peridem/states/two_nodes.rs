@@ -21,13 +21,15 @@ const COARSEST: f64 = 64.0;
 /// Most runs; each has half the step of the one before.
 const RUNS: u32 = 9;
 /// Relative change from one run to the next at which a moment counts as found.
-const CONVERGED: f64 = 1e-14;
+const CONVERGED: f64 = 1e-13;
 /// Number of steps through which a polynomial is laid.
 const POINTS: usize = 6;
-/// Longest motion, in inverse frequencies.
-const LONGEST: f64 = 200.0;
+/// Longest motion, in inverse frequencies. Nodes that take longer to separate do so at the speed of rounding.
+const LONGEST: f64 = 30.0;
 /// Horizon in m of a bond that gives none although its weight depends on it.
 const HORIZON: f64 = 0.0005;
+/// Ratio of the speeds of separation and approach below which it is rounding.
+const NOISE: f64 = 1e-12;
 /// Ratio of the speed to the least one that breaks, in the case that breaks.
 const BREAKING_RATIO: f64 = 1.3;
 
@@ -306,8 +308,9 @@ pub(super) fn collision(case: &Fields, reading: ContactReading) -> Result<Found,
         ("deepest", (-opening).into()),
         ("time_of_deepest", time.into()),
     ]));
-    // Nodes that are damped too much approach the contact radius and never reach it.
-    let exit = two.opens_beyond(0.0)?;
+    // Nodes that are damped too much approach the contact radius, which only rounding lets them reach.
+    let is_separation = |[_, _, separation]: &Moment| *separation > NOISE * speed;
+    let exit = two.opens_beyond(0.0)?.filter(is_separation);
     if let Some([time, _, _]) = exit {
         found.insert("contact_duration_until_d_is_R_c".to_owned(), time.into());
     }
