@@ -1,7 +1,10 @@
 //! `gouge replay`: cases made by hand whose answers are closed forms, their symmetries, and what is refused.
 
 mod bad_cases;
+mod motions;
 mod networks;
+mod perigrain;
+mod states;
 
 use crate::program::{run, stderr, stdout};
 use serde_json::{Value, json};

@@ -34,6 +34,14 @@ pub enum ReplayError {
         /// The cause, with line and column.
         source: serde_json::Error,
     },
+    /// A file is JSON, but of no known kind.
+    #[error("{}: must have {accepted}", file.display())]
+    UnknownKind {
+        /// The file.
+        file: PathBuf,
+        /// Keys by which kinds of files are known.
+        accepted: String,
+    },
     /// A file is JSON, but has no list of cases.
     #[error("{}: {fault}", file.display())]
     Structure {
@@ -75,6 +83,14 @@ pub enum Fault {
         /// The value.
         value: String,
         /// What it must be.
+        accepted: String,
+    },
+    /// A key is not known, or what it asks for is not available.
+    #[error("{key} is not known: only {accepted} are")]
+    Unknown {
+        /// The key, as a path.
+        key: String,
+        /// The keys that are known.
         accepted: String,
     },
     /// The kernel refuses a body or a setting.

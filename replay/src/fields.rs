@@ -2,7 +2,7 @@
 
 use crate::error::Fault;
 use gouge_common::geometry::Vec2;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// Longest value that an error message shows in full.
 const LONGEST: usize = 60;
@@ -23,6 +23,38 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// The value itself.
+    pub fn value(&self) -> &'a Value {
+        self.value
+    }
+
+    /// Those of some keys that are present, with their values.
+    pub fn copied(&self, keys: &[&str]) -> Map<String, Value> {
+        let item = |key: &&str| Some(((*key).to_owned(), self.value.get(key)?.clone()));
+        keys.iter().filter_map(item).collect()
+    }
+
+    /// All keys with texts.
+    pub fn texts(&self) -> Map<String, Value> {
+        let items = self.value.as_object().into_iter().flatten();
+        let texts = items.filter(|(_, value)| value.is_string());
+        texts
+            .map(|(key, value)| (key.clone(), value.clone()))
+            .collect()
+    }
+
+    /// Refuse keys other than some.
+    pub fn require_keys(&self, accepted: &[&str]) -> Result<(), Fault> {
+        let mut keys = self.value.as_object().into_iter().flat_map(Map::keys);
+        match keys.find(|key| !accepted.contains(&key.as_str())) {
+            None => Ok(()),
+            Some(key) => Err(Fault::Unknown {
+                key: self.path_of(key),
+                accepted: accepted.join(", "),
+            }),
+        }
+    }
+
     fn path_of(&self, key: &str) -> String {
         match self.path.is_empty() {
             true => key.to_owned(),
@@ -37,7 +69,8 @@ impl<'a> Fields<'a> {
         Some(Self { value, path })
     }
 
-    fn required(&self, key: &str, accepted: &str) -> Result<Self, Fault> {
+    /// The value of a key that must be there.
+    pub fn required(&self, key: &str, accepted: &str) -> Result<Self, Fault> {
         self.optional(key).ok_or_else(|| Fault::Missing {
             key: self.path_of(key),
             accepted: accepted.to_owned(),
@@ -58,6 +91,17 @@ impl<'a> Fields<'a> {
             key,
             value,
             accepted: accepted.into(),
+        }
+    }
+
+    /// An error about the value of a key.
+    pub fn refuse_key(&self, key: &str, accepted: impl Into<String>) -> Fault {
+        match self.optional(key) {
+            Some(value) => value.refuse(accepted),
+            None => Fault::Missing {
+                key: self.path_of(key),
+                accepted: accepted.into(),
+            },
         }
     }
 
@@ -96,6 +140,15 @@ impl<'a> Fields<'a> {
         let whole = |x: f64| (x >= 0.0 && x < limit as f64 && x == x.floor()).then_some(x as usize);
         let index = self.value.as_f64().and_then(whole);
         index.ok_or_else(|| self.refuse(accepted))
+    }
+
+    /// This value as two indices below a number of nodes.
+    pub fn as_pair(&self, nodes: usize) -> Result<[usize; 2], Fault> {
+        let node = |value: &Self| value.as_index(nodes, &format!("a node below {nodes}"));
+        match self.as_list()?.as_slice() {
+            [i, j] => Ok([node(i)?, node(j)?]),
+            _ => Err(self.refuse("two nodes")),
+        }
     }
 
     /// This value as a vector.
@@ -164,6 +217,16 @@ impl<'a> Fields<'a> {
         flag.ok_or_else(|| value.refuse("true or false"))
     }
 
+    /// True or false, or a number that is zero if the switch is off; another value if the key is absent.
+    pub fn switch_or(&self, key: &str, default: bool) -> Result<bool, Fault> {
+        let Some(value) = self.optional(key) else {
+            return Ok(default);
+        };
+        let number = value.value.as_f64().map(|number| number != 0.0);
+        let switch = value.value.as_bool().or(number);
+        switch.ok_or_else(|| value.refuse("true or false, or 1 or 0"))
+    }
+
     /// One of several words.
     pub fn word(&self, key: &str, accepted: &[&str]) -> Result<&'a str, Fault> {
         let words = format!("one of: {}", accepted.join(", "));
@@ -200,6 +263,15 @@ impl<'a> Fields<'a> {
             true => Ok(items),
             false => Err(list.refuse(format!("a list of {length} items"))),
         }
+    }
+
+    /// Vectors from two lists with a fixed number of components.
+    pub fn vectors(&self, x: &str, y: &str, length: usize) -> Result<Vec<Vec2>, Fault> {
+        let components = self
+            .numbers_of(x, length)?
+            .into_iter()
+            .zip(self.numbers_of(y, length)?);
+        Ok(components.map(|(x, y)| Vec2::new(x, y)).collect())
     }
 
     /// A list with a fixed number of numbers.

@@ -3,23 +3,29 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod detection;
+mod detection_bounds;
 mod detection_exact;
 mod generators;
 mod cells;
 mod lmgc90;
 mod local;
+mod local_bounds;
 mod preparation;
 mod profile;
 mod observables;
+mod observables_exact;
 mod assemblies;
 mod delassus;
 mod shapes;
 mod solid_fraction;
+mod refusals;
 mod siconos;
 mod steps;
 mod stored;
 mod solvers;
+mod step_bounds;
 mod strips;
+mod sweep_stops;
 mod sweeps;
 mod systems;
 mod worlds;

@@ -14,14 +14,14 @@ use gouge_contact_dynamics::observables::{
 };
 use gouge_contact_dynamics::units::Velocity;
 
-const FRICTION: f64 = 0.4;
+pub const FRICTION: f64 = 0.4;
 const KINDS: [ContactKind; 2] = [ContactKind::SideVertex, ContactKind::SideSide];
 
-fn components(n: f64, t: f64) -> Components {
+pub fn components(n: f64, t: f64) -> Components {
     Components { n, t }
 }
 
-fn near(found: f64, expected: f64, tolerance: f64) {
+pub fn near(found: f64, expected: f64, tolerance: f64) {
     assert!(
         (found - expected).abs() <= tolerance,
         "{found} instead of {expected}"
@@ -29,7 +29,7 @@ fn near(found: f64, expected: f64, tolerance: f64) {
 }
 
 /// A point between bodies whose centres are a branch apart along the normal.
-fn point(bodies: [u32; 2], angle: f64, distance: f64, force: [f64; 2]) -> PointForce {
+pub fn point(bodies: [u32; 2], angle: f64, distance: f64, force: [f64; 2]) -> PointForce {
     PointForce {
         first: bodies[0],
         second: bodies[1],
@@ -43,20 +43,20 @@ fn point(bodies: [u32; 2], angle: f64, distance: f64, force: [f64; 2]) -> PointF
     }
 }
 
-fn network(points: &[PointForce], bodies: usize) -> Network {
+pub fn network(points: &[PointForce], bodies: usize) -> Network {
     let mut network = Network::new();
     let settings = NetworkSettings::for_friction(FRICTION);
     network.update(points.iter().copied(), bodies, &settings);
     network
 }
 
-fn sums(contacts: &[Contact], volume: f64) -> Sums {
+pub fn sums(contacts: &[Contact], volume: f64) -> Sums {
     let mut sums = Sums::new();
     sums.add_contacts(contacts, None, volume);
     sums
 }
 
-fn contact(angle: f64, kind: ContactKind, force: [f64; 2], branch: [f64; 2]) -> Contact {
+pub fn contact(angle: f64, kind: ContactKind, force: [f64; 2], branch: [f64; 2]) -> Contact {
     let force = components(force[0], force[1]);
     Contact {
         first: 0,
@@ -72,7 +72,7 @@ fn contact(angle: f64, kind: ContactKind, force: [f64; 2], branch: [f64; 2]) -> 
 }
 
 /// Contacts with arbitrary forces and branches.
-fn random_contacts(count: usize, seed: u64) -> Vec<Contact> {
+pub fn random_contacts(count: usize, seed: u64) -> Vec<Contact> {
     let mut random = Uniform::new(seed);
     let one = |_| {
         let kind = KINDS[usize::from(random.next() < 0.3)];
@@ -135,7 +135,7 @@ fn an_unbalanced_torque_is_the_antisymmetric_part() {
 }
 
 /// Contacts whose angular functions are those of azema (7), with equal weights.
-fn fourier_network(put_in: &Anisotropies, direction: f64, count: usize) -> Vec<Contact> {
+pub fn fourier_network(put_in: &Anisotropies, direction: f64, count: usize) -> Vec<Contact> {
     let a = put_in;
     let cumulated = |delta: f64| (delta + 0.5 * a.contacts * (2.0 * delta).sin()) / TAU;
     let one = |k: usize| {
@@ -360,7 +360,7 @@ fn column() -> System {
     system
 }
 
-fn points_of(system: &System) -> Vec<PointForce> {
+pub fn points_of(system: &System) -> Vec<PointForce> {
     let configuration = &system.state.configuration;
     point_forces(&system.assembly, configuration, system.workspace(), 1e-3).collect()
 }

@@ -1,9 +1,10 @@
-//! Progress over many runs.
+//! Progress over many runs, and over the steps of one.
 
 use super::terminal::say;
 use gouge_studies::sweep::{Planned, Progress, Status};
 use gouge_studies::words::{counted, duration};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -101,6 +102,50 @@ fn bar(steps: u64) -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_secs(1));
     bar
+}
+
+/// Shows how many steps of a motion are done and how long the others will take.
+pub struct StepProgress {
+    is_quiet: bool,
+    bar: ProgressBar,
+    began: Instant,
+    latest_line: Cell<Instant>,
+}
+
+impl StepProgress {
+    /// No step is done yet.
+    pub fn new(is_quiet: bool) -> Self {
+        Self {
+            is_quiet,
+            bar: match is_quiet {
+                true => ProgressBar::hidden(),
+                false => bar(0),
+            },
+            began: Instant::now(),
+            latest_line: Cell::new(Instant::now()),
+        }
+    }
+
+    /// Show how many steps are done, as a line at most once a minute where a bar cannot be drawn.
+    pub fn report(&self, done: u64, all: u64) {
+        let share = all.saturating_sub(done) as f64 / done.max(1) as f64;
+        let left = duration(self.began.elapsed().as_secs_f64() * share);
+        self.bar.set_length(all);
+        self.bar.set_position(done);
+        self.bar.set_message(format!("about {left} remaining"));
+        let is_due = self.latest_line.get().elapsed() >= BETWEEN_LINES;
+        if !self.is_quiet && self.bar.is_hidden() && is_due {
+            self.latest_line.set(Instant::now());
+            say(&format!(
+                "{done} of {all} steps done, about {left} remaining"
+            ));
+        }
+    }
+
+    /// Show no progress any more.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
 }
 
 /// Tell of a run that is not done.

@@ -1,10 +1,11 @@
 //! `gouge replay`: worked examples of other programs.
 
 use super::print;
+use super::progress::StepProgress;
 use super::terminal::say;
 use clap::{Args, ValueEnum};
-use gouge_replay::peridem::{self, Mode};
-use gouge_replay::{ReplayError, contact_dynamics};
+use gouge_replay::peridem::{self, Mode, Repeated};
+use gouge_replay::{CaseError, ReplayError, contact_dynamics};
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
 use std::path::{Path, PathBuf};
@@ -12,17 +13,18 @@ use std::path::{Path, PathBuf};
 /// The cases, and where their results go.
 #[derive(Args)]
 pub struct ReplayArguments {
-    /// Folder with any of geometry.json, local.json, onestep.json, siconos2d.json, dynamics.json and observables.json, or
-    /// a case of peridynamic grains
+    /// Folder with any of geometry.json, local.json, onestep.json, siconos2d.json, dynamics.json and observables.json, or a
+    /// file of peridynamic grains: the input of a motion, or constants, forces, bonds, contacts or walls to be computed;
+    /// also compressed with gzip
     #[arg(value_name = "DIR|CASE.json")]
     cases: PathBuf,
-    /// File for the results, as JSON; folder for those of a case of peridynamic grains
+    /// File for the results, as JSON; folder for those of a file of peridynamic grains
     #[arg(long, value_name = "RESULTS.json|DIR")]
     out: PathBuf,
-    /// Reading of the source of peridynamic grains
-    #[arg(long, value_enum, value_name = "MODE", default_value = "corrected")]
-    mode: ModeName,
-    /// Do not print how many cases were solved; cases without a result are still listed
+    /// Reading of the source of peridynamic grains, only for their files [default: corrected]
+    #[arg(long, value_enum, value_name = "MODE")]
+    mode: Option<ModeName>,
+    /// Show no progress, and do not print how many cases were solved; cases without a result are still listed
     #[arg(long, short)]
     quiet: bool,
 }
@@ -61,18 +63,35 @@ pub fn launch(arguments: &ReplayArguments) -> Result<(), Error> {
     if folder.is_file() {
         return repeat(arguments);
     }
+    if let Some(mode) = arguments.mode {
+        return Err(Error::Argument(format!(
+            "--mode {}: has a meaning only for a file of peridynamic grains, not for {}",
+            mode.mode().name(),
+            folder.display()
+        )));
+    }
     require_output(folder, out)?;
     let outcome = contact_dynamics::replay(folder).map_err(error)?;
     write_whole(out, outcome.text().as_bytes())?;
-    for failure in &outcome.failures {
+    conclude(
+        &outcome.failures,
+        outcome.cases,
+        &outcome.account(),
+        arguments.quiet,
+    )
+}
+
+/// List the cases without a result, and print how many have one.
+fn conclude(failures: &[CaseError], cases: usize, account: &str, quiet: bool) -> Result<(), Error> {
+    for failure in failures {
         say(&failure.to_string());
     }
-    if !arguments.quiet {
-        print(&outcome.account())?;
+    if !quiet {
+        print(account)?;
     }
-    match outcome.failures.len() {
+    match failures.len() {
         0 => Ok(()),
-        failed => Err(Error::Cases(failed, outcome.cases)),
+        failed => Err(Error::Cases(failed, cases)),
     }
 }
 
@@ -83,24 +102,37 @@ fn error(error: ReplayError) -> Error {
     }
 }
 
-/// Repeat a case of peridynamic grains.
+/// Repeat a file of peridynamic grains.
 fn repeat(arguments: &ReplayArguments) -> Result<(), Error> {
     let (file, folder) = (&arguments.cases, &arguments.out);
-    if folder.canonicalize().ok() == file.parent().and_then(|parent| parent.canonicalize().ok()) {
+    if folder.canonicalize().ok()
+        == file
+            .canonicalize()
+            .ok()
+            .and_then(|file| Some(file.parent()?.to_owned()))
+    {
         return Err(Error::Argument(format!(
             "--out {}: is the folder of the case, whose files would be replaced",
             folder.display()
         )));
     }
-    let repeated = peridem::repeat(file, arguments.mode.mode()).map_err(error)?;
+    let mode = arguments.mode.map_or(Mode::default(), ModeName::mode);
+    let progress = StepProgress::new(arguments.quiet);
+    let mut watch = |done, all| progress.report(done, all);
+    let repeated = peridem::repeat(file, mode, &mut watch);
+    progress.finish();
+    let repeated = repeated.map_err(error)?;
     std::fs::create_dir_all(folder).map_err(|source| Error::file("create", folder, source))?;
     for (name, text) in &repeated.files {
         write_whole(&folder.join(name), text.as_bytes())?;
     }
-    if !arguments.quiet {
-        print(&repeated.account)?;
-    }
-    Ok(())
+    let Repeated {
+        failures,
+        cases,
+        account,
+        ..
+    } = &repeated;
+    conclude(failures, *cases, account, arguments.quiet)
 }
 
 /// Refuse an output that would replace an input, by whatever path, or that is a folder.

@@ -1,5 +1,6 @@
 //! What a case says: grains, contact, walls, steps.
 
+use super::options;
 use crate::error::Fault;
 use crate::fields::Fields;
 use gouge_common::geometry::Vec2;
@@ -45,12 +46,11 @@ struct Shared<'a> {
 /// Read a case.
 pub(super) fn read(case: &Fields, mode: Mode, variant: Variant) -> Result<Input, Fault> {
     let conf = case.inside("conf")?;
-    let flag = |key: &str| conf.number_or(key, 0.0).map(|value| value != 0.0);
     let shared = Shared {
         mode,
         weight: variant.weight,
-        breaks: flag("enable_fracture")?,
-        touches_itself: flag("self_contact")?,
+        breaks: conf.switch_or("enable_fracture", false)?,
+        touches_itself: conf.switch_or("self_contact", false)?,
         case,
     };
     let rows = case.list("grains")?;
@@ -78,43 +78,53 @@ pub(super) fn read(case: &Fields, mode: Mode, variant: Variant) -> Result<Input,
     })
 }
 
-/// One value for all nodes, or one for each; zero if there is none.
+/// One value for all nodes, or one for each.
 fn column(row: &Fields, key: &str, nodes: usize) -> Result<Vec<f64>, Fault> {
-    let Some(value) = row.optional(key) else {
-        return Ok(vec![0.0; nodes]);
-    };
-    match value.as_number() {
-        Ok(number) => Ok(vec![number; nodes]),
-        Err(_) => row.numbers_of(key, nodes),
+    let accepted = format!("a number, or a list of {nodes} numbers");
+    let value = row.required(key, &accepted)?;
+    if let Ok(number) = value.as_number() {
+        return Ok(vec![number; nodes]);
+    }
+    let list = value.as_list().map_err(|_| value.refuse(&accepted))?;
+    match list.len() == nodes {
+        true => list.iter().map(Fields::as_number).collect(),
+        false => Err(value.refuse(accepted)),
     }
 }
 
+/// Two columns, each zero if it is absent.
 fn vectors(row: &Fields, x: &str, y: &str, nodes: usize) -> Result<Vec<Vec2>, Fault> {
-    let (x, y) = (column(row, x, nodes)?, column(row, y, nodes)?);
-    Ok(x.into_iter().zip(y).map(|(x, y)| Vec2::new(x, y)).collect())
+    let column = |key: &str| match row.optional(key) {
+        Some(_) => column(row, key, nodes),
+        None => Ok(vec![0.0; nodes]),
+    };
+    Ok(column(x)?
+        .into_iter()
+        .zip(column(y)?)
+        .map(|(x, y)| Vec2::new(x, y))
+        .collect())
 }
 
 fn grain(row: &Fields, shared: &Shared) -> Result<Grain, Fault> {
     let nodes = row.list("x")?.len();
-    let position = vectors(row, "x", "y", row.list_of("y", nodes)?.len())?;
-    let is_set = |key: &str| row.number_or(key, 1.0).map(|value| value != 0.0);
-    let clamped = match is_set("movable")? {
-        true => row
-            .list("clamped")?
+    let clamped = match (row.switch_or("movable", true)?, row.optional("clamped")) {
+        (false, _) => (0..nodes).collect(),
+        (true, None) => Vec::new(),
+        (true, Some(list)) => list
+            .as_list()?
             .iter()
             .map(|node| node.as_index(nodes, &format!("a node below {nodes}")))
             .collect::<Result<_, _>>()?,
-        false => (0..nodes).collect(),
     };
     let constants = constants(row, shared.weight)?;
-    let breaks = shared.breaks && is_set("breakable")?;
+    let breaks = shared.breaks && row.switch_or("breakable", true)?;
     let touches_itself = match shared.mode.is_of_authors() {
         true => shared.touches_itself && breaks,
         false => shared.touches_itself,
     };
     Ok(Grain {
-        position,
-        area: row.numbers_of("V", nodes)?,
+        position: row.vectors("x", "y", nodes)?,
+        area: column(row, "V", nodes)?,
         density: row.positive("rho")?,
         constants,
         breaking: breaks.then(|| shared.mode.breaking()),
@@ -142,47 +152,47 @@ fn constants(row: &Fields, weight: Weight) -> Result<BondConstants, Fault> {
     })
 }
 
-/// The bonds that a case lists, or all nodes within the horizon if it does not list them; as many as it says.
-fn bonds(rows: &[Fields], grains: &Grains) -> Result<Bonds, Fault> {
-    let mut lists = Vec::new();
-    for (row, of) in rows.iter().zip(&grains.rows) {
-        let nodes = of.nodes.len();
-        let node = |value: &Fields| value.as_index(nodes, &format!("a node below {nodes}"));
-        let Ok(list) = row.list("bonds") else {
-            lists.push(None);
-            continue;
-        };
-        let pair = |value: &Fields| {
-            let ends = value.as_list()?;
-            match ends.as_slice() {
-                [i, j] => Ok([node(i)?, node(j)?]),
-                _ => Err(value.refuse("two nodes")),
-            }
-        };
-        lists.push(Some(list.iter().map(pair).collect::<Result<Vec<_>, _>>()?));
-    }
-    let bonds = if lists.iter().any(Option::is_none) {
-        let all = Bonds::within_horizon(grains, |_, _, _| true)?;
-        let local = |(grain, list): (usize, Option<Vec<[usize; 2]>>)| {
-            let nodes = &grains.rows[grain].nodes;
-            let own = || {
-                let inside = all.all().filter(|(_, later, _)| nodes.contains(later));
-                inside.map(|(earlier, later, _)| [earlier - nodes.start, later - nodes.start])
-            };
-            list.unwrap_or_else(|| own().collect())
-        };
-        let lists: Vec<_> = lists.into_iter().enumerate().map(local).collect();
-        Bonds::from_pairs(grains, &lists)?
-    } else {
-        let lists: Vec<_> = lists.into_iter().flatten().collect();
-        Bonds::from_pairs(grains, &lists)?
+/// The bonds that a grain lists; nothing if it gives none, or a rule in words that only their number can check.
+fn listed(row: &Fields, nodes: usize) -> Result<Option<Vec<[usize; 2]>>, Fault> {
+    let Some(bonds) = row.optional("bonds") else {
+        return Ok(None);
     };
+    if bonds.value().is_string() {
+        row.required(
+            "n_bonds",
+            "the number of bonds, because bonds is a rule in words",
+        )?;
+        return Ok(None);
+    }
+    let list = bonds.as_list();
+    let list = list.map_err(|_| bonds.refuse("a list of pairs of nodes, or a rule in words"))?;
+    let pairs = list.iter().map(|pair| pair.as_pair(nodes));
+    Ok(Some(pairs.collect::<Result<_, _>>()?))
+}
+
+/// The bonds that grains list, or all nodes within the horizon of those that list none; as many as a grain says.
+fn bonds(rows: &[Fields], grains: &Grains) -> Result<Bonds, Fault> {
+    let lists = rows.iter().zip(&grains.rows);
+    let lists = lists.map(|(row, of)| listed(row, of.nodes.len()));
+    let mut lists = lists.collect::<Result<Vec<_>, _>>()?;
+    if lists.iter().any(Option::is_none) {
+        let all = Bonds::within_horizon(grains, |_, _, _| true)?;
+        for (list, of) in lists.iter_mut().zip(&grains.rows) {
+            let inside = all.all().filter(|(_, later, _)| of.nodes.contains(later));
+            let first = of.nodes.start;
+            let own = inside.map(|(earlier, later, _)| [earlier - first, later - first]);
+            list.get_or_insert_with(|| own.collect());
+        }
+    }
+    let lists: Vec<_> = lists.into_iter().flatten().collect();
+    let bonds = Bonds::from_pairs(grains, &lists)?;
     for (row, of) in rows.iter().zip(&grains.rows) {
-        if let Some(number) = row.optional("n_bonds") {
-            let found = bonds.count_of(of.nodes.clone());
-            if number.as_number()? != found as f64 {
+        let found = bonds.count_of(of.nodes.clone());
+        match row.optional("n_bonds") {
+            Some(number) if number.as_number()? != found as f64 => {
                 return Err(number.refuse(format!("the number of bonds, {found}")));
             }
+            _ => {}
         }
     }
     Ok(bonds)
@@ -190,10 +200,15 @@ fn bonds(rows: &[Fields], grains: &Grains) -> Result<Bonds, Fault> {
 
 fn settings(shared: &Shared, conf: &Fields, state: &mut State) -> Result<Settings, Fault> {
     let contact = shared.case.inside("contact")?;
+    options::require_known(conf, &contact)?;
+    let coefficient = |switch: &str, key: &str| match conf.switch_or(switch, true)? {
+        true => contact.number(key),
+        false => Ok(0.0),
+    };
     let law = ContactLaw {
         radius: contact.positive("R_c")?,
-        damping_ratio: contact.number("r_d")?,
-        friction: contact.number("mu")?,
+        damping_ratio: coefficient("allow_damping", "r_d")?,
+        friction: coefficient("allow_friction", "mu")?,
         reading: shared.mode.contact(),
     };
     let stiffness = contact.positive("K_n")?;
@@ -209,7 +224,7 @@ fn settings(shared: &Shared, conf: &Fields, state: &mut State) -> Result<Setting
                 friction: law.friction,
                 reading: shared.mode.walls(),
             },
-            velocity: wall_velocity(conf)?,
+            velocity: options::wall_velocity(shared.case, conf)?,
         });
     }
     Ok(Settings {
@@ -223,19 +238,4 @@ fn settings(shared: &Shared, conf: &Fields, state: &mut State) -> Result<Setting
         }),
         walls,
     })
-}
-
-/// Velocities of the walls: a list in the order of their positions, or one key for each.
-fn wall_velocity(conf: &Fields) -> Result<[f64; 4], Fault> {
-    for key in ["wall_speed", "wall_speeds", "wall_velocity"] {
-        if let Some(list) = conf.optional(key) {
-            return list.as_array();
-        }
-    }
-    let mut velocity = [0.0; 4];
-    for (velocity, wall) in velocity.iter_mut().zip(["left", "right", "top", "bottom"]) {
-        *velocity = conf.number_or(&format!("speed_wall_{wall}"), 0.0)?;
-        *velocity = conf.number_or(&format!("wall_{wall}_speed"), *velocity)?;
-    }
-    Ok(velocity)
 }

@@ -1,17 +1,20 @@
 //! Motion of grains, step by step.
 
-use super::Repeated;
 use super::inputs::{self, Input, Variant};
 use super::series::{Tables, broken};
-use crate::error::{Fault, ReplayError};
+use super::{Repeated, Watch, json, output_name, text};
+use crate::error::{CaseError, Fault, ReplayError};
 use crate::fields::Fields;
-use flate2::read::GzDecoder;
 use gouge_peridem::material::Weight;
 use gouge_peridem::mode::Mode;
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::io::Read;
 use std::path::{Path, PathBuf};
+
+/// Keys of which a motion has one.
+pub(super) const KEYS: [&str; 2] = ["grains", "same_input_as"];
+/// Steps between two reports of progress.
+const REPORT_INTERVAL: usize = 64;
 
 /// Steps at which a table is written: those of the table beside the case, or all multiples of the interval and the last.
 struct Steps(Option<BTreeSet<u64>>);
@@ -38,33 +41,13 @@ impl Steps {
     }
 }
 
-/// The text of a file, which may be compressed with gzip.
-fn text(file: &Path) -> Result<String, ReplayError> {
-    let read = |source| ReplayError::Read {
-        file: file.to_owned(),
-        source,
-    };
-    let bytes = std::fs::read(file).map_err(read)?;
-    let mut text = String::new();
-    if bytes.starts_with(&[0x1f, 0x8b]) {
-        GzDecoder::new(&bytes[..]).read_to_string(&mut text)
-    } else {
-        (&bytes[..]).read_to_string(&mut text)
-    }
-    .map_err(read)?;
-    Ok(text)
-}
-
-/// The JSON of a file, which may be compressed.
-pub(super) fn json(file: &Path) -> Result<Value, ReplayError> {
-    serde_json::from_str(&text(file)?).map_err(|source| ReplayError::Syntax {
-        file: file.to_owned(),
-        source,
-    })
-}
-
 /// Repeat the motion of a case, given by its file and its contents.
-pub(super) fn repeat(file: &Path, case: &Value, mode: Mode) -> Result<Repeated, ReplayError> {
+pub(super) fn repeat(
+    file: &Path,
+    case: &Value,
+    mode: Mode,
+    watch: Watch,
+) -> Result<Repeated, ReplayError> {
     let structure = |file: &Path| {
         let file = file.to_owned();
         move |fault| ReplayError::Structure { file, fault }
@@ -82,7 +65,13 @@ pub(super) fn repeat(file: &Path, case: &Value, mode: Mode) -> Result<Repeated, 
         Steps::beside(file, "frames.csv")?,
         Steps::beside(file, "bonds.csv")?,
     ];
-    run(input, &steps, mode).map_err(structure(file))
+    let mut motion = Motion::new(input, steps);
+    let failures = motion.run(watch).err().map(|fault| CaseError {
+        file: output_name(file),
+        case: fields.text("case").unwrap_or("the motion").to_owned(),
+        fault,
+    });
+    Ok(motion.repeated(mode, failures.into_iter().collect()))
 }
 
 /// The case whose grains another one has, beside its folder, and what differs.
@@ -114,37 +103,81 @@ fn variant(file: &Path, case: &Fields) -> Result<(Option<PathBuf>, Variant), Fau
     Ok((Some(found.clone()), Variant { weight, steps }))
 }
 
-fn run(mut input: Input, steps: &[Steps; 2], mode: Mode) -> Result<Repeated, Fault> {
-    let mut tables = Tables::new(input.world.grains().rows.len());
-    let mut all_broken = Vec::new();
-    for step in 1..=input.steps {
-        input.world.step()?;
-        let now = input.world.broken().iter();
-        all_broken.extend(now.map(|&pair| broken(&input.world, pair)));
-        if step.is_multiple_of(input.interval) || step == input.steps {
-            tables.add_sums(&input.world);
-        }
-        if steps[0].contains(step, &input) {
-            tables.add_frame(&input.world);
-        }
-        if steps[1].contains(step, &input) {
-            all_broken.sort_unstable();
-            tables.add_broken(&input.world, &all_broken);
+/// A motion and what is written of it.
+struct Motion {
+    input: Input,
+    /// When rows of frames and of bonds are written.
+    steps: [Steps; 2],
+    tables: Tables,
+    broken: Vec<super::series::Broken>,
+}
+
+impl Motion {
+    fn new(input: Input, steps: [Steps; 2]) -> Self {
+        Self {
+            tables: Tables::new(input.world.grains().rows.len()),
+            input,
+            steps,
+            broken: Vec::new(),
         }
     }
-    let account = format!(
-        "{}: {} nodes, {} steps, {} bonds broken\n",
-        mode.name(),
-        input.world.grains().nodes(),
-        input.steps,
-        all_broken.len()
-    );
-    Ok(Repeated {
-        files: vec![
-            ("frames.csv".to_owned(), tables.frames),
-            ("series.csv".to_owned(), tables.series),
-            ("bonds.csv".to_owned(), tables.bonds),
-        ],
-        account,
-    })
+
+    /// All steps, or those before one that fails.
+    fn run(&mut self, watch: Watch) -> Result<(), Fault> {
+        let all = self.input.steps;
+        for step in 1..=all {
+            self.input.world.step()?;
+            self.write(step);
+            if step.is_multiple_of(REPORT_INTERVAL) {
+                watch(step as u64, all as u64);
+            }
+        }
+        Ok(())
+    }
+
+    /// Rows of the tables after a step.
+    fn write(&mut self, step: usize) {
+        let input = &self.input;
+        let now = input.world.broken().iter();
+        self.broken
+            .extend(now.map(|&pair| broken(&input.world, pair)));
+        if step.is_multiple_of(input.interval) || step == input.steps {
+            self.tables.add_sums(&input.world);
+        }
+        let [frames, bonds] = &self.steps;
+        if frames.contains(step, input) {
+            self.tables.add_frame(&input.world);
+        }
+        if bonds.contains(step, input) {
+            self.broken.sort_unstable();
+            self.tables.add_broken(&input.world, &self.broken);
+        }
+    }
+
+    fn repeated(self, mode: Mode, failures: Vec<CaseError>) -> Repeated {
+        let Self { input, tables, .. } = self;
+        let steps = match failures.is_empty() {
+            true => format!("{} steps", input.steps),
+            false => format!(
+                "failed in step {} of {}",
+                input.world.state().steps,
+                input.steps
+            ),
+        };
+        let nodes = input.world.grains().nodes();
+        let broken = self.broken.len();
+        Repeated {
+            files: vec![
+                ("frames.csv".to_owned(), tables.frames),
+                ("series.csv".to_owned(), tables.series),
+                ("bonds.csv".to_owned(), tables.bonds),
+            ],
+            account: format!(
+                "{}: {nodes} nodes, {steps}, {broken} bonds broken\n",
+                mode.name()
+            ),
+            failures,
+            cases: 1,
+        }
+    }
 }

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 /// Tests that are not run: those that read the sources, which differ in the copy; those that start the
 /// program; the thorough half of the register; and long ones whose subject has a quick check.
-const SKIPPED: [&str; 13] = [
+const SKIPPED: [&str; 15] = [
     "perturbation::",
     "code_size::",
     "layering::",
@@ -30,6 +30,8 @@ const SKIPPED: [&str; 13] = [
     "estimators::the_radial_distribution_of_an_ideal_gas_is_corrected_for_edges",
     "estimators::an_ideal_gas_has_no_excess_entropy",
     "collisions::restitution_of_truncated_kelvin_voigt",
+    "strips::a_step_in_one_thread_allocates_nothing",
+    "strips::bits_do_not_depend_on_threads",
 ];
 
 /// Time limit of a test, in units of its time without a fault.

@@ -10,6 +10,8 @@ pub enum Kernel {
     Dem,
     /// Contact dynamics.
     ContactDynamics,
+    /// Peridynamic grains.
+    Peridem,
 }
 
 impl Kernel {
@@ -18,6 +20,29 @@ impl Kernel {
         match self {
             Self::Dem => &[COMMON, "kernel/dem/src"],
             Self::ContactDynamics => &["kernel/contact-dynamics/src"],
+            Self::Peridem => &["kernel/peridem/src"],
+        }
+    }
+
+    /// Folders outside the kernel whose types and constants it uses.
+    pub fn foundations(self) -> &'static [&'static str] {
+        match self {
+            Self::Dem => &[],
+            Self::ContactDynamics | Self::Peridem => &[COMMON],
+        }
+    }
+
+    /// Whether reads of optional numbers are sites.
+    pub fn counts_optional(self) -> bool {
+        self != Self::Dem
+    }
+
+    /// The packages in which its sources are.
+    pub fn packages(self) -> &'static [&'static str] {
+        match self {
+            Self::Dem => &["gouge-common", "gouge-dem"],
+            Self::ContactDynamics => &["gouge-contact-dynamics"],
+            Self::Peridem => &["gouge-peridem"],
         }
     }
 
@@ -25,7 +50,7 @@ impl Kernel {
     pub fn users(self) -> &'static [&'static str] {
         match self {
             Self::Dem => &["runner/src", "validation/src"],
-            Self::ContactDynamics => &[],
+            Self::ContactDynamics | Self::Peridem => &[],
         }
     }
 
@@ -38,6 +63,7 @@ impl Kernel {
                 "contact_dynamics",
                 "kernel/contact-dynamics",
             ],
+            Self::Peridem => ["gouge-peridem", "peridem", "kernel/peridem"],
         }
     }
 
@@ -46,6 +72,7 @@ impl Kernel {
         match self {
             Self::Dem => format!("gouge-{kind}"),
             Self::ContactDynamics => format!("gouge-{kind}-contact-dynamics"),
+            Self::Peridem => format!("gouge-{kind}-peridem"),
         }
     }
 }

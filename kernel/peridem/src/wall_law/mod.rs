@@ -10,6 +10,7 @@ use crate::contact_law::{ContactForce, FrictionStep, Node};
 use crate::error::{SetupError, require};
 use gouge_common::geometry::Vec2;
 use gouge_equations::rendered;
+pub use segment::Overlap;
 use segment::{Corner, Segment};
 
 /// Which force a wall exerts.
@@ -94,6 +95,30 @@ impl WallLaw {
     /// Zero for $d \ge R_c$ and the whole disc for $d \le -R_c$.
     pub fn area_beyond(&self, distance: f64) -> f64 {
         self.segment(distance).area() * self.radius * self.radius
+    }
+
+    /// Distance in m of a node from the centroid of the part of the disc beyond a wall at a distance d in m.
+    ///
+    /// $$ \frac{M}{S}, \qquad M = \frac{2}{3} (R_c^2 - d^2)^{3/2} $$
+    ///
+    /// $R_c$, its limit, where the wall does not reach the disc.
+    pub fn centroid(&self, distance: f64) -> f64 {
+        let segment = self.segment(distance);
+        match segment.is_empty() {
+            true => self.radius,
+            false => segment.moment() / segment.area() * self.radius,
+        }
+    }
+
+    /// Part of the disc beyond both of two perpendicular walls at distances in m: area in m^2 and first moments in m^3, for
+    /// all signs of the distances (peridem Q1).
+    pub fn overlap(&self, distances: [f64; 2]) -> Overlap {
+        let corner = Corner::new(self.segment(distances[0]), self.segment(distances[1]));
+        let overlap = corner.overlap();
+        Overlap {
+            area: overlap.area * self.radius.powi(2),
+            moments: overlap.moments.map(|moment| moment * self.radius.powi(3)),
+        }
     }
 
     /// Force K V R_c^3 of a node of an area in m^2, in N/m.

@@ -1,7 +1,7 @@
 //! Declarations of the kernel: types of fields and names of constants.
 
 use std::collections::{HashMap, HashSet};
-use syn::{Fields, GenericArgument, Item, PathArguments, Type, Visibility};
+use syn::{Fields, GenericArgument, GenericParam, Generics, Item, PathArguments, Type, Visibility};
 
 /// The part of a type that determines whether its values can be scaled.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +38,21 @@ impl Shape {
         }
     }
 
+    /// The shape with the defaults of generic parameters in place of these.
+    fn with_defaults(mut self, generics: &Generics) -> Self {
+        for parameter in &generics.params {
+            if let GenericParam::Type(parameter) = parameter
+                && let Some(default) = &parameter.default
+                && parameter.ident == self.name
+            {
+                return Self::of(default);
+            }
+        }
+        let element = self.element.take();
+        self.element = element.map(|one| Box::new(one.with_defaults(generics)));
+        self
+    }
+
     fn list(element: &Type) -> Self {
         Self {
             name: "[]".to_owned(),
@@ -48,6 +63,11 @@ impl Shape {
     /// Whether it is a plain double.
     pub fn is_double(&self) -> bool {
         self.name == "f64"
+    }
+
+    /// Whether it is a double that may be absent.
+    pub fn is_optional_double(&self) -> bool {
+        self.name == "Option" && self.element.as_ref().is_some_and(|one| one.is_double())
     }
 
     /// Whether it is a real number: a double or the generic scalar of the kernel.
@@ -66,15 +86,22 @@ fn first_argument(arguments: &PathArguments) -> Option<&Type> {
     })
 }
 
+/// Type of each field, by structure and name.
+type Structures = HashMap<String, HashMap<String, Shape>>;
+
 /// Fields and constants of all files.
 #[derive(Debug, Default)]
 pub struct Declared {
-    /// Type of each field, by structure and name.
-    fields: HashMap<String, HashMap<String, Shape>>,
+    /// Structures of the kernel.
+    fields: Structures,
+    /// Structures outside the kernel, with the default parameters of generic ones.
+    foundations: Structures,
     /// Constants that are a number or a list of numbers.
     pub constants: HashSet<String>,
     /// Public constants that are numbers.
     pub exported: HashSet<String>,
+    /// Whether reads of optional numbers are sites.
+    pub counts_optional: bool,
 }
 
 /// Constants of the standard library that appear in formulas.
@@ -86,22 +113,39 @@ impl Declared {
         let mut all = Self::default();
         all.constants.extend(STANDARD.map(str::to_owned));
         for item in files.flat_map(|file| &file.items) {
-            all.add(item);
+            all.add(item, true);
         }
         all
     }
 
-    fn add(&mut self, item: &Item) {
+    /// Add the declarations of files outside the kernel, whose generic types the kernel uses with their default
+    /// parameters.
+    pub fn add_foundations<'a>(&mut self, files: impl Iterator<Item = &'a syn::File>) {
+        for item in files.flat_map(|file| &file.items) {
+            self.add(item, false);
+        }
+    }
+
+    fn add(&mut self, item: &Item, is_own: bool) {
         match item {
             Item::Struct(item) => {
                 let name = item.ident.to_string();
                 if let Fields::Named(fields) = &item.fields {
                     let of = |field: &syn::Field| {
                         let name = field.ident.as_ref()?.to_string();
-                        Some((name, Shape::of(&field.ty)))
+                        let shape = Shape::of(&field.ty);
+                        let shape = match is_own {
+                            true => shape,
+                            false => shape.with_defaults(&item.generics),
+                        };
+                        Some((name, shape))
                     };
                     let fields = fields.named.iter().filter_map(of).collect();
-                    self.fields.insert(name, fields);
+                    let all = match is_own {
+                        true => &mut self.fields,
+                        false => &mut self.foundations,
+                    };
+                    all.insert(name, fields);
                 }
             }
             Item::Const(item) => self.add_constant(&item.vis, &item.ident, &item.ty),
@@ -127,14 +171,35 @@ impl Declared {
         }
     }
 
-    /// Type of a field. If the structure is not known: the type of the field of this name in all structures, if these
-    /// agree.
+    /// Type of a field. If the structure is not known: the type of the field of this name in all structures of the
+    /// kernel, or else in all others, if these agree.
     pub fn field(&self, owner: Option<&Shape>, name: &str) -> Option<&Shape> {
-        if let Some(fields) = owner.and_then(|owner| self.fields.get(&owner.name)) {
+        let known = owner.and_then(|owner| {
+            let own = self.fields.get(&owner.name);
+            own.or_else(|| self.foundations.get(&owner.name))
+        });
+        if let Some(fields) = known {
             return fields.get(name);
         }
-        let mut found = self.fields.values().filter_map(|fields| fields.get(name));
+        let is_own = self.fields.values().any(|fields| fields.contains_key(name));
+        let all = if is_own {
+            &self.fields
+        } else {
+            &self.foundations
+        };
+        let mut found = all.values().filter_map(|fields| fields.get(name));
         let first = found.next()?;
         found.all(|other| other == first).then_some(first)
+    }
+
+    /// Whether a field of this name can be a list of real numbers: one is, or none is declared.
+    pub fn can_hold_reals(&self, name: &str) -> bool {
+        let is_real = |shape: &Shape| shape.element.as_ref().is_some_and(|one| one.is_real());
+        let mut found = self
+            .fields
+            .values()
+            .filter_map(|fields| fields.get(name))
+            .peekable();
+        found.peek().is_none() || found.any(is_real)
     }
 }

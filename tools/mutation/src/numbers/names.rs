@@ -164,6 +164,7 @@ impl<'a> Names<'a> {
                 let owner = self.shape(&field.base);
                 let is_report = owner.is_some_and(|owner| REPORTS.contains(&owner.name.as_str()));
                 let counts = shape.is_double()
+                    || shape.is_optional_double() && self.declared.counts_optional
                     || shape.is_real() && PROPERTIES.contains(&name.to_string().as_str());
                 (counts && !is_report).then_some(Kind::Coefficient)
             }
@@ -172,10 +173,15 @@ impl<'a> Names<'a> {
                 if self.declared.constants.contains(&list) {
                     return Some(Kind::Constant);
                 }
-                let counts = self.shape(expr).is_none_or(|shape| shape.is_real())
-                    && PROPERTIES.contains(&list.as_str());
+                let is_real = match self.shape(expr) {
+                    Some(shape) => shape.is_real(),
+                    None => self.declared.can_hold_reals(&list),
+                };
+                let counts = is_real && PROPERTIES.contains(&list.as_str());
                 counts.then_some(Kind::Coefficient)
             }
+            // The number behind a reference is scaled, not the reference.
+            Expr::Unary(inner) if matches!(inner.op, syn::UnOp::Deref(_)) => self.kind(&inner.expr),
             _ => None,
         }
     }

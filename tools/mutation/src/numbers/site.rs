@@ -38,6 +38,8 @@ pub struct Site {
     pub range: Range<usize>,
     /// Field name to be repeated if a structure is initialised by shorthand.
     pub shorthand: bool,
+    /// Whether the number may be absent.
+    pub optional: bool,
 }
 
 /// What has to be done to a file.

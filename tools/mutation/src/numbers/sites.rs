@@ -4,6 +4,7 @@ use super::declared::{Declared, Shape};
 use super::names::Names;
 use super::site::{Findings, Kind, Side, Site};
 use std::ops::Range;
+use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -47,6 +48,10 @@ impl Finder<'_> {
             kind,
             range,
             shorthand,
+            optional: self
+                .names
+                .shape(expr)
+                .is_some_and(|shape| shape.is_optional_double()),
         });
     }
 
@@ -54,6 +59,10 @@ impl Finder<'_> {
     fn visit_place(&mut self, place: &Expr) {
         match place {
             Expr::Field(_) | Expr::Index(_) | Expr::Path(_) => {}
+            Expr::Paren(inner) => self.visit_place(&inner.expr),
+            Expr::Unary(inner) if matches!(inner.op, syn::UnOp::Deref(_)) => {
+                self.visit_place(&inner.expr);
+            }
             other => self.visit_expr(other),
         }
     }
@@ -270,7 +279,9 @@ impl<'ast> Visit<'ast> for Finder<'_> {
     }
 
     fn visit_macro(&mut self, item: &'ast syn::Macro) {
-        let list = item.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated);
+        let list = item
+            .parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated)
+            .or_else(|_| item.parse_body_with(repeated));
         // The numbers of the list outlive this visit as text only.
         if let Ok(list) = list {
             let mut inner = Finder {
@@ -288,6 +299,14 @@ impl<'ast> Visit<'ast> for Finder<'_> {
             self.found.opaque.push(item.tokens.to_string());
         }
     }
+}
+
+/// The element of a list of equal elements, `[element; number]`.
+fn repeated(input: ParseStream) -> syn::Result<Punctuated<Expr, Token![,]>> {
+    let element = input.parse()?;
+    input.parse::<Token![;]>()?;
+    input.parse::<Expr>()?;
+    Ok(std::iter::once::<Expr>(element).collect())
 }
 
 /// Whether tokens hold the literal of a number that is not zero nor an integer.
@@ -353,6 +372,40 @@ mod tests {
         assert_eq!(found.structures.len(), 1);
         let outside = find("snippet.rs", SNIPPET, &file, &declared, Side::User);
         assert!(outside.sites.is_empty());
+        Ok(())
+    }
+
+    const FOUNDATION: &str =
+        "pub struct Pair<S = f64> { first: S } pub struct Field { width: Option<f64> }";
+
+    const USER: &str = r#"
+        struct Arm { length: f64 }
+        struct Lever { arms: [Arm; 2] }
+        struct Cell { field: Field, height: Option<f64> }
+        fn turn(cell: &Cell, pair: &Pair, target: &mut f64, angle: &f64) -> f64 {
+            *target = *angle;
+            let lever = lever();
+            lever.arms[1].length + pair.first + cell.field.width.unwrap_or(vec![0.5; 2][0])
+        }
+    "#;
+
+    #[test]
+    fn a_site_is_a_number_whose_type_is_known_and_never_the_target_of_an_assignment()
+    -> syn::Result<()> {
+        let [file, foundation] = [syn::parse_file(USER)?, syn::parse_file(FOUNDATION)?];
+        let mut declared = Declared::in_files(std::iter::once(&file));
+        declared.add_foundations(std::iter::once(&foundation));
+        for (counts_optional, width) in [(false, None), (true, Some("cell.field.width"))] {
+            declared.counts_optional = counts_optional;
+            let sites = find("user.rs", USER, &file, &declared, Side::Kernel).sites;
+            let expressions: Vec<&str> = sites.iter().map(|site| &*site.expression).collect();
+            let mut expected = vec!["*angle", "lever.arms[1].length", "pair.first"];
+            expected.extend(width);
+            expected.push("0.5");
+            assert_eq!(expressions, expected);
+            let optional = sites.iter().find(|site| site.optional);
+            assert_eq!(optional.map(|site| &*site.expression), width);
+        }
         Ok(())
     }
 }

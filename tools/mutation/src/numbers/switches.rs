@@ -21,7 +21,10 @@ pub struct Searched {
 /// A file that cannot be read or parsed, or a macro whose numbers cannot be found.
 pub fn survey(root: &Path, kernel: Kernel) -> Outcome<Vec<Searched>> {
     let mut parsed = parse_all(root, kernel.folders())?;
-    let declared = Declared::in_files(parsed.iter().map(|source| &source.file));
+    let mut declared = Declared::in_files(parsed.iter().map(|source| &source.file));
+    let foundations = parse_all(root, kernel.foundations())?;
+    declared.add_foundations(foundations.iter().map(|source| &source.file));
+    declared.counts_optional = kernel.counts_optional();
     let own = parsed.len();
     parsed.extend(parse_all(root, kernel.users())?);
     let mut searched = Vec::new();
@@ -69,9 +72,13 @@ fn rewritten(Searched { source, found }: &Searched) -> String {
         } else {
             String::new()
         };
-        let head = format!("{name}{library}::perturbation::at({}, ", site.id);
+        let call = format!("{library}::perturbation::at({}, ", site.id);
+        let [head, tail] = match site.optional {
+            true => [name, format!(".map(|value| {call}value))")],
+            false => [name + &call, ")".to_owned()],
+        };
         insertions.push((site.range.start, true, head));
-        insertions.push((site.range.end, false, ")".to_owned()));
+        insertions.push((site.range.end, false, tail));
     }
     let mut text = source.text.clone();
     for [word, ty, value] in &found.structures {

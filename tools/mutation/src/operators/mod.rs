@@ -55,7 +55,7 @@ pub fn run(root: &Path, folder: &Path, choice: &Choice, options: &Options) -> Ou
         return Ok(ExitCode::SUCCESS);
     }
     fs::create_dir_all(folder)?;
-    let left_out = viable::settle(root, folder, &searched, &sample)?;
+    let left_out = viable::settle(root, folder, &searched, &sample, options.kernel)?;
     let gate = Gate::build(&folder.join("copy"), PROFILE, options.kernel)?;
     let viable: Vec<Mutant> = sample
         .iter()

@@ -4,6 +4,7 @@
 use super::mutant::Mutant;
 use super::switches::{Planted, blamed, written};
 use crate::gate::{cargo, complaint, errors};
+use crate::kernel::Kernel;
 use crate::workspace::{Source, library, plant};
 use crate::{Outcome, operators::Searched};
 use serde::{Deserialize, Serialize};
@@ -31,6 +32,7 @@ pub fn settle(
     folder: &Path,
     searched: &[Searched],
     sample: &[Mutant],
+    kernel: Kernel,
 ) -> Outcome<BTreeSet<usize>> {
     let (copy, note) = (folder.join("copy"), folder.join("left-out.json"));
     let name = name(searched, sample);
@@ -51,7 +53,7 @@ pub fn settle(
     loop {
         let texts = texts(searched, sample, &switches);
         plant(root, &copy, &texts, sample.len())?;
-        let new = complaints(&copy, &texts)?;
+        let new = complaints(&copy, &texts, kernel)?;
         if new.is_empty() {
             break;
         }
@@ -103,10 +105,14 @@ fn texts(
 }
 
 /// Switches of the mutants for which one run of the compiler reports errors.
-fn complaints(copy: &Path, texts: &HashMap<PathBuf, String>) -> Outcome<BTreeSet<usize>> {
+fn complaints(
+    copy: &Path,
+    texts: &HashMap<PathBuf, String>,
+    kernel: Kernel,
+) -> Outcome<BTreeSet<usize>> {
     let output = cargo(copy)
         .args(["check", "--message-format=json", "--profile", "mutants"])
-        .args(["-p", "gouge-common", "-p", "gouge-dem"])
+        .args(kernel.packages().iter().flat_map(|name| ["-p", name]))
         .stderr(Stdio::inherit())
         .output()?;
     if output.status.success() {

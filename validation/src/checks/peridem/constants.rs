@@ -83,9 +83,11 @@ fn lattice() -> Outcome {
             let grain = block([cells; 2], SIDE, ratio, weight)?;
             let stretched = |[x, y]: [f64; 2]| [STRETCH * x, STRETCH * y];
             let expected = cloud(&grain, function).energy(stretched);
-            let mut state = world(&[grain.clone()], bonds_only(1e-9), |_, _| Vec2::zero())?
-                .state()
-                .clone();
+            let mut state = world(std::slice::from_ref(&grain), bonds_only(1e-9), |_, _| {
+                Vec2::zero()
+            })?
+            .state()
+            .clone();
             for place in &mut state.places {
                 place.displacement = place.reference * STRETCH;
             }

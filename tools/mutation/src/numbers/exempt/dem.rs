@@ -1,32 +1,6 @@
-//! Exemptions: numbers that control an algorithm but appear in no formula. Changing one by a millionth changes no
-//! result.
+//! Exemptions of the thesis's kernel, with what all kernels share.
 
-use super::site::Site;
-use crate::kernel::Kernel;
-
-/// Sites that are exempt, with the reason.
-struct Exemption {
-    file: &'static str,
-    /// The enclosing function, or a part of the line in which «» mark the expression; any if empty.
-    place: &'static str,
-    /// The expression; any if empty.
-    expression: &'static str,
-    reason: &'static str,
-}
-
-const fn exempt(
-    file: &'static str,
-    place: &'static str,
-    expression: &'static str,
-    reason: &'static str,
-) -> Exemption {
-    Exemption {
-        file,
-        place,
-        expression,
-        reason,
-    }
-}
+use super::{Exemption, exempt};
 
 const LIST: &str = "determines when the neighbour list is rebuilt and which pairs without overlap it contains; no result depends on it";
 const BISECTION: &str = "where an interval is divided; the bisection continues until the interval cannot be divided further";
@@ -41,7 +15,8 @@ const ROUNDING: &str =
 const MADE_OF: &str =
     "what a grain of a check is made of, like its radius; the check holds for any value";
 
-const EXEMPTIONS: &[Exemption] = &[
+/// Exemptions of the thesis's kernel.
+pub const EXEMPTIONS: &[Exemption] = &[
     exempt("kernel/common/src/neighbors/list.rs", "", "", LIST),
     exempt("kernel/common/src/neighbors/sizes.rs", "", "", LIST),
     exempt(
@@ -129,32 +104,32 @@ const EXEMPTIONS: &[Exemption] = &[
         BISECTION,
     ),
     exempt(
-        "kernel/dem/src/calibration.rs",
-        "damping_ratio_for",
-        "1e150",
-        "where the search for an upper bound gives up",
-    ),
-    exempt(
-        "kernel/dem/src/calibration.rs",
+        "kernel/dem/src/calibration/restitution.rs",
         "(mut low, mut high)",
         "1.0",
         BRACKET,
     ),
     exempt(
-        "kernel/dem/src/calibration.rs",
-        "while truncated_restitution(high)",
-        "restitution",
+        "kernel/dem/src/calibration/restitution.rs",
+        "while falling(high)",
+        "value",
         BRACKET,
     ),
     exempt(
-        "kernel/dem/src/calibration.rs",
+        "kernel/dem/src/calibration/restitution.rs",
         "(low, high) = (high",
-        "2.0",
+        "1e3",
         BRACKET,
     ),
     exempt(
-        "kernel/dem/src/calibration.rs",
-        "let middle = ",
+        "kernel/dem/src/calibration/restitution.rs",
+        "let is_far = ",
+        "2.0",
+        "which of two means divides an interval; the bisection continues until the interval cannot be divided further",
+    ),
+    exempt(
+        "kernel/dem/src/calibration/restitution.rs",
+        "0.5» * (low + high)",
         "0.5",
         BISECTION,
     ),
@@ -261,30 +236,3 @@ const EXEMPTIONS: &[Exemption] = &[
         MADE_OF,
     ),
 ];
-
-impl Exemption {
-    fn fits(&self, site: &Site) -> bool {
-        self.file == site.file
-            && (self.place == site.function || site.context.contains(self.place))
-            && (self.expression.is_empty() || self.expression == site.expression)
-    }
-}
-
-/// The reason why a site is exempt, if it is.
-pub fn reason(site: &Site) -> Option<&'static str> {
-    let found = EXEMPTIONS.iter().find(|one| one.fits(site));
-    found.map(|one| one.reason)
-}
-
-/// Exemptions for a kernel that match no site, because the code has changed.
-pub fn stale(sites: &[Site], kernel: Kernel) -> Vec<String> {
-    let folders = || kernel.folders().iter().chain(kernel.users());
-    let is_of = |one: &&Exemption| folders().any(|folder| one.file.starts_with(folder));
-    let unused = EXEMPTIONS
-        .iter()
-        .filter(is_of)
-        .filter(|one| !sites.iter().any(|site| one.fits(site)));
-    unused
-        .map(|one| format!("{} {} {}", one.file, one.place, one.expression))
-        .collect()
-}
