@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 /// Name, purpose and text of every built-in scene.
-pub const SCENES: [(&str, &str, &str); 20] = [
+pub const SCENES: [(&str, &str, &str); 21] = [
     (
         "granite-fault",
         "two blocks of granite, 100 mm, sheared under pressure for 50 ms (thesis section 4.2)",
@@ -105,6 +105,11 @@ pub const SCENES: [(&str, &str, &str); 20] = [
         "notched-square",
         "a notched square breaks between two planks, by peridynamics",
         include_str!("../scenes/notched-square.toml"),
+    ),
+    (
+        "notched-square-printed",
+        "the notched square with the printed sizes",
+        include_str!("../scenes/notched-square-printed.toml"),
     ),
 ];
 

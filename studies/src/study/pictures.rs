@@ -32,23 +32,27 @@ impl Shown {
         run.part == self.part && self.axes.iter().all(has) && ["", SEED].contains(&run.seed())
     }
 
-    fn caption(&self) -> String {
+    fn caption(&self, run: &Run) -> String {
         let axes = self
             .axes
             .iter()
             .map(|(axis, value)| format!("{axis} {value}"));
         let axes: Vec<String> = axes.collect();
-        let part = self.part;
-        format!("Final state, {}, seed {SEED} ({part}).", axes.join(", "))
+        let seed = match run.seed() {
+            "" => String::new(),
+            seed => format!(", seed {seed}"),
+        };
+        format!("Final state, {}{seed} ({}).", axes.join(", "), self.part)
     }
 
-    /// The picture: that of a run below `out`, or the one that an earlier study kept.
-    fn find(&self, results: &Results, earlier: &[&Path], out: &Path) -> Option<Vec<u8>> {
+    /// The picture and its caption: that of a run below `out`, or the one that an earlier study kept.
+    fn find(&self, results: &Results, earlier: &[&Path], out: &Path) -> Option<(Vec<u8>, String)> {
         let run = results.runs().iter().find(|run| self.is_of(run))?;
         let own = out.join(&run.part).join("runs").join(&run.name);
         let kept = earlier.iter().map(|folder| self.path(folder));
         let mut places = [own.join("picture.svg")].into_iter().chain(kept);
-        places.find_map(|path| std::fs::read(path).ok())
+        let bytes = places.find_map(|path| std::fs::read(path).ok())?;
+        Some((bytes, self.caption(run)))
     }
 }
 
@@ -64,14 +68,13 @@ pub fn keep(
 ) -> Result<Vec<(String, String)>, Error> {
     let mut pictures = Vec::new();
     for shown in study.pictures {
-        let Some(bytes) = shown.find(results, earlier, out) else {
+        let Some((bytes, caption)) = shown.find(results, earlier, out) else {
             continue;
         };
         let path = shown.path(out);
         let folder = path.parent().unwrap_or(out);
         std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
         write_whole(&path, &bytes)?;
-        let caption = shown.caption();
         pictures.push((caption, String::from_utf8_lossy(&bytes).into_owned()));
     }
     Ok(pictures)

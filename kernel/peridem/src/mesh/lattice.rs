@@ -45,8 +45,13 @@ impl Mesh {
             });
         }
         let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
-        let centre = |index: usize| (index as f64 + 0.5) * spacing;
-        let place = |(column, row)| lower_left + Vec2::new(centre(column), centre(row));
+        // From the centre, so that coordinates of a rectangle about the origin are exactly symmetric.
+        let centre = lower_left + Vec2::new(columns as f64, rows as f64) * (0.5 * spacing);
+        let from_centre =
+            |index: usize, cells: usize| (index as f64 - 0.5 * (cells as f64 - 1.0)) * spacing;
+        let place = |(column, row)| {
+            centre + Vec2::new(from_centre(column, columns), from_centre(row, rows))
+        };
         let outermost =
             |(column, row)| column == 0 || row == 0 || column + 1 == columns || row + 1 == rows;
         Ok(Self {

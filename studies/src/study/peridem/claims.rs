@@ -97,14 +97,14 @@ fn judged(
 }
 
 fn angle(sample: &Sample) -> Option<Finding> {
-    let runs = plates(sample, "tension-only", "off");
+    let runs = plates(sample, "tension only", "off");
     let mean = |run: &Run| Some(0.5 * (from_notch(run, 0)? + from_notch(run, 1)?));
     let is_met = |angle| (56.0..=70.0).contains(&angle);
     judged(&runs, "grid", mean, " degrees", is_met, Verdict::Refuted)
 }
 
 fn symmetry(sample: &Sample) -> Option<Finding> {
-    let runs = plates(sample, "tension-only", "off");
+    let runs = plates(sample, "tension only", "off");
     let apart = |run: &Run| Some((from_notch(run, 0)? - from_notch(run, 1)?).abs());
     judged(
         &runs,
@@ -121,7 +121,7 @@ fn length_of(run: &Run) -> Option<f64> {
 }
 
 fn length(sample: &Sample) -> Option<Finding> {
-    let runs = plates(sample, "tension-only", "off");
+    let runs = plates(sample, "tension only", "off");
     judged(
         &runs,
         "grid",
@@ -134,6 +134,7 @@ fn length(sample: &Sample) -> Option<Finding> {
 
 fn two_sided(sample: &Sample) -> Option<Finding> {
     let runs = plates(sample, "two-sided", "off");
+    // Without a damaged node there is no crack.
     let length = |run: &Run| Some(length_of(run).unwrap_or(0.0));
     judged(
         &runs,
@@ -146,7 +147,7 @@ fn two_sided(sample: &Sample) -> Option<Finding> {
 }
 
 fn self_contact(sample: &Sample) -> Option<Finding> {
-    let runs = plates(sample, "tension-only", "on");
+    let runs = plates(sample, "tension only", "on");
     let mean = |run: &Run| Some(0.5 * (from_notch(run, 0)? + from_notch(run, 1)?));
     let is_met = |angle| (56.0..=70.0).contains(&angle);
     judged(

@@ -182,8 +182,8 @@ fn angles(results: &Results) -> Option<Figure> {
         Curve::marks(label, runs.iter().enumerate().filter_map(point))
     };
     let curves = [
-        ("tension only", "tension-only", "off"),
-        ("with self contact", "tension-only", "on"),
+        ("tension only", "tension only", "off"),
+        ("with self contact", "tension only", "on"),
     ];
     Some(Figure::new(
         "Angle between crack and notch, by number of the grid in the table of the plate.",

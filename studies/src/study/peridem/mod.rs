@@ -32,7 +32,7 @@ pub static STUDY: Study = Study {
             part: KALTHOFF,
             axes: &[
                 ("grid", "1 mm, 4 h"),
-                ("breaking", "tension-only"),
+                ("breaking", "tension only"),
                 ("self contact", "off"),
             ],
         },
