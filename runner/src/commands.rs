@@ -74,7 +74,7 @@ fn smallest_step(bounds: &[Bound]) -> f64 {
 }
 
 /// The number, or null if it is not finite: JSON has no infinity.
-fn finite(number: f64) -> Value {
+pub(crate) fn finite(number: f64) -> Value {
     if number.is_finite() {
         json!(number)
     } else {

@@ -34,23 +34,21 @@ pub fn ramp(anchors: &[[u8; 3]], number: usize) -> Vec<String> {
     (0..number).map(colour).collect()
 }
 
+/// Width in pixels of a text and the space behind it: a letter is at most about 0.65 times as wide as high.
+fn advance(text: &str) -> f64 {
+    0.65 * LETTERS * (text.chars().count() + 1) as f64
+}
+
 impl Legend {
     /// Width in pixels.
     pub fn width(&self) -> f64 {
-        BAR + 2.0 * MARGIN + self.letters()
-    }
-
-    /// Width in pixels of all letters: one is about 0.6 times as wide as high.
-    fn letters(&self) -> f64 {
         let texts = [self.label, self.ends[0], self.ends[1]];
-        let count: usize = texts.iter().map(|text| text.chars().count() + 1).sum();
-        0.6 * LETTERS * count as f64
+        BAR + 2.0 * MARGIN + texts.into_iter().map(advance).sum::<f64>()
     }
 
     /// The legend on a white strip below the given height in pixels.
     pub fn draw(&self, top: f64) -> Group {
         let middle = top + 0.5 * STRIP;
-        let advance = |text: &str| 0.6 * LETTERS * (text.chars().count() + 1) as f64;
         let text = |content: &str, x: f64| {
             Text::new(content)
                 .set("x", rounded(x))

@@ -18,7 +18,7 @@ const SHADES: usize = 12;
 /// Part of the size of the grains that is shown around them.
 const MARGIN: f64 = 0.02;
 /// By how much discs of nodes of a triangulation are larger than squares of their areas.
-const COVER: f64 = 1.25;
+const COVER: f64 = 1.35;
 
 /// The state of a scene as a picture with a scale bar and a legend.
 pub fn draw(scene: &Scene, world: &World, cells: &[Cells]) -> Document {

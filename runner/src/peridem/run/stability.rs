@@ -2,6 +2,7 @@
 
 use super::super::Scene;
 use super::begin::built;
+use crate::commands::finite;
 use crate::error::Error;
 use gouge_peridem::limits::Limits;
 use gouge_peridem::mesh::smallest_distance;
@@ -90,12 +91,4 @@ fn radius_over_spacing(world: &World) -> Option<f64> {
     };
     let smallest = grains.rows.iter().filter_map(spacing).reduce(f64::min)?;
     Some(radius / smallest)
-}
-
-/// The number, or null if it is not finite: JSON has no infinity.
-fn finite(number: f64) -> Value {
-    match number.is_finite() {
-        true => json!(number),
-        false => Value::Null,
-    }
 }
