@@ -140,6 +140,14 @@ fn relative_changes_are_those_of_each_point() {
     }
 }
 
+/// The column of three bodies to which a unit belongs; none for the floor.
+fn column_of(unit: usize) -> f64 {
+    match unit {
+        0 => f64::NAN,
+        unit => ((unit - 1) / 3) as f64,
+    }
+}
+
 /// Columns of three bodies, one of which falls faster: one sweep leaves a residual, which a bound refuses or accepts.
 #[test]
 fn a_residual_is_bounded() {
@@ -169,14 +177,7 @@ fn a_residual_is_bounded() {
         start[3 * odd + 3] = moving(0.3, -4.0, 0.0);
         let mut velocities = start.clone();
         let mut solver = Solver::new();
-        let place = |unit: usize| {
-            if unit == 0 {
-                f64::NAN
-            } else {
-                ((unit - 1) / 3) as f64
-            }
-        };
-        solver.set_places((0..all.len()).map(place), None);
+        solver.set_places((0..all.len()).map(column_of), None);
         solver.prepare(&points, &law(0.1, 0.0, GapRule::Closed), 1.0, &start, &all);
         let settings = SweepSettings {
             stop,

@@ -143,9 +143,12 @@ fn refused(case: &Value, more: &[&str]) -> String {
     stderr(&output)
 }
 
-#[test]
-fn unusable_motions_are_refused_with_key_and_accepted_values() {
-    let refusals = [
+/// Key of a motion, an unusable value, and what is said of it.
+type Refusal = (&'static str, Value, &'static str);
+
+/// Refusals about grains.
+fn refusals_of_grains() -> [Refusal; 7] {
+    [
         (
             "/grains/0/n_bonds",
             json!(2),
@@ -181,6 +184,12 @@ fn unusable_motions_are_refused_with_key_and_accepted_values() {
             json!([5]),
             "grains[0].clamped[0] is 5: must be a node below 2",
         ),
+    ]
+}
+
+/// Refusals about settings and contact.
+fn refusals_of_settings() -> [Refusal; 6] {
+    [
         (
             "/conf/nl_bdry_only",
             json!(1),
@@ -211,8 +220,13 @@ fn unusable_motions_are_refused_with_key_and_accepted_values() {
             json!("wide"),
             "contact.R_c is \"wide\": must be a number",
         ),
-    ];
-    for (path, value, expected) in refusals {
+    ]
+}
+
+#[test]
+fn unusable_motions_are_refused_with_key_and_accepted_values() {
+    let all = refusals_of_grains().into_iter();
+    for (path, value, expected) in all.chain(refusals_of_settings()) {
         let said = refused(&with(&[(path, value)]), &[]);
         assert!(
             said.contains("case.json") && said.contains(expected),

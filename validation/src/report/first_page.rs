@@ -207,7 +207,7 @@ mod tests {
             assert!(text.contains(expected), "{expected}: {text}");
         }
         assert!(
-            (200..350).contains(&words(&page).len()),
+            (200..370).contains(&words(&page).len()),
             "{}",
             words(&page).len()
         );
