@@ -233,7 +233,13 @@ fn layers_are_tenths_of_the_height() {
         profile.values().iter().map(|x| 2.0 * x).collect::<Vec<_>>()
     );
     // The lowest and the highest layer do not count.
-    let still = |k: u32| if k % 9 == 0 { 0.9 } else { middle(k) / 40.0 };
+    let still = |k: u32| {
+        if k.is_multiple_of(9) {
+            0.9
+        } else {
+            middle(k) / 40.0
+        }
+    };
     let system = discs((0..10).map(|k| (middle(k), still(k))));
     let mut profile = Profile::new();
     profile.add(&system.assembly, &system.state.configuration, 40.0, 1.0);
