@@ -384,7 +384,7 @@ mod tests {
         struct Lever { arms: [Arm; 2] }
         struct Cell { field: Field, height: Option<f64> }
         fn turn(cell: &Cell, pair: &Pair, target: &mut f64, angle: &f64) -> f64 {
-            *target = if RANGE.contains(angle) { 0.0 } else { *angle };
+            *target = if RANGE.is_empty() { 0.0 } else { *angle };
             let lever = lever();
             lever.arms[1].length + pair.first + cell.field.width.unwrap_or(vec![0.5; 2][0])
         }
