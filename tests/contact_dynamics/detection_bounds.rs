@@ -158,6 +158,15 @@ fn ties_are_within_the_tie_distance() {
         assert_eq!(separation.normal == Vec2::new(0.0, -1.0), is_second);
         assert!((separation.distance - second).abs() < 1e-14);
     }
+    // Of equal separations, that of the first shape.
+    let exact = DetectionSettings {
+        alert_distance: 0.5,
+        tie_distance: 0.0,
+        ..DetectionSettings::for_diameter(DIAMETER)
+    };
+    let (_, touches) = found([Box(3.0, 0.0), Box(1.0, 0.0)], (4.25, 0.0), &exact);
+    let features: Vec<_> = touches.iter().map(|touch| touch.feature).collect();
+    assert_eq!(features, [0, 3].map(Feature::of_second));
     let usual = DetectionSettings::for_diameter(DIAMETER);
     let near = |length: f64, expected: f64| assert!((length / expected - 1.0).abs() < 1e-15);
     near(usual.tie_distance / usual.merge_distance, 0.01);

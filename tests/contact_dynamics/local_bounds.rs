@@ -105,3 +105,16 @@ fn points_on_rails_slide_both_ways() {
         assert_eq!((found.n, found.t), (0.5, t));
     }
 }
+
+/// On the edge of the cone a point sticks, and a point without a velocity has no impulse.
+#[test]
+fn edges_belong_to_the_simpler_status() {
+    let edge = solved_by([1.0, 2.0, 0.0], 0.5, Components { n: 1.0, t: 0.5 });
+    assert_eq!(ExactRule.solve(&edge).status, LocalStatus::Sticking);
+    for friction in [0.5, 1.25] {
+        let still = solved_by([1.0, 2.0, 0.9], friction, Components::default());
+        let found = ExactRule.solve(&still);
+        assert_eq!(found.status, LocalStatus::Separated);
+        assert_eq!(found.impulse, Components::default());
+    }
+}

@@ -149,6 +149,11 @@ fn points_of_a_body_at_a_wall_add_up() {
     let force = network.walls()[0].force;
     near(force.n, 3.0, 1e-15);
     near(force.t, -0.4, 1e-15);
+    // Another body, or another wall, makes another contact.
+    let other = |bodies| point(bodies, 0.5 * PI, 1.0, [1.0, 0.3]);
+    let points = [[5, 3], [5, 2], [5, 4], [6, 4]].map(other);
+    let walls = crate::observables::network(&points, 5).walls().len();
+    assert_eq!(walls, 4);
 }
 
 #[test]
@@ -217,6 +222,25 @@ fn layers_are_tenths_of_the_height() {
     }
     let middle = |k: u32| 4.0 * f64::from(k) + 2.0;
     let system = discs((0..10).map(|k| (middle(k), middle(k) / 40.0)));
+    let mut profile = Profile::new();
+    profile.add(&system.assembly, &system.state.configuration, 40.0, 1.0);
+    near(profile.deviation(), 0.0, 1e-15);
+    let mut twice = profile;
+    twice += profile;
+    assert_eq!(twice.means(), profile.means());
+    assert_eq!(
+        twice.values(),
+        profile.values().iter().map(|x| 2.0 * x).collect::<Vec<_>>()
+    );
+    // The lowest and the highest layer do not count.
+    let still = |k: u32| {
+        if k.is_multiple_of(9) {
+            0.9
+        } else {
+            middle(k) / 40.0
+        }
+    };
+    let system = discs((0..10).map(|k| (middle(k), still(k))));
     let mut profile = Profile::new();
     profile.add(&system.assembly, &system.state.configuration, 40.0, 1.0);
     near(profile.deviation(), 0.0, 1e-15);

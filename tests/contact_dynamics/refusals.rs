@@ -169,6 +169,27 @@ fn settings_out_of_range_are_refused() {
     refuses_setting(&|s| s.sweeps.largest_residual = Some(WRONG), WRONG);
     refuses_setting(&|s| s.sweeps.momentum = WRONG, WRONG);
     refuses_setting(&|s| s.sweeps.momentum = 1.0, 1.0);
+    let mut zero = settings(0.4, 1e-3);
+    zero.warm_start_distance = 0.0;
+    let lengths = &mut zero.detection;
+    lengths.alert_distance = 0.0;
+    (lengths.merge_distance, lengths.tie_distance) = (0.0, 0.0);
+    assert!(zero.validate().is_ok());
+}
+
+/// The first vertex at which a polygon does not turn is named.
+#[test]
+fn straight_angles_are_no_vertices() {
+    let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (-1.0, 2.0), (-1.0, 0.0)];
+    for first in 0..5 {
+        let vertices: Vec<_> = (0..5)
+            .map(|k| corners[(first + k) % 5])
+            .map(|(x, y)| Vec2::new(x, y))
+            .collect();
+        let vertex = (5 - first) % 5;
+        let found = Shapes::new().add_polygon(&vertices);
+        assert_eq!(found, Err(SetupError::NotConvex { vertex }));
+    }
 }
 
 #[test]

@@ -140,17 +140,8 @@ fn relative_changes_are_those_of_each_point() {
     }
 }
 
-/// The column of three bodies to which a unit belongs; none for the floor.
-fn column_of(unit: usize) -> f64 {
-    match unit {
-        0 => f64::NAN,
-        unit => ((unit - 1) / 3) as f64,
-    }
-}
-
-/// Columns of three bodies, one of which falls faster: one sweep leaves a residual, which a bound refuses or accepts.
-#[test]
-fn a_residual_is_bounded() {
+/// Columns of three bodies on a floor: their masses, and the points between them.
+fn columns() -> (Vec<InverseMass>, Vec<ContactInput>) {
     let masses = [1.0, 0.7, 0.4].map(|mass: f64| InverseMass {
         x: 1.0 / mass,
         y: 1.0 / mass,
@@ -158,17 +149,20 @@ fn a_residual_is_bounded() {
     });
     let mut all = vec![InverseMass::IMPOSED];
     all.extend(masses.iter().cycle().take(3 * POINTS));
-    let up = Vec2::new(0.0, 1.0);
     let input = |units| ContactInput {
-        kinematics: PointKinematics::new(units, up, [Vec2::zero(); 2]),
+        kinematics: PointKinematics::new(units, Vec2::new(0.0, 1.0), [Vec2::zero(); 2]),
         gap: 0.0,
         impulse: Components::default(),
     };
-    let columns = (0..POINTS as u32).map(|k| 3 * k + 1);
-    let points: Vec<_> = columns
-        .flat_map(|first| [[0, first], [first, first + 1], [first + 1, first + 2]])
-        .map(input)
-        .collect();
+    let lowest = (0..POINTS as u32).map(|k| 3 * k + 1);
+    let units = lowest.flat_map(|first| [[0, first], [first, first + 1], [first + 1, first + 2]]);
+    (all, units.map(input).collect())
+}
+
+/// One of the columns falls faster: one sweep leaves a residual, which a bound refuses or accepts.
+#[test]
+fn a_residual_is_bounded() {
+    let (all, points) = columns();
     let run = |(order, odd): (SweepOrder, usize), stop, largest_residual| {
         let mut start = vec![Velocity::default()];
         let speeds = [(3.0, -1.0), (-1.0, -2.0), (0.3, -2.5)];

@@ -3,6 +3,9 @@
 use std::collections::{HashMap, HashSet};
 use syn::{Fields, GenericArgument, GenericParam, Generics, Item, PathArguments, Type, Visibility};
 
+/// Name of arrays and slices.
+const LIST: &str = "[]";
+
 /// The part of a type that determines whether its values can be scaled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
@@ -55,7 +58,7 @@ impl Shape {
 
     fn list(element: &Type) -> Self {
         Self {
-            name: "[]".to_owned(),
+            name: LIST.to_owned(),
             element: Some(Box::new(Self::of(element))),
         }
     }
@@ -162,7 +165,8 @@ impl Declared {
 
     fn add_constant(&mut self, visibility: &Visibility, name: &syn::Ident, ty: &Type) {
         let shape = Shape::of(ty);
-        let is_list = shape.element.as_ref().is_some_and(|one| one.is_double());
+        let of_doubles = shape.element.as_ref().is_some_and(|one| one.is_double());
+        let is_list = of_doubles && shape.name == LIST;
         if shape.is_double() || is_list {
             self.constants.insert(name.to_string());
         }

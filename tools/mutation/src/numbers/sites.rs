@@ -379,11 +379,12 @@ mod tests {
         "pub struct Pair<S = f64> { first: S } pub struct Field { width: Option<f64> }";
 
     const USER: &str = r#"
+        const RANGE: RangeInclusive<f64> = 0.0..=0.0;
         struct Arm { length: f64 }
         struct Lever { arms: [Arm; 2] }
         struct Cell { field: Field, height: Option<f64> }
         fn turn(cell: &Cell, pair: &Pair, target: &mut f64, angle: &f64) -> f64 {
-            *target = *angle;
+            *target = if RANGE.is_empty() { 0.0 } else { *angle };
             let lever = lever();
             lever.arms[1].length + pair.first + cell.field.width.unwrap_or(vec![0.5; 2][0])
         }
