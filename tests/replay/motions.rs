@@ -143,9 +143,20 @@ fn refused(case: &Value, more: &[&str]) -> String {
     stderr(&output)
 }
 
+/// Refuse cases in which one value is wrong, with the given words.
+fn refuse_all(refusals: &[(&str, Value, &str)]) {
+    for (path, value, expected) in refusals {
+        let said = refused(&with(&[(path, value.clone())]), &[]);
+        assert!(
+            said.contains("case.json") && said.contains(expected),
+            "{said}"
+        );
+    }
+}
+
 #[test]
-fn unusable_motions_are_refused_with_key_and_accepted_values() {
-    let refusals = [
+fn unusable_grains_are_refused_with_key_and_accepted_values() {
+    refuse_all(&[
         (
             "/grains/0/n_bonds",
             json!(2),
@@ -181,6 +192,12 @@ fn unusable_motions_are_refused_with_key_and_accepted_values() {
             json!([5]),
             "grains[0].clamped[0] is 5: must be a node below 2",
         ),
+    ]);
+}
+
+#[test]
+fn unusable_options_are_refused_with_key_and_accepted_values() {
+    refuse_all(&[
         (
             "/conf/nl_bdry_only",
             json!(1),
@@ -211,14 +228,7 @@ fn unusable_motions_are_refused_with_key_and_accepted_values() {
             json!("wide"),
             "contact.R_c is \"wide\": must be a number",
         ),
-    ];
-    for (path, value, expected) in refusals {
-        let said = refused(&with(&[(path, value)]), &[]);
-        assert!(
-            said.contains("case.json") && said.contains(expected),
-            "{said}"
-        );
-    }
+    ]);
     let said = refused(&json!({"conf": {}}), &[]);
     assert!(
         said.contains("case.json: must have a trajectory with grains or same_input_as"),
