@@ -143,12 +143,20 @@ fn refused(case: &Value, more: &[&str]) -> String {
     stderr(&output)
 }
 
-/// Key of a motion, an unusable value, and what is said of it.
-type Refusal = (&'static str, Value, &'static str);
+/// Refuse cases in which one value is wrong, with the given words.
+fn refuse_all(refusals: &[(&str, Value, &str)]) {
+    for (path, value, expected) in refusals {
+        let said = refused(&with(&[(path, value.clone())]), &[]);
+        assert!(
+            said.contains("case.json") && said.contains(expected),
+            "{said}"
+        );
+    }
+}
 
-/// Refusals about grains.
-fn refusals_of_grains() -> [Refusal; 7] {
-    [
+#[test]
+fn unusable_grains_are_refused_with_key_and_accepted_values() {
+    refuse_all(&[
         (
             "/grains/0/n_bonds",
             json!(2),
@@ -184,12 +192,12 @@ fn refusals_of_grains() -> [Refusal; 7] {
             json!([5]),
             "grains[0].clamped[0] is 5: must be a node below 2",
         ),
-    ]
+    ]);
 }
 
-/// Refusals about settings and contact.
-fn refusals_of_settings() -> [Refusal; 6] {
-    [
+#[test]
+fn unusable_options_are_refused_with_key_and_accepted_values() {
+    refuse_all(&[
         (
             "/conf/nl_bdry_only",
             json!(1),
@@ -220,19 +228,7 @@ fn refusals_of_settings() -> [Refusal; 6] {
             json!("wide"),
             "contact.R_c is \"wide\": must be a number",
         ),
-    ]
-}
-
-#[test]
-fn unusable_motions_are_refused_with_key_and_accepted_values() {
-    let all = refusals_of_grains().into_iter();
-    for (path, value, expected) in all.chain(refusals_of_settings()) {
-        let said = refused(&with(&[(path, value)]), &[]);
-        assert!(
-            said.contains("case.json") && said.contains(expected),
-            "{said}"
-        );
-    }
+    ]);
     let said = refused(&json!({"conf": {}}), &[]);
     assert!(
         said.contains("case.json: must have a trajectory with grains or same_input_as"),
