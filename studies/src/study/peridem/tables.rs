@@ -30,30 +30,30 @@ pub(super) fn tables(results: &Results) -> Vec<Markup> {
         .collect()
 }
 
-/// Columns of a table of runs: heading, observation, factor and decimals.
-type Columns = &'static [(&'static str, &'static str, f64, usize)];
+/// Columns of a table of runs: heading, column, and factor and decimals of numbers; texts stand as they are.
+type Columns = &'static [(&'static str, &'static str, Option<(f64, usize)>)];
 
 const PLATE: Columns = &[
-    ("grid", "grid", 1.0, 0),
-    ("breaking", "breaking", 1.0, 0),
-    ("self contact", "self contact", 1.0, 0),
-    ("length in mm", "crack_length_0_last", 1e3, 1),
-    ("broken bonds", "broken_bonds_last", 1.0, 0),
+    ("grid", "grid", None),
+    ("breaking", "breaking", None),
+    ("self contact", "self contact", None),
+    ("length in mm", "crack_length_0_last", Some((1e3, 1))),
+    ("broken bonds", "broken_bonds_last", Some((1.0, 0))),
 ];
 const AREAS: Columns = &[
-    ("horizon", "horizon", 1.0, 0),
-    ("spacing", "spacing", 1.0, 0),
-    ("area after 400 ns in mm²", "area_at_400_ns", 1.0, 4),
-    ("after 1 us", "area_at_1_us", 1.0, 4),
-    ("broken bonds", "broken_bonds_last", 1.0, 0),
+    ("horizon", "horizon", None),
+    ("spacing", "spacing", None),
+    ("area after 400 ns in mm²", "area_at_400_ns", Some((1.0, 4))),
+    ("after 1 us", "area_at_1_us", Some((1.0, 4))),
+    ("broken bonds", "broken_bonds_last", Some((1.0, 0))),
 ];
 const PIECES: Columns = &[
-    ("Gc", "Gc", 1.0, 0),
-    ("spacing", "spacing", 1.0, 0),
-    ("pieces with two planks", "pieces_last", 1.0, 0),
-    ("two pieces at us", "two_pieces", 1.0, 1),
-    ("three pieces at us", "three_pieces", 1.0, 1),
-    ("broken bonds", "broken_bonds_last", 1.0, 0),
+    ("Gc", "Gc", None),
+    ("spacing", "spacing", None),
+    ("pieces with two planks", "pieces_last", Some((1.0, 0))),
+    ("two pieces at us", "two_pieces", Some((1.0, 1))),
+    ("three pieces at us", "three_pieces", Some((1.0, 1))),
+    ("broken bonds", "broken_bonds_last", Some((1.0, 0))),
 ];
 
 fn table_of_runs(
@@ -63,13 +63,11 @@ fn table_of_runs(
     columns: Columns,
 ) -> Option<Markup> {
     let sample = Sample { results, part };
-    let cell = |run: &Run, (_, column, factor, digits): &(&str, &str, f64, usize)| match run
-        .number(column)
+    let cell = |run: &Run, (_, column, form): &(&str, &str, Option<(f64, usize)>)| match form
+        .zip(run.number(column))
     {
-        Some(number) if run.text(column).parse::<f64>().is_ok() => {
-            format!("{:.*}", digits, number * factor)
-        }
-        _ => run.text(column).to_owned(),
+        Some(((factor, digits), number)) => format!("{:.*}", digits, number * factor),
+        None => run.text(column).to_owned(),
     };
     let angle = |run: &Run| {
         let angles = [0, 1].map(|crack| from_notch(run, crack));
