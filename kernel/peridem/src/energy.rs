@@ -1,6 +1,5 @@
 //! Energies of a state, and the work that changes their sum.
 
-use crate::bonds::Bonds;
 use crate::grain::Grains;
 use crate::state::State;
 use gouge_common::geometry::Vec2;
@@ -37,16 +36,16 @@ impl Energies {
                 energies.external -= grains.area[node] * load.dot(displacement);
             }
         }
-        energies.bonds = bond_energy(grains, state, &state.bonds);
+        energies.bonds = bond_energy(grains, state);
         energies
     }
 }
 
-fn bond_energy(grains: &Grains, state: &State, bonds: &Bonds) -> f64 {
+fn bond_energy(grains: &Grains, state: &State) -> f64 {
     let mut sum = 0.0;
     for grain in &grains.rows {
         for later in grain.nodes.clone() {
-            for (earlier, length) in bonds.with_earlier(later) {
+            for (earlier, length) in state.bonds.with_earlier(later) {
                 let (from, to) = (state.places[earlier], state.places[later]);
                 let per_area = from.elongation_to(to, length).energy(&grain.constants);
                 sum += per_area * grains.area[earlier] * grains.area[later];
