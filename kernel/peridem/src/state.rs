@@ -49,6 +49,13 @@ pub struct Work {
     pub broken: f64,
 }
 
+/// Displacement in m of a node in a time step in s of velocity Verlet, from its velocity in m/s and its acceleration in
+/// m/s^2 at the beginning.
+#[inline(always)]
+pub(crate) fn moved(velocity: Vec2, acceleration: Vec2, step: f64) -> Vec2 {
+    velocity * step + acceleration * (0.5 * step * step)
+}
+
 /// Everything that changes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {

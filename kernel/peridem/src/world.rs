@@ -6,7 +6,7 @@ use crate::error::{SetupError, StepError, require};
 use crate::forces::{Settings, Touching, Workspace};
 use crate::grain::Grains;
 use crate::limits::Limits;
-use crate::state::State;
+use crate::state::{State, moved};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 use gouge_equations::rendered;
@@ -128,7 +128,7 @@ impl World {
         let state = &mut self.state;
         let motions = state.velocity.iter().zip(&state.acceleration);
         for (place, (&velocity, &acceleration)) in state.places.iter_mut().zip(motions) {
-            place.displacement += velocity * step + acceleration * (0.5 * step * step);
+            place.displacement += moved(velocity, acceleration, step);
         }
         self.state.steps += 1;
         if let Some(walls) = &self.settings.walls {

@@ -6,7 +6,7 @@ use crate::bond_law::{BreakOrder, BreakingRule, Elongation};
 use crate::bonds::BondRows;
 use crate::grain::Grains;
 use crate::material::{BondConstants, Weight};
-use crate::state::{Place, State};
+use crate::state::{Place, State, moved};
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
 
@@ -41,8 +41,7 @@ struct Nodes<'a> {
 impl Nodes<'_> {
     /// Displacement in m of a node in this step.
     fn moved(&self, node: usize) -> Vec2 {
-        let step = self.time_step;
-        self.velocity[node] * step + self.acceleration[node] * (0.5 * step * step)
+        moved(self.velocity[node], self.acceleration[node], self.time_step)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::contact_law::{FrictionStep, Node};
 use crate::error::{SetupError, require};
 use crate::grain::Grains;
-use crate::state::State;
+use crate::state::{State, moved};
 use crate::wall_law::{NodeAtWall, WallLaw, WallReading};
 use gouge_common::geometry::Vec2;
 
@@ -164,8 +164,11 @@ impl WallPass<'_> {
                 state.work.damping -= on_node.damping.dot(velocity) * self.time_step;
                 state.work.friction -= on_node.friction.dot(velocity) * self.time_step;
             }
-            let moved = (state.velocity[node] + state.acceleration[node] * (0.5 * self.time_step))
-                * self.time_step;
+            let moved = moved(
+                state.velocity[node],
+                state.acceleration[node],
+                self.time_step,
+            );
             state.work.walls += (before + after).dot(moved) * 0.5;
             pushes[node] = after;
             force[node] += total * (1.0 / area);
