@@ -2,6 +2,7 @@
 
 use crate::cloud::{H, at_rest, contact, disc, grain, lattice, run, settings, throw, walls, world};
 use gouge_common::geometry::Vec2;
+use gouge_common::instructions::Instructions;
 use gouge_common::record::Record;
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
 use gouge_peridem::error::SetupError;
@@ -50,6 +51,49 @@ fn the_number_of_threads_does_not_matter() {
     let mut outside = large();
     run(&mut outside, 40);
     assert_eq!(outside.state(), &one, "the pool of the process");
+}
+
+/// A grain that is torn in one direction and crushed in the other, with rows of bonds of all lengths up to several vectors.
+fn torn(weight: Weight, rule: Option<BreakingRule>, order: BreakOrder) -> World {
+    let mut grain = grain(lattice(23, 17), 6.015, weight);
+    grain.breaking = rule;
+    grain.constants.critical_stretch = 0.01;
+    for (k, area) in grain.area.iter_mut().enumerate() {
+        *area *= 1.0 + 0.01 * (k % 7) as f64;
+    }
+    let mut settings = settings(1e-7);
+    settings.break_order = order;
+    world(&[grain], settings, |state| {
+        for (velocity, place) in state.velocity.iter_mut().zip(&state.places) {
+            let from = place.reference - Vec2::new(9.0, 7.0) * H;
+            *velocity = Vec2::new(from.x, -from.y) * (20.0 / H);
+        }
+    })
+}
+
+#[test]
+fn the_instructions_do_not_matter() {
+    let rules = [BreakingRule::TensionOnly, BreakingRule::TwoSided];
+    for rule in [None].into_iter().chain(rules.map(Some)) {
+        for order in [BreakOrder::BreakFirst, BreakOrder::ForceFirst] {
+            for weight in [Weight::Constant, Weight::Conic, Weight::Parabolic] {
+                let final_state = |instructions: Instructions| {
+                    let mut world = torn(weight, rule, order).with_instructions(instructions);
+                    run(&mut world, 60);
+                    world.state().clone()
+                };
+                let portable = final_state(Instructions::portable());
+                assert_eq!(portable.work.broken > 0.0, rule.is_some());
+                for instructions in Instructions::available() {
+                    let name = instructions.name();
+                    assert!(
+                        final_state(instructions) == portable,
+                        "{name}, {rule:?}, {order:?}, {weight:?}"
+                    );
+                }
+            }
+        }
+    }
 }
 
 /// Two discs that collide, break and touch themselves near a corner.

@@ -8,6 +8,7 @@ use crate::grain::Grains;
 use crate::limits::Limits;
 use crate::state::{State, moved};
 use gouge_common::geometry::Vec2;
+use gouge_common::instructions::Instructions;
 use gouge_common::pair::Pair;
 use gouge_equations::rendered;
 
@@ -114,6 +115,12 @@ impl World {
         Ok(world)
     }
 
+    /// The same world with instructions for its bonds other than the widest of the machine; the bits stay the same.
+    pub fn with_instructions(mut self, instructions: Instructions) -> Self {
+        self.workspace.use_instructions(instructions);
+        self
+    }
+
     /// Advance by one step of velocity Verlet, section 6.1 of peridem.
     ///
     /// $$ \vec u \leftarrow \vec u + \Delta t \, \vec v + \tfrac12 \Delta t^2 \vec a, \qquad \vec v \leftarrow \vec v + \tfrac12 \Delta t (\vec a + \vec a') $$
@@ -199,7 +206,9 @@ impl World {
 
     /// The same grains in another state.
     pub(crate) fn with_state(mut self, state: State) -> Self {
+        let instructions = self.workspace.instructions();
         self.workspace = Workspace::new(&self.grains, &self.settings, &state);
+        self.workspace.use_instructions(instructions);
         self.state = state;
         self
     }

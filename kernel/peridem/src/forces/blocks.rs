@@ -7,6 +7,7 @@ use crate::bonds::Bonds;
 use crate::grain::Grains;
 use core::ops::Range;
 use gouge_common::geometry::Vec2;
+use gouge_common::instructions::Instructions;
 use gouge_common::pair::Pair;
 
 /// Most nodes of a block.
@@ -48,11 +49,12 @@ impl Buffer {
     }
 }
 
-/// All blocks with their buffers.
+/// All blocks with their buffers, and the instructions that compute them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Blocks {
     pub(super) blocks: Vec<Block>,
     pub(super) buffers: Vec<Buffer>,
+    pub(super) instructions: Instructions,
 }
 
 impl Blocks {
@@ -77,6 +79,10 @@ impl Blocks {
             }));
         }
         let buffers = vec![Buffer::default(); blocks.len()];
-        Self { blocks, buffers }
+        Self {
+            blocks,
+            buffers,
+            instructions: Instructions::default(),
+        }
     }
 }

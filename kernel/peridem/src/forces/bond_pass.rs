@@ -2,13 +2,16 @@
 
 use super::Settings;
 use super::blocks::{Block, Blocks, Buffer};
+use super::lanes::{LANES, Lanes};
 use crate::bond_law::{BreakOrder, BreakingRule, Elongation};
 use crate::bonds::BondRows;
 use crate::grain::Grains;
 use crate::material::{BondConstants, Weight};
 use crate::state::{Place, State, moved};
 use gouge_common::geometry::Vec2;
+use gouge_common::instructions::Instructions;
 use gouge_common::pair::Pair;
+use pulp::NullaryFnOnce;
 
 /// The weight of a pass, known when it is compiled.
 trait Weigh {
@@ -36,6 +39,7 @@ struct Nodes<'a> {
     acceleration: &'a [Vec2],
     time_step: f64,
     order: BreakOrder,
+    instructions: Instructions,
 }
 
 impl Nodes<'_> {
@@ -62,8 +66,11 @@ pub(super) fn add_bond_forces(
         acceleration: &state.acceleration,
         time_step: settings.time_step,
         order: settings.break_order,
+        instructions: blocks.instructions,
     };
-    let Blocks { blocks, buffers } = blocks;
+    let Blocks {
+        blocks, buffers, ..
+    } = blocks;
     run(nodes, blocks, state.bonds.rows_mut(), buffers);
     broken.clear();
     for (block, buffer) in blocks.iter().zip(buffers) {
@@ -79,7 +86,12 @@ pub(super) fn add_bond_forces(
 
 fn run(nodes: Nodes, blocks: &[Block], rows: BondRows, buffers: &mut [Buffer]) {
     match (blocks, buffers) {
-        ([block], [buffer]) => run_block(nodes, block, rows, buffer),
+        ([block], [buffer]) => nodes.instructions.run(BlockPass {
+            nodes,
+            block,
+            rows,
+            buffer,
+        }),
         (blocks, buffers) if !blocks.is_empty() => {
             let half = blocks.len() / 2;
             let (left, right) = rows.split_at(blocks[half].nodes.start - blocks[0].nodes.start);
@@ -93,78 +105,101 @@ fn run(nodes: Nodes, blocks: &[Block], rows: BondRows, buffers: &mut [Buffer]) {
     }
 }
 
-/// The only place that selects a weight and a rule of breaking.
-fn run_block(nodes: Nodes, block: &Block, rows: BondRows, buffer: &mut Buffer) {
-    let grain = &nodes.grains.rows[block.grain];
-    match grain.constants.weight {
-        Weight::Constant => with_breaking::<Constant>(nodes, block, rows, buffer),
-        Weight::Conic => with_breaking::<Conic>(nodes, block, rows, buffer),
-        Weight::Parabolic => with_breaking::<Parabolic>(nodes, block, rows, buffer),
-    }
+/// A block, with its rows and its buffer.
+struct BlockPass<'a> {
+    nodes: Nodes<'a>,
+    block: &'a Block,
+    rows: BondRows<'a>,
+    buffer: &'a mut Buffer,
 }
 
-fn with_breaking<W: Weigh>(nodes: Nodes, block: &Block, rows: BondRows, buffer: &mut Buffer) {
-    let breaking = nodes.grains.rows[block.grain].breaking;
-    match (breaking, nodes.order) {
-        (None, _) => pass::<W, false, false, false>(nodes, block, rows, buffer),
-        (Some(BreakingRule::TensionOnly), BreakOrder::BreakFirst) => {
-            pass::<W, true, false, true>(nodes, block, rows, buffer);
-        }
-        (Some(BreakingRule::TensionOnly), BreakOrder::ForceFirst) => {
-            pass::<W, true, false, false>(nodes, block, rows, buffer);
-        }
-        (Some(BreakingRule::TwoSided), BreakOrder::BreakFirst) => {
-            pass::<W, true, true, true>(nodes, block, rows, buffer);
-        }
-        (Some(BreakingRule::TwoSided), BreakOrder::ForceFirst) => {
-            pass::<W, true, true, false>(nodes, block, rows, buffer);
+impl NullaryFnOnce for BlockPass<'_> {
+    type Output = ();
+
+    /// The only place that selects a weight and a rule of breaking.
+    #[inline(always)]
+    fn call(self) {
+        match self.nodes.grains.rows[self.block.grain].constants.weight {
+            Weight::Constant => self.with_breaking::<Constant>(),
+            Weight::Conic => self.with_breaking::<Conic>(),
+            Weight::Parabolic => self.with_breaking::<Parabolic>(),
         }
     }
 }
 
-/// Sums over the bonds of a block of the pair force density per stiffness, times the area of the other node.
-fn pass<W: Weigh, const BREAKS: bool, const TWO_SIDED: bool, const BREAK_FIRST: bool>(
-    nodes: Nodes,
-    block: &Block,
-    mut rows: BondRows,
-    buffer: &mut Buffer,
-) {
-    let constants = nodes.grains.rows[block.grain].constants;
-    let (places, area) = (nodes.places, &nodes.grains.area[..]);
-    let is_over = |elongation: &Elongation| {
-        BREAKS && elongation.exceeds::<TWO_SIDED>(constants.critical_stretch)
-    };
-    buffer.reset(block);
-    for (row, later) in block.nodes.clone().enumerate() {
-        let (own, own_area) = (places[later], area[later]);
-        let mut sum = Vec2::zero();
-        let mut has_broken = false;
-        let here = rows.places(row);
-        let bonds = rows.earlier[here.clone()].iter().zip(&rows.length[here]);
-        for (&earlier, &length) in bonds {
-            let earlier = earlier as usize;
-            let elongation = places[earlier].elongation_to(own, length);
-            let breaks = is_over(&elongation);
-            has_broken |= breaks;
-            if BREAK_FIRST && breaks {
-                continue;
+impl BlockPass<'_> {
+    #[inline(always)]
+    fn with_breaking<W: Weigh>(self) {
+        let breaking = self.nodes.grains.rows[self.block.grain].breaking;
+        match (breaking, self.nodes.order) {
+            (None, _) => self.add::<W, false, false, false>(),
+            (Some(BreakingRule::TensionOnly), BreakOrder::BreakFirst) => {
+                self.add::<W, true, false, true>();
             }
-            let pull = elongation.pull(W::WEIGHT, constants.horizon);
-            let sum_of_other = &mut buffer.sums[earlier - block.first];
-            *sum_of_other += pull * own_area;
-            sum += -pull * area[earlier];
+            (Some(BreakingRule::TensionOnly), BreakOrder::ForceFirst) => {
+                self.add::<W, true, false, false>();
+            }
+            (Some(BreakingRule::TwoSided), BreakOrder::BreakFirst) => {
+                self.add::<W, true, true, true>();
+            }
+            (Some(BreakingRule::TwoSided), BreakOrder::ForceFirst) => {
+                self.add::<W, true, true, false>();
+            }
         }
-        buffer.sums[later - block.first] += sum;
-        if BREAKS && has_broken {
-            let energy_if_over = |earlier: usize, length| {
-                let elongation = places[earlier].elongation_to(own, length);
-                let moved = nodes.moved(later) - nodes.moved(earlier);
-                is_over(&elongation).then(|| {
-                    let lost = lost_energy::<BREAK_FIRST>(&elongation, &constants, moved);
-                    lost * own_area * area[earlier]
-                })
-            };
-            remove(&mut rows, row, later, buffer, energy_if_over);
+    }
+
+    /// Sums over the bonds of the block of the pair force density per stiffness, times the area of the other node.
+    #[inline(always)]
+    fn add<W: Weigh, const BREAKS: bool, const TWO_SIDED: bool, const BREAK_FIRST: bool>(self) {
+        let Self {
+            nodes,
+            block,
+            mut rows,
+            buffer,
+        } = self;
+        let constants = nodes.grains.rows[block.grain].constants;
+        let (first, reach) = (block.first, block.reach());
+        let (places, area) = (&nodes.places[reach.clone()], &nodes.grains.area[reach]);
+        let is_over = |elongation: &Elongation| {
+            BREAKS && elongation.exceeds::<TWO_SIDED>(constants.critical_stretch)
+        };
+        let pull_or_zero = |elongation: &Elongation| {
+            let breaks = is_over(elongation);
+            let pull = elongation.pull(W::WEIGHT, constants.horizon);
+            let acts = !(BREAK_FIRST && breaks);
+            (if acts { pull } else { Vec2::zero() }, breaks)
+        };
+        buffer.reset(block);
+        let mut lanes = Lanes::default();
+        let mut pulls = [Vec2::zero(); LANES];
+        for (row, later) in block.nodes.clone().enumerate() {
+            let (own, own_area) = (places[later - first], area[later - first]);
+            let sums = &mut buffer.sums[..places.len()];
+            let mut sum = Vec2::zero();
+            let mut has_broken = false;
+            let here = rows.places(row);
+            let earlier = rows.earlier[here.clone()].chunks(LANES);
+            for (earlier, length) in earlier.zip(rows.length[here].chunks(LANES)) {
+                let earlier = earlier.iter().map(|&earlier| earlier as usize - first);
+                lanes.gather(own, earlier.clone().map(|node| places[node]), length);
+                has_broken |= lanes.compute(length.len(), &mut pulls, pull_or_zero);
+                for (node, &pull) in earlier.zip(&pulls) {
+                    sums[node] += pull * own_area;
+                    sum += -pull * area[node];
+                }
+            }
+            sums[later - first] += sum;
+            if BREAKS && has_broken {
+                let energy_if_over = |earlier: usize, length| {
+                    let elongation = places[earlier - first].elongation_to(own, length);
+                    let moved = nodes.moved(later) - nodes.moved(earlier);
+                    is_over(&elongation).then(|| {
+                        let lost = lost_energy::<BREAK_FIRST>(&elongation, &constants, moved);
+                        lost * own_area * area[earlier - first]
+                    })
+                };
+                remove(&mut rows, row, later, buffer, energy_if_over);
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 mod blocks;
 mod bond_pass;
 mod contact_pass;
+mod lanes;
 mod wall_pass;
 
 use crate::bond_law::BreakOrder;
@@ -12,6 +13,7 @@ use crate::state::{Place, State};
 use blocks::Blocks;
 use contact_pass::ContactPass;
 use gouge_common::geometry::Vec2;
+use gouge_common::instructions::Instructions;
 use gouge_common::pair::Pair;
 use wall_pass::WallPass;
 
@@ -73,6 +75,16 @@ impl Workspace {
             force: vec![Vec2::zero(); grains.nodes()],
             broken: Vec::new(),
         }
+    }
+
+    /// Compute bonds with other instructions than the widest of the machine; the bits stay the same.
+    pub fn use_instructions(&mut self, instructions: Instructions) {
+        self.blocks.instructions = instructions;
+    }
+
+    /// The instructions that compute bonds.
+    pub(crate) fn instructions(&self) -> Instructions {
+        self.blocks.instructions
     }
 
     /// Force densities on all nodes. Some bonds may break, and losses are booked.
