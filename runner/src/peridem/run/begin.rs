@@ -3,6 +3,7 @@
 use super::super::Scene;
 use super::mesh::{Cells, Meshed, meshed, refused};
 use crate::error::Error;
+use crate::machine::chosen;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::contacts::Contact;
 use gouge_peridem::error::SetupError;
@@ -41,6 +42,7 @@ pub fn built(scene: &Scene) -> Result<Built, Error> {
     }
     let limits = Limits::of(&grains, &state.bonds, &settings);
     let world = World::new(grains, settings, state, scene.mode.beginning())?;
+    let world = world.with_instructions(chosen()?.instructions);
     Ok(Built {
         world,
         cells,

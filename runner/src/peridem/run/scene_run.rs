@@ -38,6 +38,8 @@ pub struct SceneRun<'a> {
     pub(super) samples: u64,
     /// Number of bonds at t = 0.
     pub(super) intact: usize,
+    /// Number of bonds now.
+    bonds: usize,
     /// Number of bonds, summed over all steps.
     pub(super) bond_steps: f64,
     pub(super) balance: Balance,
@@ -85,6 +87,7 @@ impl<'a> SceneRun<'a> {
         let unfit = || refusal(&place.0.join(CHECKPOINT), UNFIT);
         let mut run = Self::new(scene, place, options, observer, checked(scene)?);
         run.world = run.world.restored(&saved.state).ok_or_else(unfit)?;
+        run.bonds = run.world.bonds().count();
         run.samples = saved.samples;
         run.bond_steps = saved.bond_steps;
         run.balance = saved.balance;
@@ -112,6 +115,7 @@ impl<'a> SceneRun<'a> {
             folder: folder.to_owned(),
             lock,
             intact: built.world.bonds().count(),
+            bonds: built.world.bonds().count(),
             balance: Balance::new(&built.world),
             world: built.world,
             cells: built.cells,
@@ -195,7 +199,8 @@ impl<'a> SceneRun<'a> {
 
     fn step(&mut self) -> Result<(), Error> {
         self.world.step().map_err(stopped)?;
-        self.bond_steps += self.world.bonds().count() as f64;
+        self.bonds -= self.world.broken().len();
+        self.bond_steps += self.bonds as f64;
         if self.world.broken().is_empty() {
             return Ok(());
         }
