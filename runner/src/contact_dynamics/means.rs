@@ -4,7 +4,7 @@ use super::run::Statistics;
 use crate::run::columns::Columns;
 use crate::run::folder::{NETWORK, PARTICLES};
 use gouge_contact_dynamics::observables::{
-    Anisotropies, Connectivity, ContactKind, MOST_CONTACTS, Profile, Sums,
+    AngularSums, Anisotropies, Connectivity, ContactKind, MOST_CONTACTS, Profile, Sums,
 };
 use std::path::Path;
 
@@ -19,6 +19,10 @@ pub struct Means {
     pub connectivity: Connectivity,
     /// Velocities between the walls.
     pub profile: Profile,
+    /// Contacts in the slab by the directions of their normals.
+    pub directions: AngularSums,
+    /// Number of contacts between bodies at which two vertices meet.
+    pub vertex_vertex: f64,
     /// Solid fractions of the slab and of the cell.
     pub solid_fractions: [f64; 2],
     /// Mean diameter of the circumscribed circles in m.
@@ -55,6 +59,8 @@ impl Means {
             cell: statistics.cell,
             connectivity: statistics.connectivity,
             profile: statistics.profile,
+            directions: statistics.directions,
+            vertex_vertex: statistics.vertex_vertex,
             solid_fractions: [slab / slab_area, cell / cell_area],
             diameter: 2.0 * radii.iter().sum::<f64>() / radii.len() as f64,
         })
@@ -83,6 +89,8 @@ impl Means {
             cell: Sums::new(),
             connectivity: Connectivity::new(),
             profile: Profile::new(),
+            directions: AngularSums::new(),
+            vertex_vertex: 0.0,
             solid_fractions: [0.0; 2],
             diameter: 0.0,
         }
@@ -93,6 +101,7 @@ impl Means {
         let slab = &self.slab;
         let [of_slab, of_cell] = self.solid_fractions;
         let stress = slab.stress();
+        let contacts = self.cell.total().contacts.sum;
         let named = [
             ("stress_ratio", slab.stress_ratio()),
             ("stress_ratio_cell", self.cell.stress_ratio()),
@@ -112,6 +121,7 @@ impl Means {
             ("tangential_force", slab.relative_friction(self.diameter)),
             ("half_sum", slab.anisotropies().half_sum()),
             ("profile_deviation", self.profile.deviation()),
+            ("vertex_vertex", self.vertex_vertex / contacts.max(1.0)),
         ];
         let mut all: Vec<(String, f64)> = named
             .into_iter()

@@ -37,12 +37,16 @@ pub const CONTACTS: &str = "contacts.csv";
 pub const NODES: &str = "nodes.csv";
 /// The final peridynamic grains.
 pub const GRAINS: &str = "grains.csv";
+/// What depends on the direction of contacts, as a table.
+pub const DIRECTIONS_TABLE: &str = "directions.csv";
+/// What depends on the direction of contacts, as polar diagrams.
+pub const DIRECTIONS: &str = "directions.svg";
 /// The picture of stresses over strains.
 pub const STRESS_STRAIN: &str = "stress-strain.svg";
 
 /// The files of a run outside the trajectory, in the order in which a new run removes them. If the removal is
 /// interrupted, what remains looks like results without a checkpoint, which nothing replaces unasked.
-const FILES: [&str; 16] = [
+const FILES: [&str; 18] = [
     CHECKPOINT,
     SUMMARY,
     SERIES,
@@ -56,6 +60,8 @@ const FILES: [&str; 16] = [
     RESTART_CONTACTS,
     STRESS_STRAIN,
     NETWORK,
+    DIRECTIONS_TABLE,
+    DIRECTIONS,
     CONTACTS,
     NODES,
     GRAINS,

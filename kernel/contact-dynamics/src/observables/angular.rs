@@ -49,8 +49,13 @@ impl AngularSums {
         Self::default()
     }
 
+    /// Sums of known bins.
+    pub(super) fn of_bins(bins: [Bin; Self::BINS]) -> Self {
+        Self { bins }
+    }
+
     /// Add contacts.
-    pub fn add(&mut self, contacts: &[Contact]) {
+    pub fn add<'a>(&mut self, contacts: impl IntoIterator<Item = &'a Contact>) {
         for contact in contacts {
             let turns = libm::atan2(contact.normal.y, contact.normal.x) / TAU;
             let bin = (turns * Self::BINS as f64 + Self::BINS as f64) as usize % Self::BINS;

@@ -1,6 +1,6 @@
 //! Sums as named numbers, for tables.
 
-use super::{Connectivity, Harmonic, KindSums, MOST_CONTACTS, Profile, Sums};
+use super::{AngularSums, Bin, Connectivity, Harmonic, KindSums, MOST_CONTACTS, Profile, Sums};
 use gouge_common::estimators::Tensor;
 
 /// Numbers of a kind of contacts.
@@ -163,5 +163,64 @@ impl Profile {
         let (&area, flow) = numbers.split_first_chunk()?;
         let flow = flow.try_into().ok()?;
         Some(Self { area, flow })
+    }
+}
+
+/// Names of the numbers of a bin, without the bin.
+const OF_BIN: [&str; 5] = [
+    "contacts",
+    "normal_force",
+    "tangential_force",
+    "normal_branch",
+    "tangential_branch",
+];
+
+impl AngularSums {
+    /// Names of the numbers: the bins of the first half-turn, with the angles in degrees at which they begin. Those of the
+    /// second one are the same.
+    pub fn names() -> Vec<String> {
+        let of = |bin: usize| {
+            let degrees = bin * 360 / Self::BINS;
+            OF_BIN.map(|name| format!("from_{degrees}_{name}"))
+        };
+        (0..Self::BINS / 2).flat_map(of).collect()
+    }
+
+    /// The numbers, in the order of [`Self::names`].
+    pub fn values(&self) -> Vec<f64> {
+        let bins = self.bins()[..Self::BINS / 2].iter();
+        bins.flat_map(|bin| {
+            [
+                bin.contacts,
+                bin.normal_force,
+                bin.tangential_force,
+                bin.normal_branch,
+                bin.tangential_branch,
+            ]
+        })
+        .collect()
+    }
+
+    /// The sums from their numbers; none if their number is wrong.
+    pub fn from_values(numbers: &[f64]) -> Option<Self> {
+        let (bins, []) = numbers.as_chunks::<5>() else {
+            return None;
+        };
+        let bin = |&[
+            contacts,
+            normal_force,
+            tangential_force,
+            normal_branch,
+            tangential_branch,
+        ]: &[f64; 5]| Bin {
+            contacts,
+            normal_force,
+            tangential_force,
+            normal_branch,
+            tangential_branch,
+        };
+        let half: Vec<Bin> = bins.iter().map(bin).collect();
+        let all = half.iter().chain(&half).copied().collect::<Vec<Bin>>();
+        all.try_into().ok().map(Self::of_bins)
     }
 }

@@ -12,6 +12,7 @@ mod profile;
 mod solid_fraction;
 mod sums;
 mod columns;
+mod vertices;
 
 pub use angular::{AngularSums, Bin};
 pub use anisotropy::Anisotropies;
@@ -21,3 +22,4 @@ pub use points::{PointForce, add_body_moments, point_forces};
 pub use profile::Profile;
 pub use solid_fraction::{Slab, area_in_slab, solid_area};
 pub use sums::{Harmonic, KindSums, Sums};
+pub use vertices::vertex_vertex_contacts;

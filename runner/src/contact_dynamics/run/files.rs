@@ -2,13 +2,16 @@
 
 use super::super::{Means, Scene};
 use super::contacts::table_of_points;
+use super::directions;
 use super::frame;
 use super::samples::{self, columns};
 use super::scene_run::SceneRun;
 use super::statistics::Statistics;
 use super::{page, picture};
 use crate::error::Error;
-use crate::run::folder::{CONTACTS, NETWORK, PARTICLES, PICTURE, SERIES, write_whole};
+use crate::run::folder::{
+    CONTACTS, DIRECTIONS, DIRECTIONS_TABLE, NETWORK, PARTICLES, PICTURE, SERIES, write_whole,
+};
 use crate::run::page::Animation;
 use crate::run::series::{Sample, Series};
 use crate::run::trajectory::{FramePlan, Frames};
@@ -144,11 +147,19 @@ impl SceneRun<'_> {
         self.lock.check()?;
         let write = |name, text: String| write_whole(&self.folder.join(name), text.as_bytes());
         write(PARTICLES, frame::particles_csv(self.scene, &self.world))?;
-        summary.network = means(self.scene, &self.folder, summary.time);
+        let means = means(self.scene, &self.folder, summary.time);
+        let directions = means
+            .as_ref()
+            .map(|means| directions::draw(means).to_string());
+        if let (Some(means), Some(picture)) = (&means, &directions) {
+            write(DIRECTIONS_TABLE, directions::table(means).to_csv())?;
+            write(DIRECTIONS, picture.clone())?;
+        }
+        summary.network = means.as_ref().map(named);
         write(CONTACTS, table_of_points(self.scene, &self.world).to_csv())?;
         write(PICTURE, picture::draw(self.scene, &self.world).to_string())?;
         if !self.options.data_only {
-            page::write(&self.folder, self.scene, &self.world, &summary)?;
+            page::write(&self.folder, self.scene, &self.world, directions, &summary)?;
         }
         summary.write(&self.folder)?;
         ended.map(|()| summary)
@@ -210,15 +221,14 @@ impl SceneRun<'_> {
 }
 
 /// Means over the second half of a run until a time in s.
-fn means(
-    scene: &Scene,
-    folder: &Path,
-    until: f64,
-) -> Option<serde_json::Map<String, serde_json::Value>> {
-    let means = Means::between(folder, 0.5 * until, until);
-    let means = means.filter(|_| scene.measures_network())?;
+fn means(scene: &Scene, folder: &Path, until: f64) -> Option<Means> {
+    let is_measured = scene.measures_network();
+    is_measured.then(|| Means::between(folder, 0.5 * until, until))?
+}
+
+fn named(means: &Means) -> serde_json::Map<String, serde_json::Value> {
     let all = means.all().into_iter();
-    Some(all.map(|(name, mean)| (name, mean.into())).collect())
+    all.map(|(name, mean)| (name, mean.into())).collect()
 }
 
 /// Share of steps with large overlaps or without convergence that needs a warning.

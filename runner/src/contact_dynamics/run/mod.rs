@@ -3,6 +3,7 @@
 mod begin;
 mod checkpoint;
 mod contacts;
+mod directions;
 mod files;
 mod frame;
 mod page;

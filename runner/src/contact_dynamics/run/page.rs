@@ -62,7 +62,13 @@ const PLANS: [Plan; 7] = [
 ///
 /// # Errors
 /// Failures of the file system.
-pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> Result<(), Error> {
+pub fn write(
+    folder: &Path,
+    scene: &Scene,
+    world: &World,
+    directions: Option<String>,
+    summary: &Summary,
+) -> Result<(), Error> {
     let content = Content {
         title: match scene.title.as_str() {
             "" => &scene.file,
@@ -72,6 +78,7 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> 
         plans: &PLANS,
         picture: picture::draw(scene, world).to_string(),
         legend: LEGEND,
+        other_picture: directions.map(|picture| (picture, DIRECTIONS)),
         motion: animation(folder, scene, world),
         files: files(scene),
     };
@@ -81,6 +88,10 @@ pub fn write(folder: &Path, scene: &Scene, world: &World, summary: &Summary) -> 
 const LEGEND: &str = "Lines between centres are as wide as the normal force between the two bodies: orange at one point \
     (side-vertex), green at two (side-side). Bodies with fewer than two contacts are light grey, those that belong to a \
     wall dark grey.";
+
+const DIRECTIONS: &str = "Contacts, forces and branch vectors by the direction of the normal, away from the walls, over the \
+    second half of the run: measured (blue) and expanded to first order (orange), relative to the means over all \
+    directions; tangential components relative to the normal means, with their magnitudes. Values at the rim are given.";
 
 fn facts(scene: &Scene, summary: &Summary) -> Vec<Row> {
     let rows = [
@@ -123,6 +134,11 @@ fn files(scene: &Scene) -> Vec<(&'static str, &'static str, bool)> {
         (
             "network.csv",
             "sums over the contact network at every sample",
+            scene.measures_network(),
+        ),
+        (
+            "directions.csv",
+            "what depends on the direction of contacts",
             scene.measures_network(),
         ),
         ("particles.csv", "the final bodies", true),

@@ -4,7 +4,8 @@ use super::super::Scene;
 use gouge_contact_dynamics::assembly::Assembly;
 use gouge_contact_dynamics::cell::{UPPER, roof_height};
 use gouge_contact_dynamics::observables::{
-    Connectivity, Network, NetworkSettings, Profile, Slab, Sums, point_forces, solid_area,
+    AngularSums, Connectivity, Network, NetworkSettings, Profile, Slab, Sums, point_forces,
+    solid_area, vertex_vertex_contacts,
 };
 use gouge_contact_dynamics::units::InverseMass;
 use gouge_contact_dynamics::world::World;
@@ -23,6 +24,10 @@ pub struct Statistics {
     pub connectivity: Connectivity,
     /// Velocities between the walls; nothing if the roof does not move sideways.
     pub profile: Profile,
+    /// Contacts in the slab by the directions of their normals.
+    pub directions: AngularSums,
+    /// Number of contacts between bodies at which two vertices meet.
+    pub vertex_vertex: f64,
     /// Areas in m² that bodies cover in the slab and in the cell, and those of slab and cell.
     pub areas: [f64; 4],
 }
@@ -46,10 +51,16 @@ impl Statistics {
             cell: Sums::new(),
             connectivity: Connectivity::new(),
             profile: Profile::new(),
+            directions: AngularSums::new(),
+            vertex_vertex: vertex_vertex_contacts(assembly, configuration, network.contacts())
+                as f64,
             areas: [covered[0], covered[1], areas[0], areas[1]],
         };
         statistics.slab.add(network, Some(slab), areas[0]);
         statistics.cell.add(network, None, areas[1]);
+        let contacts = network.contacts().iter();
+        let inside = contacts.filter(|contact| slab.contains(contact.height));
+        statistics.directions.add(inside);
         let is_free = |body: usize| is_free(assembly, body);
         statistics.connectivity.add(network.counts(), is_free);
         let speed = configuration.velocity[UPPER as usize].linear.x;
@@ -71,6 +82,8 @@ impl Statistics {
             .chain(of("cell"))
             .chain(Connectivity::names())
             .chain(Profile::names())
+            .chain(AngularSums::names())
+            .chain(["vertex_vertex".to_owned()])
             .chain(areas)
             .collect()
     }
@@ -81,12 +94,16 @@ impl Statistics {
         let (slab, rest) = numbers.split_at_checked(length)?;
         let (cell, rest) = rest.split_at_checked(length)?;
         let (connectivity, rest) = rest.split_at_checked(Connectivity::names().len())?;
-        let (profile, areas) = rest.split_at_checked(Profile::names().len())?;
+        let (profile, rest) = rest.split_at_checked(Profile::names().len())?;
+        let (directions, rest) = rest.split_at_checked(AngularSums::names().len())?;
+        let (&vertex_vertex, areas) = rest.split_first()?;
         Some(Self {
             slab: Sums::from_values(slab)?,
             cell: Sums::from_values(cell)?,
             connectivity: Connectivity::from_values(connectivity)?,
             profile: Profile::from_values(profile)?,
+            directions: AngularSums::from_values(directions)?,
+            vertex_vertex,
             areas: areas.try_into().ok()?,
         })
     }
@@ -96,6 +113,8 @@ impl Statistics {
         let sums = self.slab.values().into_iter().chain(self.cell.values());
         sums.chain(self.connectivity.values())
             .chain(self.profile.values())
+            .chain(self.directions.values())
+            .chain([self.vertex_vertex])
             .chain(self.areas)
             .collect()
     }

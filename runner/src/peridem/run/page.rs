@@ -125,6 +125,7 @@ pub fn write(
         facts: facts(scene, summary),
         plans: &PLANS,
         picture,
+        other_picture: None,
         legend: LEGEND,
         motion: motion_or_hint(has_trajectory, folder, &drawn, &time),
         files: files(scene),

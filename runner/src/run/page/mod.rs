@@ -64,6 +64,8 @@ pub struct Content<'a> {
     pub picture: String,
     /// What the picture shows.
     pub legend: &'a str,
+    /// Another picture as SVG, and what it shows.
+    pub other_picture: Option<(String, &'a str)>,
     /// The motion.
     pub motion: Markup,
     /// Names of files, what they contain, and whether they exist.
@@ -92,6 +94,9 @@ pub fn write_content(folder: &Path, summary: &Summary, content: &Content) -> Res
         figure.picture {
             (PreEscaped(&content.picture))
             figcaption { (content.legend) }
+        }
+        @if let Some((picture, legend)) = &content.other_picture {
+            figure.picture { (PreEscaped(picture)) figcaption { (legend) } }
         }
         h2 { "Motion" }
         (content.motion)
