@@ -47,9 +47,16 @@ pub fn draw(scene: &Scene, world: &World, cells: &[Cells]) -> Document {
     framed_with(&view, &title, parts, Some(&legend))
 }
 
-/// All nodes with a margin, and the walls near them.
+/// All nodes that still have bonds, or all nodes if none has, with a margin, and the walls near them.
 fn view(world: &World) -> View {
-    let positions = || world.state().places.iter().map(|place| place.position());
+    let nodes = || 0..world.grains().nodes();
+    let is_bonded = |&node: &usize| world.bonds().damage(node) < 1.0;
+    let has_bonds = nodes().any(|node| is_bonded(&node));
+    let shown = nodes().filter(|node| !has_bonds || is_bonded(node));
+    let positions = || {
+        let places = shown.clone();
+        places.map(|node| world.state().places[node].position())
+    };
     let mut low = Vec2::new(f64::INFINITY, f64::INFINITY);
     let mut high = -low;
     for p in positions().filter(|p| p.is_finite()) {

@@ -13,8 +13,7 @@ const FACE: f64 = 4e-3;
 
 /// Sum of the repulsions (4.1) of the nodes of a plank and of the square in the public case: gap over contact radius, and
 /// force in N per metre of depth. The mean over its two planks.
-const PUBLIC: [[f64; 2]; 11] = [
-    [0.0, 42441.0],
+const PUBLIC: [[f64; 2]; 10] = [
     [0.1, 56726.0],
     [0.2, 42709.0],
     [0.3, 34560.0],
@@ -92,7 +91,7 @@ fn integral(gap: f64) -> f64 {
 
 /// Forces between the faces over the gap.
 pub(super) fn figure() -> Option<Figure> {
-    let gaps = || (0..=40).map(|k| f64::from(k) / 40.0);
+    let gaps = || (4..=40).map(|k| f64::from(k) / 40.0);
     let of_mesh = |(label, size)| {
         let (square, plank) = (of_square(size)?, of_plank(size)?);
         let point = |gap: f64| [gap, 1e-3 * force(&square, &plank, gap * RADIUS)];

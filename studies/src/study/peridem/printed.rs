@@ -282,7 +282,7 @@ const JUDGED: [Judged; 11] = [
         "figures 7, 8b",
         "the zone converges with h",
         "15 % from R/40 to R/50",
-        "It keeps shrinking by a fifth per mesh at R/50, although the changes become smaller.",
+        "It shrinks by about a fifth with each mesh.",
     ],
     [
         "The notched square breaks",

@@ -60,7 +60,7 @@ pub(super) fn printed_mean_area() -> f64 {
 
 fn canvas(shapes: usize) -> Drawing {
     let right = APART * shapes as f64 - APART / 2.0;
-    Drawing::new(Vec2::new(-1.1, -1.65), Vec2::new(right, 1.1), SCALE)
+    Drawing::new(Vec2::new(-1.1, -1.78), Vec2::new(right, 1.1), SCALE)
 }
 
 /// Figure 11.

@@ -25,7 +25,7 @@ fn law(reading: WallReading) -> WallLaw {
 
 /// The drawing of one wall and of a corner.
 pub(super) fn drawing() -> Illustration {
-    let mut drawing = Drawing::new(Vec2::new(-1.25, -1.6), Vec2::new(5.0, 1.45), SCALE);
+    let mut drawing = Drawing::new(Vec2::new(-1.25, -1.6), Vec2::new(5.6, 1.45), SCALE);
     one_wall(&mut drawing);
     corner(&mut drawing);
     Illustration::Drawing(
