@@ -21,7 +21,10 @@ pub struct Shown {
 
 impl Shown {
     fn path(&self, folder: &Path) -> PathBuf {
-        let values = self.axes.iter().map(|(_, value)| value.replace(' ', "-"));
+        let values = self
+            .axes
+            .iter()
+            .map(|(_, value)| value.replace([' ', '/'], "-"));
         let name: Vec<String> = [self.part.to_owned()].into_iter().chain(values).collect();
         folder.join(FOLDER).join(name.join("-") + ".svg")
     }

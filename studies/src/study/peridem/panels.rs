@@ -141,7 +141,7 @@ fn crosses(states: States, caption: &str) -> Illustration {
 /// Crosses over horizons.
 pub(super) fn horizons() -> Illustration {
     let caption = "Figure 6: damage of the crosses for horizons of 4, 15 and 25 h, with h = R/30 and one contact stiffness. \
-        The zone grows with the horizon.";
+        After 400 ns the zone grows with the horizon; after 1 us that for 25 h is a tenth smaller than that for 15 h.";
     crosses(HORIZONS, caption)
 }
 
