@@ -3,5 +3,5 @@
 mod run;
 mod scene;
 
-pub use run::{links, run, series_columns, shown, stability, world};
+pub use run::{damage_colours, links, run, series_columns, shown, stability, world};
 pub use scene::Scene;

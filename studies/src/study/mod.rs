@@ -4,6 +4,7 @@ mod change;
 mod claim;
 mod curves;
 mod friction_curves;
+mod illustration;
 mod media;
 mod page;
 mod peridem;
@@ -18,11 +19,11 @@ mod thesis;
 use crate::sweep::Sweep;
 use claim::{Claim, Rule};
 use curves::{CurvePlan, Curves};
-use gouge_page::Figure;
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
+use illustration::Illustration;
 use maud::Markup;
-use pictures::Shown;
+use pictures::{Kept, Shown};
 use results::{Columns, Results};
 use std::collections::HashSet;
 use std::path::Path;
@@ -43,8 +44,8 @@ pub struct Study {
     rules: fn() -> Vec<&'static Rule>,
     /// The curves over time that it keeps.
     curves: CurvePlan,
-    /// Its figures.
-    figures: fn(&Results, &Curves) -> Vec<Figure>,
+    /// What it shows below its tables.
+    illustrations: fn(&Results, &Curves) -> Vec<Illustration>,
     /// Its tables.
     tables: fn(&Results) -> Vec<Markup>,
     /// Final states that it shows.
@@ -152,9 +153,21 @@ impl Study {
             .map(|rule| Claim::judged(rule, self.order, &results))
             .collect();
         claim::write(&claims, &out.join("claims.csv"))?;
-        let figures = (self.figures)(&results, &curves);
-        let pictures = pictures::keep(self, &results, earlier, out)?;
-        let page = page::page(self, &results, &claims, &figures, &pictures);
+        let kept = Kept {
+            results: &results,
+            earlier,
+            out,
+        };
+        let illustrations = (self.illustrations)(&results, &curves).into_iter();
+        let illustrations: Result<Vec<Markup>, Error> = illustrations
+            .chain(
+                self.pictures
+                    .iter()
+                    .map(|&shown| Illustration::Picture(shown)),
+            )
+            .map(|illustration| illustration.html(&kept))
+            .collect();
+        let page = page::page(self, &results, &claims, &illustrations?);
         write_whole(&out.join("study.html"), page.into_string().as_bytes())
     }
 }

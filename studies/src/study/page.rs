@@ -2,9 +2,10 @@
 
 use super::Study;
 use super::claim::{Claim, Finding};
+use super::illustration::STYLE;
 use super::results::{Results, Run};
-use gouge_page::{Figure, table};
-use maud::{Markup, PreEscaped, html};
+use gouge_page::table;
+use maud::{Markup, html};
 use std::collections::BTreeMap;
 
 /// The page: verdicts first, then what was run, then figures.
@@ -12,11 +13,11 @@ pub fn page(
     study: &Study,
     results: &Results,
     claims: &[Claim],
-    figures: &[Figure],
-    pictures: &[(String, String)],
+    illustrations: &[Markup],
 ) -> Markup {
-    gouge_page::page(
+    gouge_page::styled_page(
         study.title,
+        STYLE,
         html! {
             h1 { (study.title) }
             ((study.introduction)())
@@ -29,10 +30,7 @@ pub fn page(
             (lost(results))
             @for table in (study.tables)(results) { (table) }
             h2 { "Figures" }
-            @for figure in figures { (figure.html()) }
-            @for (caption, picture) in pictures {
-                figure { (PreEscaped(picture)) figcaption { (caption) } }
-            }
+            @for illustration in illustrations { (illustration) }
             h2 { "Data" }
             p {
                 "One row a run: " a href="runs.csv" { "runs.csv" }

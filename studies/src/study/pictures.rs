@@ -1,6 +1,5 @@
 //! Pictures of final states, kept beside the tables of a study.
 
-use super::Study;
 use super::results::{Results, Run};
 use gouge_runner::error::Error;
 use gouge_runner::run::write_whole;
@@ -22,7 +21,10 @@ pub struct Shown {
 
 impl Shown {
     fn path(&self, folder: &Path) -> PathBuf {
-        let values = self.axes.iter().map(|(_, value)| value.replace(' ', "-"));
+        let values = self
+            .axes
+            .iter()
+            .map(|(_, value)| value.replace([' ', '/'], "-"));
         let name: Vec<String> = [self.part.to_owned()].into_iter().chain(values).collect();
         folder.join(FOLDER).join(name.join("-") + ".svg")
     }
@@ -44,38 +46,45 @@ impl Shown {
         };
         format!("Final state, {}{seed} ({}).", axes.join(", "), self.part)
     }
-
-    /// The picture and its caption: that of a run below `out`, or the one that an earlier study kept.
-    fn find(&self, results: &Results, earlier: &[&Path], out: &Path) -> Option<(Vec<u8>, String)> {
-        let run = results.runs().iter().find(|run| self.is_of(run))?;
-        let own = out.join(&run.part).join("runs").join(&run.name);
-        let kept = earlier.iter().map(|folder| self.path(folder));
-        let mut places = [own.join("picture.svg")].into_iter().chain(kept);
-        let bytes = places.find_map(|path| std::fs::read(path).ok())?;
-        Some((bytes, self.caption(run)))
-    }
 }
 
-/// Copy the pictures of a study that exist; their captions and texts.
-///
-/// # Errors
-/// Failures of the file system.
-pub fn keep(
-    study: &Study,
-    results: &Results,
-    earlier: &[&Path],
-    out: &Path,
-) -> Result<Vec<(String, String)>, Error> {
-    let mut pictures = Vec::new();
-    for shown in study.pictures {
-        let Some((bytes, caption)) = shown.find(results, earlier, out) else {
-            continue;
+/// Where pictures of a study come from and where they are kept.
+pub struct Kept<'a> {
+    /// All runs.
+    pub results: &'a Results,
+    /// Folders of earlier studies.
+    pub earlier: &'a [&'a Path],
+    /// Folder of the study.
+    pub out: &'a Path,
+}
+
+impl Kept<'_> {
+    /// The picture of a state and its caption, copied to the pictures of the study: that of a run of the study, or the
+    /// one that an earlier study kept; none without both.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn picture(&self, shown: &Shown) -> Result<Option<(String, String)>, Error> {
+        let Some((bytes, caption)) = self.find(shown) else {
+            return Ok(None);
         };
-        let path = shown.path(out);
-        let folder = path.parent().unwrap_or(out);
+        let path = shown.path(self.out);
+        let folder = path.parent().unwrap_or(self.out);
         std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
         write_whole(&path, &bytes)?;
-        pictures.push((caption, String::from_utf8_lossy(&bytes).into_owned()));
+        Ok(Some((
+            String::from_utf8_lossy(&bytes).into_owned(),
+            caption,
+        )))
     }
-    Ok(pictures)
+
+    fn find(&self, shown: &Shown) -> Option<(Vec<u8>, String)> {
+        let mut runs = self.results.runs().iter();
+        let run = runs.find(|run| shown.is_of(run))?;
+        let own = self.out.join(&run.part).join("runs").join(&run.name);
+        let kept = self.earlier.iter().map(|folder| shown.path(folder));
+        let mut places = [own.join("picture.svg")].into_iter().chain(kept);
+        let bytes = places.find_map(|path| std::fs::read(path).ok())?;
+        Some((bytes, shown.caption(run)))
+    }
 }

@@ -17,6 +17,7 @@ mod tables;
 
 pub use begin::world;
 pub use links::links;
+pub use picture::damage_colours;
 pub use samples::columns as series_columns;
 pub use shown::shown;
 pub use stability::stability;

@@ -3,6 +3,7 @@
 use super::super::Scene;
 use super::begin::mode_text;
 use super::mesh::Cells;
+use super::samples::crack;
 use crate::run::legend::{Legend, ramp};
 use crate::run::picture::{View, framed_with, rounded};
 use gouge_common::geometry::Vec2;
@@ -20,6 +21,11 @@ const MARGIN: f64 = 0.02;
 /// By how much discs of nodes of a triangulation are larger than squares of their areas.
 const COVER: f64 = 1.35;
 
+/// The colours of damage, from none to all bonds broken.
+pub fn damage_colours() -> Vec<String> {
+    ramp(&COLOURS, SHADES)
+}
+
 /// The state of a scene as a picture with a scale bar and a legend.
 pub fn draw(scene: &Scene, world: &World, cells: &[Cells]) -> Document {
     let view = view(world);
@@ -32,15 +38,25 @@ pub fn draw(scene: &Scene, world: &World, cells: &[Cells]) -> Document {
     let legend = Legend {
         label: "damage",
         ends: ["0", "1"],
-        colours: ramp(&COLOURS, SHADES),
+        colours: damage_colours(),
     };
-    let parts = [nodes(world, cells, &view), walls(world, &view)];
+    let lines = Group::new()
+        .add(walls(world, &view))
+        .add(cracks(scene, world, &view));
+    let parts = [nodes(world, cells, &view), lines];
     framed_with(&view, &title, parts, Some(&legend))
 }
 
-/// All nodes with a margin, and the walls near them.
+/// All nodes that still have bonds, or all nodes if none has, with a margin, and the walls near them.
 fn view(world: &World) -> View {
-    let positions = || world.state().places.iter().map(|place| place.position());
+    let nodes = || 0..world.grains().nodes();
+    let is_bonded = |&node: &usize| world.bonds().damage(node) < 1.0;
+    let has_bonds = nodes().any(|node| is_bonded(&node));
+    let shown = nodes().filter(|node| !has_bonds || is_bonded(node));
+    let positions = || {
+        let places = shown.clone();
+        places.map(|node| world.state().places[node].position())
+    };
     let mut low = Vec2::new(f64::INFINITY, f64::INFINITY);
     let mut high = -low;
     for p in positions().filter(|p| p.is_finite()) {
@@ -77,7 +93,7 @@ fn view(world: &World) -> View {
 
 /// One path of dots per grain and colour, so that the picture stays small.
 fn nodes(world: &World, cells: &[Cells], view: &View) -> Group {
-    let colours = ramp(&COLOURS, SHADES);
+    let colours = damage_colours();
     let mut group = Group::new().set("fill", "none");
     for (row, cells) in world.grains().rows.iter().zip(cells) {
         let mut dots = vec![String::new(); SHADES];
@@ -134,6 +150,29 @@ fn walls(world: &World, view: &View) -> Group {
             .set("y1", rounded(y1))
             .set("x2", rounded(x2))
             .set("y2", rounded(y2));
+        group = group.add(line);
+    }
+    group
+}
+
+/// The lines whose directions and lengths the scene measures, from the undeformed tips.
+fn cracks(scene: &Scene, world: &World, view: &View) -> Group {
+    let mut group = Group::new()
+        .set("stroke", "#0072b2")
+        .set("stroke-width", 4)
+        .set("stroke-dasharray", "14 8");
+    for table in &scene.cracks {
+        let Some(crack) = crack(world, table) else {
+            continue;
+        };
+        let along = Vec2::new(libm::cos(crack.angle), libm::sin(crack.angle));
+        let end = table.tip + along * crack.length;
+        let [from, to] = [table.tip, end].map(|point| view.at(point.x, point.y).map(rounded));
+        let line = Line::new()
+            .set("x1", from[0])
+            .set("y1", from[1])
+            .set("x2", to[0])
+            .set("y2", to[1]);
         group = group.add(line);
     }
     group

@@ -4,6 +4,7 @@ use super::change::Change;
 use super::claim::{Finding, Rule};
 use super::curves::Curves;
 use super::friction_curves::FRICTION;
+use super::illustration::each;
 use super::results::{Results, Run};
 use super::sample::Sample;
 use super::{Part, Scale, Study};
@@ -20,7 +21,7 @@ pub static STUDY: Study = Study {
     order: &[PART],
     rules: || RULES.iter().collect(),
     curves: FRICTION,
-    figures,
+    illustrations: |results, curves| each(figures(results, curves)),
     tables: |_| Vec::new(),
     pictures: &[],
 };

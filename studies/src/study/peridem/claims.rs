@@ -1,11 +1,12 @@
 //! The claims of the paper, with rules that were fixed before the runs.
 
-use super::{CROSSES, CROSSES_FINE, KALTHOFF, NOTCH, PRINTED_NOTCH};
+use super::square::{pieces, printed_pieces, times};
+use super::{CROSSES, CROSSES_FINE, KALTHOFF};
 use crate::study::claim::{Finding, Rule, Verdict};
 use crate::study::results::Run;
 use crate::study::sample::Sample;
 
-pub(super) static RULES: [Rule; 9] = [
+pub(super) static RULES: [Rule; 11] = [
     Rule {
         statement: "The cracks of the notched plate run at about 68 degrees from the notches (figure 4b).",
         rule: "Every angle on grids of at most 1 mm lies within 56 to 70 degrees.",
@@ -20,6 +21,11 @@ pub(super) static RULES: [Rule; 9] = [
         statement: "The cracks cross the plate.",
         rule: "They are longer than 40 mm after 80 us on every grid.",
         test: length,
+    },
+    Rule {
+        statement: "The cracks start at the notches, not where the impactor hits (figure 4b).",
+        rule: "No node within 24.5 mm of the middle of the edge that is hit loses more than 35 % of its bonds, on every grid.",
+        test: impact,
     },
     Rule {
         statement: "Bonds break at abs(s) > s0, also when they are compressed (section 3.1).",
@@ -45,6 +51,11 @@ pub(super) static RULES: [Rule; 9] = [
         statement: "The notched square breaks into two pieces for 135 J/m^2 and into three for 13.5 J/m^2 (figure 9).",
         rule: "With the sizes of the public script it does so within 70 us on most meshes.",
         test: pieces,
+    },
+    Rule {
+        statement: "It does so by 50 us for 135 J/m^2 and by 40 us for 13.5 J/m^2 (figure 9).",
+        rule: "On every mesh the last piece separates within 1.5 times these times.",
+        test: times,
     },
     Rule {
         statement: "It does so with the printed sizes, a square of 1 mm.",
@@ -132,6 +143,14 @@ fn length(sample: &Sample) -> Option<Finding> {
     )
 }
 
+fn impact(sample: &Sample) -> Option<Finding> {
+    let runs = plates(sample, "tension only", "off");
+    // Without a damaged node there is no distance.
+    let reach = |run: &Run| Some(run.number("broken_at_impact").unwrap_or(0.0));
+    let unit = " mm from the middle";
+    judged(&runs, "grid", reach, unit, |d| d == 0.0, Verdict::Refuted)
+}
+
 fn two_sided(sample: &Sample) -> Option<Finding> {
     let runs = plates(sample, "two-sided", "off");
     // Without a damaged node there is no crack.
@@ -193,51 +212,4 @@ fn spacing(sample: &Sample) -> Option<Finding> {
     );
     let is_met = change.abs() < 0.15;
     Some(Finding::new(Verdict::of(is_met, !is_met), numbers))
-}
-
-/// Numbers of pieces of the square by fracture energy; two planks are whole.
-fn square(sample: &Sample, energy: &str) -> Vec<(String, f64)> {
-    let runs = sample.runs().filter(|run| run.text("Gc") == energy);
-    let pieces = |run: &Run| {
-        Some((
-            run.text("spacing").to_owned(),
-            run.number("pieces_last")? - 2.0,
-        ))
-    };
-    runs.filter_map(pieces).collect()
-}
-
-/// Whether most meshes give two and three pieces, and all numbers.
-fn pieces_of(sample: &Sample) -> Option<(bool, String)> {
-    let mut is_met = true;
-    let mut said = Vec::new();
-    for (energy, expected) in [("135", 2.0), ("13.5", 3.0)] {
-        let all = square(sample, energy);
-        if all.is_empty() {
-            return None;
-        }
-        let met = all.iter().filter(|(_, pieces)| *pieces == expected).count();
-        is_met &= 2 * met > all.len();
-        let numbers: Vec<String> = all
-            .iter()
-            .map(|(mesh, pieces)| format!("{pieces} ({mesh})"))
-            .collect();
-        said.push(format!("{energy} J/m²: {}", numbers.join(", ")));
-    }
-    Some((is_met, said.join("; ") + "."))
-}
-
-fn pieces(sample: &Sample) -> Option<Finding> {
-    let (is_met, numbers) = (sample.part == NOTCH).then(|| pieces_of(sample))??;
-    Some(Finding::new(Verdict::of(is_met, false), numbers))
-}
-
-fn printed_pieces(sample: &Sample) -> Option<Finding> {
-    let (is_met, numbers) = (sample.part == PRINTED_NOTCH).then(|| pieces_of(sample))??;
-    let verdict = if is_met {
-        Verdict::Holds
-    } else {
-        Verdict::NotAsPrinted
-    };
-    Some(Finding::new(verdict, numbers))
 }

@@ -1,7 +1,9 @@
 //! Tables of the paper, and of the runs.
 
 use super::claims::from_notch;
-use super::{CROSSES, CROSSES_FINE, KALTHOFF, NOTCH, PRINTED_NOTCH};
+use super::{
+    CROSSES, CROSSES_FINE, KALTHOFF, NOTCH, NOTCH_CONTACT, NOTCH_FINE, PRINTED_NOTCH, printed,
+};
 use crate::study::results::{Results, Run};
 use crate::study::sample::Sample;
 use gouge_page::table;
@@ -18,13 +20,20 @@ pub(super) fn tables(results: &Results) -> Vec<Markup> {
             "The notched square, sizes of the public script",
             PIECES,
         ),
+        (
+            NOTCH_CONTACT,
+            "The notched square with stiffer contacts",
+            CONTACTS,
+        ),
+        (NOTCH_FINE, "The notched square on finer meshes", PIECES),
         (PRINTED_NOTCH, "The notched square, printed sizes", PIECES),
     ];
     let of_runs = runs
         .iter()
         .filter_map(|(part, caption, columns)| table_of_runs(results, part, caption, columns));
-    constants()
+    [printed::table(results)]
         .into_iter()
+        .chain(constants())
         .chain([materials()])
         .chain(of_runs)
         .collect()
@@ -50,6 +59,16 @@ const AREAS: Columns = &[
 const PIECES: Columns = &[
     ("Gc", "Gc", None),
     ("spacing", "spacing", None),
+    ("pieces with two planks", "pieces_last", Some((1.0, 0))),
+    ("two pieces at us", "two_pieces", Some((1.0, 1))),
+    ("three pieces at us", "three_pieces", Some((1.0, 1))),
+    ("broken bonds", "broken_bonds_last", Some((1.0, 0))),
+];
+
+const CONTACTS: Columns = &[
+    ("Gc", "Gc", None),
+    ("spacing", "spacing", None),
+    ("stiffness over c/R_c", "contact", None),
     ("pieces with two planks", "pieces_last", Some((1.0, 0))),
     ("two pieces at us", "two_pieces", Some((1.0, 1))),
     ("three pieces at us", "three_pieces", Some((1.0, 1))),

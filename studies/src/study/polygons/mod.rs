@@ -8,6 +8,7 @@ mod sweeps;
 mod tables;
 
 use super::Study;
+use super::illustration::each;
 use super::pictures::Shown;
 use maud::{Markup, html};
 
@@ -20,7 +21,7 @@ pub static STUDY: Study = Study {
     order: &["shapes", "tolerance", "bias", "step", "number", "inertia"],
     rules: || claims::RULES.iter().collect(),
     curves: figures::CURVES,
-    figures: figures::figures,
+    illustrations: |results, curves| each(figures::figures(results, curves)),
     tables: tables::tables,
     pictures: &[
         shown(&[("shape", "disc")]),

@@ -4,6 +4,7 @@ use super::change::Change;
 use super::claim::{Finding, Rule, Verdict, within_or_beyond};
 use super::curves::Curves;
 use super::friction_curves::FRICTION;
+use super::illustration::each;
 use super::results::Results;
 use super::sample::Sample;
 use super::{Part, Scale, Study};
@@ -30,7 +31,7 @@ pub static STUDY: Study = Study {
     ],
     rules: || RULES.iter().collect(),
     curves: FRICTION,
-    figures,
+    illustrations: |results, curves| each(figures(results, curves)),
     tables: |results| vec![calibrated(), tension_of_all(results)],
     pictures: &[],
 };

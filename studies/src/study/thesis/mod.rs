@@ -6,6 +6,7 @@ mod printed;
 mod table;
 
 use super::friction_curves::FRICTION;
+use super::illustration::each;
 use super::pictures::Shown;
 use super::results::Results;
 use super::sample::Sample;
@@ -27,7 +28,7 @@ pub static STUDY: Study = Study {
     ],
     rules: || claims::rules().chain(&table::RULES).collect(),
     curves: FRICTION,
-    figures: figures::all,
+    illustrations: |results, curves| each(figures::all(results, curves)),
     tables,
     pictures: &PICTURES,
 };
