@@ -33,7 +33,7 @@ pub fn checks() -> Vec<Check> {
             "peridem.lammps.motion",
             "Nodes move as in LAMMPS, to rounding, while bonds hold and after they break.",
             "Largest difference of a position in units of the length of the plate, and of a velocity in units of ten times the largest one",
-            "LAMMPS rounds positions of 1 m, by 1e-16 m each, and takes elongations from them; 1000 steps that err in one direction add up to 1e-13 m of 1.2 m. An elongation that is wrong by d changes an acceleration by up to w^2 d, with w = 5e4/s of the fastest mode: 1.6e-10 m/s in a random walk of 1000 steps, of 40 m/s",
+            "LAMMPS rounds positions of 1 m, by 1e-16 m each, and takes elongations from them; 1000 steps that err in one direction add up to 1e-13 m of 1.2 m. An elongation that is wrong by d changes an acceleration by up to w^2 d, with w below 3e4/s by row sums: 6e-11 m/s in a random walk of 1000 steps, of 40 m/s",
             motion,
         ),
         check(

@@ -147,8 +147,8 @@ fn displaced(grain: &Grain, step: f64, of: impl Fn(usize) -> Vec2) -> Result<Wor
 /// Amplitude of the noise in m with which a grain begins.
 const NOISE: f64 = 1e-12;
 
-/// Largest displacement in m of a grain that begins with noise, every 20 steps of a factor of the critical one; the last one
-/// is infinite if a step fails.
+/// Largest displacement in m of a grain that begins with noise, by the number of steps, every 20 of them; infinite in a step
+/// that fails.
 fn noise(grain: &Grain, step: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let mut random = Random::new(271);
     let noise: Vec<_> = (0..grain.position.len())
