@@ -3,7 +3,6 @@
 mod bad_cases;
 mod motions;
 mod networks;
-mod perigrain;
 mod states;
 
 use crate::program::{run, stderr, stdout};

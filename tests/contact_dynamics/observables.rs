@@ -520,7 +520,10 @@ fn vertices_meet_tip_to_tip_only() {
     // Vertices of both are on the x axis.
     assert_eq!(meetings([1.99, 0.0], 0.0), 1);
     // Turned around its vertex, which is moved by (-0.01, 0.002).
-    assert_eq!(meetings([0.99 + 0.1f64.cos(), 0.002 + 0.1f64.sin()], 0.1), 1);
+    assert_eq!(
+        meetings([0.99 + 0.1f64.cos(), 0.002 + 0.1f64.sin()], 0.1),
+        1
+    );
     // A side of the second one faces the vertex.
     assert_eq!(meetings([1.86, 0.1], PI / 6.0), 0);
     // Two parallel sides overlap in part: a vertex of each lies in the other.

@@ -156,17 +156,12 @@ impl Case {
 
     /// Inputs of the engine that are not those that it was given.
     pub fn changed_inputs(&self) -> Vec<&str> {
-        let recorded = self.result.inputs.iter();
-        let is_other = |(path, hash): &(&String, &String)| self.hashes.get(*path) != Some(*hash);
-        recorded
-            .filter(is_other)
-            .map(|(path, _)| path.as_str())
-            .collect()
+        self.result.changed_inputs(&self.hashes)
     }
 }
 
 /// SHA-256 of all files of a folder and of its subfolders.
-fn hashes(folder: &Dir) -> BTreeMap<String, String> {
+pub(super) fn hashes(folder: &Dir) -> BTreeMap<String, String> {
     let below = folder.dirs().flat_map(Dir::files);
     let files = folder.files().chain(below);
     let hash = |file: &include_dir::File| {

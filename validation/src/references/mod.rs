@@ -7,12 +7,14 @@
 mod case;
 mod one_step;
 mod packing;
+mod plate;
 mod result;
 
 pub use case::{Case, Compared, Control, Observable, Statistic};
 pub use gouge_runner::references::{Run, paths};
 pub use one_step::{OneStep, Point, Unit};
 pub use packing::{Grain, Packing};
+pub use plate::{Node, Plate};
 pub use result::{Recorded, RecordedRun, Table};
 
 use std::collections::BTreeMap;

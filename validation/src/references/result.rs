@@ -25,6 +25,15 @@ pub struct Recorded {
     pub runs: Vec<RecordedRun>,
 }
 
+impl Recorded {
+    /// Inputs whose SHA-256 is not that with which the engine was given them.
+    pub(super) fn changed_inputs(&self, hashes: &BTreeMap<String, String>) -> Vec<&str> {
+        let is_other = |(path, hash): &(&String, &String)| hashes.get(*path) != Some(*hash);
+        let others = self.inputs.iter().filter(is_other);
+        others.map(|(path, _)| path.as_str()).collect()
+    }
+}
+
 /// The result of one run.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -43,7 +52,7 @@ pub struct RecordedRun {
 pub type Moment<'a> = (u64, &'a [Vec<f64>]);
 
 /// A table of numbers.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Table {
     /// Names of the columns.

@@ -3,7 +3,8 @@
 use super::grains::{WEIGHTS, block, bonds_only, cloud, disc};
 use crate::checks::random::Random;
 use crate::checks::{
-    Check, Effort, Exhibit, Failure, Measurement, Origin, Outcome, Table, peridem,
+    Axis, Check, Curve, Effort, Exhibit, Failure, Figure, Measurement, Origin, Outcome, Table,
+    largest, peridem,
 };
 use crate::oracles::peridem::WEIGHTS as FUNCTIONS;
 use gouge_common::geometry::Vec2;
@@ -143,32 +144,65 @@ fn displaced(grain: &Grain, step: f64, of: impl Fn(usize) -> Vec2) -> Result<Wor
     )?)
 }
 
+/// Amplitude of the noise in m with which a grain begins.
+const NOISE: f64 = 1e-12;
+
+/// Largest displacement in m of a grain that begins with noise, by the number of steps, every 20 of them; infinite in a step
+/// that fails.
+fn noise(grain: &Grain, step: f64) -> Result<Vec<[f64; 2]>, Failure> {
+    let mut random = Random::new(271);
+    let noise: Vec<_> = (0..grain.position.len())
+        .map(|_| Vec2::new(random.between(-NOISE, NOISE), random.between(-NOISE, NOISE)))
+        .collect();
+    let mut world = displaced(grain, step, |node| noise[node])?;
+    let mut sizes = Vec::new();
+    for number in 1..=3000 {
+        if world.step().is_err() {
+            sizes.push([f64::from(number), f64::INFINITY]);
+            break;
+        }
+        if number % 20 == 0 {
+            let places = world.state().places.iter();
+            let size = largest(places.map(|place| place.displacement.norm()));
+            sizes.push([f64::from(number), size]);
+        }
+    }
+    Ok(sizes)
+}
+
 fn both_sides() -> Outcome {
-    const NOISE: f64 = 1e-12;
     let mut wrong = 0;
-    for weight in WEIGHTS {
+    let mut curves = Vec::new();
+    for (weight, (name, _)) in WEIGHTS.into_iter().zip(FUNCTIONS) {
         let grain = disc(1.8e-4, Vec2::zero(), weight)?;
         let exact = limits(&grain)?.exact;
         for (factor, is_stable) in [(0.999, true), (1.001, false)] {
-            let mut random = Random::new(271);
-            let noise: Vec<_> = (0..grain.position.len())
-                .map(|_| Vec2::new(random.between(-NOISE, NOISE), random.between(-NOISE, NOISE)))
-                .collect();
-            let mut world = displaced(&grain, factor * exact, |node| noise[node])?;
-            let mut has_grown = false;
-            for _ in 0..3000 {
-                if world.step().is_err() {
-                    has_grown = true;
-                    break;
-                }
-            }
-            let places = world.state().places.iter();
-            let sizes = places.map(|place| place.displacement.norm());
-            let largest = sizes.fold(0.0, f64::max);
-            let is_bounded = !has_grown && largest < 1e3 * NOISE;
-            has_grown |= largest.is_nan() || largest > 1e6 * NOISE;
-            wrong += usize::from(if is_stable { !is_bounded } else { !has_grown });
+            let sizes = noise(&grain, factor * exact)?;
+            let most = largest(sizes.iter().map(|point| point[1]));
+            let is_right = if is_stable {
+                most < 1e3 * NOISE
+            } else {
+                most.is_nan() || most > 1e6 * NOISE
+            };
+            wrong += usize::from(!is_right);
+            // Bonds are no longer linear beyond 1e-5 m.
+            let is_shown = |[step, size]: &[f64; 2]| *step <= 600.0 && *size < 1e-5;
+            let shown = sizes.into_iter().take_while(is_shown);
+            let label = format!("{name}, {factor} of the critical step");
+            curves.push(Curve::line(&label, shown));
         }
     }
-    Ok(Measurement::count(wrong).into())
+    let rate = 2.0 * 1.001_f64.acosh();
+    let growth = (0..=160).map(|number| {
+        let step = f64::from(number);
+        [step, NOISE * (rate * step).exp()]
+    });
+    curves.push(Curve::dashed("exp(2 arcosh(1.001)) per step", growth));
+    let figure = Figure::new(
+        "Noise in a disc on both sides of the critical step of its matrix",
+        Axis::linear("step", ""),
+        Axis::logarithmic("largest displacement", "m"),
+        curves,
+    );
+    Ok(Measurement::count(wrong).showing([Exhibit::Figure(figure)]))
 }
