@@ -10,23 +10,71 @@ const FOLDER: &str = "pictures";
 /// Seed of the runs that are shown.
 const SEED: &str = "0";
 
-/// A run whose final state is shown: its part of the study, and its values of some axes.
+/// A picture of a run: of which part of the study, and of which values of some axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
-    /// Part of the study.
-    pub part: &'static str,
-    /// Axes and their values.
-    pub axes: &'static [(&'static str, &'static str)],
+    part: &'static str,
+    axes: Axes,
+    subject: &'static Subject,
 }
 
+/// What a picture shows.
+#[derive(Debug)]
+struct Subject {
+    /// Its file in the folder of a run.
+    file: &'static str,
+    /// What it shows, at the beginning of a caption.
+    caption: &'static str,
+    /// End of the name of the picture that is kept.
+    ending: &'static str,
+}
+
+const FINAL_STATE: Subject = Subject {
+    file: "picture.svg",
+    caption: "Final state",
+    ending: ".svg",
+};
+
+const DIRECTIONS: Subject = Subject {
+    file: "directions.svg",
+    caption: "Contacts, forces and branch vectors by the direction of the normal (blue) and their expansions to first order \
+        (orange)",
+    ending: "-directions.svg",
+};
+
+/// Axes and their values.
+pub type Axes = &'static [(&'static str, &'static str)];
+
 impl Shown {
+    /// The final state of a run.
+    pub const fn final_state(part: &'static str, axes: Axes) -> Self {
+        let subject = &FINAL_STATE;
+        Self {
+            part,
+            axes,
+            subject,
+        }
+    }
+
+    /// The polar diagrams of a run of contact dynamics.
+    pub const fn directions(part: &'static str, axes: Axes) -> Self {
+        let subject = &DIRECTIONS;
+        Self {
+            part,
+            axes,
+            subject,
+        }
+    }
+
     fn path(&self, folder: &Path) -> PathBuf {
         let values = self
             .axes
             .iter()
             .map(|(_, value)| value.replace([' ', '/'], "-"));
         let name: Vec<String> = [self.part.to_owned()].into_iter().chain(values).collect();
-        folder.join(FOLDER).join(name.join("-") + ".svg")
+        folder
+            .join(FOLDER)
+            .join(name.join("-") + self.subject.ending)
     }
 
     fn is_of(&self, run: &Run) -> bool {
@@ -44,7 +92,8 @@ impl Shown {
             "" => String::new(),
             seed => format!(", seed {seed}"),
         };
-        format!("Final state, {}{seed} ({}).", axes.join(", "), self.part)
+        let caption = self.subject.caption;
+        format!("{caption}, {}{seed} ({}).", axes.join(", "), self.part)
     }
 }
 
@@ -83,7 +132,7 @@ impl Kept<'_> {
         let run = runs.find(|run| shown.is_of(run))?;
         let own = self.out.join(&run.part).join("runs").join(&run.name);
         let kept = self.earlier.iter().map(|folder| shown.path(folder));
-        let mut places = [own.join("picture.svg")].into_iter().chain(kept);
+        let mut places = [own.join(shown.subject.file)].into_iter().chain(kept);
         let bytes = places.find_map(|path| std::fs::read(path).ok())?;
         Some((bytes, shown.caption(run)))
     }

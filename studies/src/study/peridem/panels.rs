@@ -12,34 +12,34 @@ type States = &'static [Shown];
 
 /// Figure 4b.
 const PLATES: States = &[
-    Shown {
-        part: KALTHOFF,
-        axes: &[
+    Shown::final_state(
+        KALTHOFF,
+        &[
             ("grid", "1 mm, 4 h"),
             ("breaking", "tension only"),
             ("self contact", "off"),
         ],
-    },
-    Shown {
-        part: KALTHOFF,
-        axes: &[
+    ),
+    Shown::final_state(
+        KALTHOFF,
+        &[
             ("grid", "0.5 mm, 4 h"),
             ("breaking", "tension only"),
             ("self contact", "off"),
         ],
-    },
-    Shown {
-        part: KALTHOFF,
-        axes: &[
+    ),
+    Shown::final_state(
+        KALTHOFF,
+        &[
             ("grid", "1 mm, 4 h"),
             ("breaking", "two-sided"),
             ("self contact", "off"),
         ],
-    },
+    ),
 ];
 
 const fn cross(part: &'static str, axes: &'static [(&'static str, &'static str)]) -> Shown {
-    Shown { part, axes }
+    Shown::final_state(part, axes)
 }
 
 /// Figure 6.
@@ -63,10 +63,7 @@ const SPACINGS: States = &[
 ];
 
 const fn frame(axes: &'static [(&'static str, &'static str)]) -> Shown {
-    Shown {
-        part: NOTCH_FRAMES,
-        axes,
-    }
+    Shown::final_state(NOTCH_FRAMES, axes)
 }
 
 /// Figure 9.

@@ -8,7 +8,7 @@ use crate::study::claim::{Finding, Rule, Verdict};
 use crate::study::results::Run;
 use crate::study::sample::Sample;
 
-pub(super) static RULES: [Rule; 11] = [
+pub(super) static RULES: [Rule; 12] = [
     Rule {
         statement: "The printed values are reproduced.",
         rule: "At least 80 % of the rows with a tolerance are met; refuted if fewer than 60 % are.",
@@ -58,6 +58,11 @@ pub(super) static RULES: [Rule; 11] = [
         statement: "The stresses of side-vertex and side-side contacts add up.",
         rule: "q_sv + q_ss = q within 1e-12 p in every run.",
         test: parts_add_up,
+    },
+    Rule {
+        statement: "Contacts of two vertices are rare (figure 2).",
+        rule: "For all shapes their share is below 0.01; refuted if one exceeds 0.03.",
+        test: vertices,
     },
     Rule {
         statement: "Overlaps never exceed one hundredth of the diameter.",
@@ -300,6 +305,12 @@ fn parts_add_up(sample: &Sample) -> Option<Finding> {
         Verdict::of(most < 1e-12, most > 1e-9),
         numbers,
     ))
+}
+
+fn vertices(sample: &Sample) -> Option<Finding> {
+    let (sides, most) = largest(&all_shapes(sample, "vertex_vertex")?)?;
+    let numbers = format!("Largest share {most:.4}, for {}.", name(sides));
+    Some(Finding::new(Verdict::of(most < 0.01, most > 0.03), numbers))
 }
 
 fn overlaps(sample: &Sample) -> Option<Finding> {

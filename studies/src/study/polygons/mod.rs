@@ -28,12 +28,13 @@ pub static STUDY: Study = Study {
         shown(&[("shape", "10 sides")]),
         shown(&[("shape", "pentagon")]),
         shown(&[("shape", "triangle")]),
+        Shown::directions(SHAPES, &[("shape", "hexagon")]),
     ],
 };
 
-/// Pictures as in figures 7 and 14 of the paper.
+/// Pictures as in figures 7 and 14 of the paper; the polar diagrams are those of figure 11.
 const fn shown(axes: &'static [(&'static str, &'static str)]) -> Shown {
-    Shown { part: SHAPES, axes }
+    Shown::final_state(SHAPES, axes)
 }
 
 /// The part with all shapes.

@@ -46,7 +46,7 @@ static PICTURES: [Shown; 8] = [
 ];
 
 const fn shown(part: &'static str, axes: &'static [(&'static str, &'static str)]) -> Shown {
-    Shown { part, axes }
+    Shown::final_state(part, axes)
 }
 
 /// The sweep files.
