@@ -107,7 +107,8 @@ fn introduction() -> Markup {
         }
         p {
             "Verdicts: " i { "holds" } ", " i { "refuted" } ", and " i { "not reproducible as printed" } " where the printed "
-            "numbers do not give the printed result, but others do."
+            "numbers do not give the printed result, but others do. "
+            "The rules on the edge that is hit and on the times of figure 9 were written after first runs."
         }
     }
 }
