@@ -13,8 +13,10 @@ const SEED: &str = "0";
 /// A picture of a run: of which part of the study, and of which values of some axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
-    part: &'static str,
-    axes: Axes,
+    /// Part of the study.
+    pub part: &'static str,
+    /// Axes and their values.
+    pub axes: Axes,
     subject: &'static Subject,
 }
 
