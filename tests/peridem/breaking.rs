@@ -4,7 +4,9 @@ use crate::cloud::{H, at_rest, forces, grain, lattice, run, settings, world};
 use crate::quadrature::Random;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
-use gouge_peridem::grain::Grain;
+use gouge_peridem::bonds::Bonds;
+use gouge_peridem::error::SetupError;
+use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::Weight;
 use gouge_peridem::world::World;
 use std::collections::BTreeSet;
@@ -190,4 +192,24 @@ fn nodes_at_exactly_the_horizon_are_bonded() {
         let (_, state) = at_rest(&[pair]);
         assert_eq!(state.bonds.count(), number, "{horizon}");
     }
+}
+
+#[test]
+fn bonds_of_nodes_that_do_not_exist_are_refused() {
+    let blocks = [2, 3].map(|columns| grain(lattice(columns, 1), 1.5, Weight::Constant));
+    let grains = Grains::new(&blocks).unwrap();
+    let of = |pair: [usize; 2]| Bonds::from_pairs(&grains, &[vec![[0, 1]], vec![pair]]);
+    assert_eq!(of([2, 0]).unwrap().count(), 2);
+    let (grain, nodes) = (1, 3);
+    for node in [3, 4] {
+        let expected = SetupError::MissingNode { grain, node, nodes };
+        assert_eq!(of([1, node]), Err(expected));
+    }
+    let wrong = |pairs: &[[usize; 2]]| Bonds::from_pairs(&grains, &[Vec::new(), pairs.to_vec()]);
+    let bond = |i, j, what| Err(SetupError::Bond { grain, i, j, what });
+    assert_eq!(
+        wrong(&[[1, 1]]),
+        bond(1, 1, "a bond of one node with itself")
+    );
+    assert_eq!(wrong(&[[2, 0], [0, 2]]), bond(0, 2, "two bonds"));
 }

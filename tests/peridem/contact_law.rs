@@ -339,6 +339,98 @@ fn the_largest_step_is_sharp() {
 }
 
 #[test]
+fn printed_signs_turn_damping_and_friction_around() {
+    let mut random = Random(12);
+    for _ in 0..100 {
+        let pair = random_pair(&mut random);
+        let [one, printed] = [ContactReading::OneSided, ContactReading::Printed]
+            .map(|reading| law(reading).force(&pair, &spring(), &STEP));
+        assert_eq!(printed.repulsion, one.repulsion);
+        assert_eq!(printed.friction, -one.friction);
+        let sum = printed.damping * pair.velocity.norm() + one.damping;
+        assert!(sum.norm() <= 1e-14 * one.damping.norm());
+        assert_eq!(printed.motion, one.motion);
+    }
+}
+
+#[test]
+fn nodes_stick_up_to_the_limit_of_friction() {
+    let law = law(ContactReading::Symmetric);
+    let mut pair = random_pair(&mut Random(13));
+    pair.separation = Vec2::new(5e-5, 0.0);
+    let reduced = 1.0 / (1.0 / pair.x.mass() + 1.0 / pair.y.mass());
+    for (factor, motion) in [(1.0 - 1e-7, Motion::Stick), (1.0 + 1e-7, Motion::Slip)] {
+        let limit = 0.8 * law.force(&pair, &spring(), &STEP).repulsion.norm();
+        pair.velocity = Vec2::new(0.0, factor * limit * STEP.time_step / reduced);
+        let force = law.force(&pair, &spring(), &STEP);
+        assert_eq!(force.motion, motion, "{factor}");
+        assert!((force.friction.norm() / limit - 1.0).abs() < 2e-7);
+    }
+}
+
+#[test]
+fn printed_and_published_stiffness_are_as_by_hand() {
+    // The harmonic mean of pi and 3 pi is 1.5 pi.
+    let mut sides = [contact_material(1.0), contact_material(1.0)];
+    sides[0].bulk_modulus = PI;
+    sides[1].bulk_modulus = 3.0 * PI;
+    for (horizons, published, printed) in [
+        ([0.5, 1.5], 27.0, 27.0),
+        ([1.5, 2.5], 27.0 / 16.0, 27.0 / 32.0),
+    ] {
+        sides[0].horizon = horizons[0];
+        sides[1].horizon = horizons[1];
+        for (rule, expected) in [
+            (ContactStiffness::Published, published),
+            (ContactStiffness::Printed, printed),
+        ] {
+            let found = rule.between(&sides[0], &sides[1], 1e-4).unwrap();
+            assert!((found / expected - 1.0).abs() < 1e-14, "{rule:?} {found}");
+        }
+    }
+}
+
+/// One step of the oscillator as a matrix, whose columns are what becomes of unit vectors of displacement, velocity and
+/// acceleration.
+fn step_matrix(frequency_squared: f64, damping_rate: f64, step: f64) -> [[f64; 3]; 3] {
+    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|[u, v, a]| {
+        let u = u + step * v + 0.5 * step * step * a;
+        let next = -frequency_squared * u - damping_rate * v;
+        [u, v + 0.5 * step * (a + next), next]
+    })
+}
+
+/// Determinant of a matrix minus a number times the identity.
+fn characteristic(mut matrix: [[f64; 3]; 3], value: f64) -> f64 {
+    for (k, column) in matrix.iter_mut().enumerate() {
+        column[k] -= value;
+    }
+    let [a, b, c] = matrix;
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+}
+
+#[test]
+fn an_eigenvalue_of_the_largest_step_has_magnitude_one() {
+    // Without damping it is -1. With damping two conjugate ones have magnitude 1 if the third is the product of all.
+    for (frequency_squared, damping_rate) in
+        [(1.0, 0.0), (3.0, 0.0), (1.0, 0.1), (2.0, 1.6), (0.01, 3.0)]
+    {
+        let limit = largest_step(frequency_squared, damping_rate);
+        let [below, above] = [1.0 - 1e-7, 1.0 + 1e-7].map(|factor| {
+            let matrix = step_matrix(frequency_squared, damping_rate, factor * limit);
+            let value = if damping_rate > 0.0 {
+                characteristic(matrix, 0.0)
+            } else {
+                -1.0
+            };
+            characteristic(matrix, value)
+        });
+        assert!(below * above < 0.0, "{frequency_squared} {damping_rate}");
+    }
+}
+
+#[test]
 fn invalid_coefficients_are_refused() {
     let good = law(ContactReading::Symmetric);
     assert!(good.validate().is_ok());

@@ -212,3 +212,38 @@ fn no_bond_jumps_from_turn_to_turn() {
         assert!(!interior.admits(middle(k), middle(k + 60)));
     }
 }
+
+/// Squares on a corner and on a side, on either side of the origin: what leaves them at their extreme points.
+#[test]
+fn bonds_do_not_leave_at_extreme_points() {
+    for sign in [1.0, -1.0] {
+        let centre = 10.0 * sign;
+        let at = |x: f64, y: f64| (centre + x, centre + y);
+        let diamond = plain(ring(&[
+            at(2.0, 0.0),
+            at(0.0, 2.0),
+            at(-2.0, 0.0),
+            at(0.0, -2.0),
+        ]));
+        let square = plain(ring(&[
+            at(2.0, 2.0),
+            at(-2.0, 2.0),
+            at(-2.0, -2.0),
+            at(2.0, -2.0),
+        ]));
+        let inside = point(centre, centre);
+        for (x, y) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)] {
+            let out = Vec2::new(x, y);
+            let extreme = inside + out * 2.0;
+            for shape in [&diamond, &square] {
+                assert!(Interior::new(shape).admits(inside, extreme));
+                assert!(!Interior::new(shape).admits(extreme, extreme + out));
+                assert!(!Interior::new(shape).admits(inside, extreme + out));
+            }
+            for side in [out.perpendicular(), -out.perpendicular()] {
+                assert!(!Interior::new(&diamond).admits(extreme, extreme + side));
+                assert!(Interior::new(&square).admits(extreme, extreme + side));
+            }
+        }
+    }
+}

@@ -56,7 +56,7 @@ fn angles(corners: [Vec2; 3]) -> [f64; 3] {
 }
 
 /// First moment of area of a shape, by the theorem of Green.
-fn first_moment(shape: &Outline) -> Vec2 {
+pub fn first_moment(shape: &Outline) -> Vec2 {
     let mut sum = Vec2::zero();
     for ring in shape.rings() {
         for (k, &a) in ring.iter().enumerate() {

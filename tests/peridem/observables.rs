@@ -55,6 +55,7 @@ fn pieces_are_counted_above_a_fraction() {
         [0.0, 0.05, 0.1, 0.39, 0.4, 0.5].map(|f| count(0, f)),
         [3, 3, 2, 2, 1, 0]
     );
+    assert_eq!([0.1, 0.4].map(|f| count(0, f * (1.0 - 5e-7))), [3, 2]);
     assert_eq!(count(1, 0.5), 1);
     let alone = Bonds::from_pairs(&grains, &[]).unwrap();
     assert_eq!(pieces(&grains, &alone, 1, 0.0), 200);
@@ -143,6 +144,62 @@ fn distances_of_nodes_without_bonds_and_of_faces() {
         assert!((free / H - gap.abs()).abs() < 1e-12, "{gap}: {free}");
     }
     assert_eq!(free_distance(&grains, &state, 0.4 * H), None);
+    let half = [1.0 - 3e-7, 1.0 + 3e-7].map(|f| free_distance(&grains, &state, 0.5 * H * f));
+    assert!(half[0].is_none() && half[1].is_some(), "{half:?}");
     assert_eq!(face_gap(&state, &upper, &lower[..1]), None);
     assert_eq!(face_gap(&state, &[], &lower), None);
+}
+
+#[test]
+fn a_face_beyond_the_end_of_the_other_has_the_distance_from_that_end() {
+    let (_, state) = torn(|_| Vec2::zero());
+    // Columns 3 and 13 of the tenth row, and columns 6 to 10 of the ninth one.
+    let chain: Vec<usize> = (6..=10).map(|x| 20 * 9 + x).collect();
+    for (node, expected) in [(20 * 10 + 13, 10.0_f64), (20 * 10 + 3, 10.0)] {
+        let found = face_gap(&state, &[node], &chain).unwrap();
+        assert!((found / H - expected.sqrt()).abs() < 1e-11, "{found}");
+    }
+}
+
+#[test]
+fn a_crack_along_lattice_nodes_has_their_direction() {
+    let (grains, state) = torn(|_| Vec2::zero());
+    for (node, way) in [
+        (105, (2, 1)),
+        (105, (1, 3)),
+        (313, (-3, -2)),
+        (190, (-1, 1)),
+    ] {
+        let tip = grains.position[node];
+        let along = Vec2::new(f64::from(way.0), f64::from(way.1)) * H;
+        let of_crack = |other: usize| {
+            let arm = grains.position[other] - tip;
+            arm.cross(along).abs() < 1e-3 * H * H && arm.dot(along) > 0.0 && other < 400
+        };
+        let crack = Crack::from_tip(&grains, &state.bonds, tip, -1.0, of_crack).unwrap();
+        assert!(
+            (crack.angle - along.y.atan2(along.x)).abs() < 1e-12,
+            "{crack:?}"
+        );
+        let farthest = crack.nodes as f64 * along.norm();
+        assert!((crack.length / farthest - 1.0).abs() < 1e-12, "{crack:?}");
+    }
+}
+
+#[test]
+fn nodes_belong_to_a_crack_above_the_threshold_of_damage() {
+    let (grains, state) = torn(|at| {
+        let is_moved = at.x > 9.5 * H && at.x < 50.0 * H;
+        Vec2::new(if is_moved { H } else { 0.0 }, 0.0)
+    });
+    let node = 20 * 10 + 10;
+    let damage = state.bonds.damage(node);
+    assert!(damage > 0.0);
+    let tip = grains.position[node] - Vec2::new(H, 0.0);
+    let count = |threshold: f64| {
+        let only = |other: usize| other == node;
+        Crack::from_tip(&grains, &state.bonds, tip, threshold, only).map(|crack| crack.nodes)
+    };
+    let factors = [1.0 - 5e-7, 1.0, 1.0 + 5e-7];
+    assert_eq!(factors.map(|f| count(f * damage)), [Some(1), None, None]);
 }

@@ -139,3 +139,51 @@ fn a_straight_vertex_moves_along_the_normal() {
     assert_eq!(method.interceptors()[1][0], Vec2::new(1.0, -0.25));
     assert!(SectionFive::new(&square, 0.0, Interceptors::Bisectors).is_err());
 }
+
+/// The difference of nearly equal tangents has no accurate direction; their sum has one.
+#[test]
+fn a_nearly_straight_vertex_moves_along_the_normal() {
+    let angle = 0.3_f64;
+    let at = |x: f64, y: f64| {
+        let (sin, cos) = angle.sin_cos();
+        (cos * x - sin * y, sin * x + cos * y)
+    };
+    for bend in [1e-12, -1e-12] {
+        let shape = plain(ring(&[
+            at(0.0, 0.0),
+            at(1.1, bend),
+            at(2.0, 0.0),
+            at(2.0, 2.0),
+        ]));
+        let method = SectionFive::new(&shape, 0.25, Interceptors::BisectorsAndBoundary).unwrap();
+        let moved = method.interceptors()[method.interceptors().len() - 3][0];
+        let (x, y) = at(1.1, -0.25);
+        assert!((moved - Vec2::new(x, y)).norm() < 1e-11, "{moved:?}");
+    }
+}
+
+/// A bisector passes the tip of a tooth by less than a millionth of its side, or meets it.
+#[test]
+fn a_bisector_ends_at_the_first_edge_that_it_meets() {
+    let reach = |tip: f64| {
+        let shape = plain(ring(&[
+            (-6.0, -1.0),
+            (6.0, -1.0),
+            (6.0, 4.0),
+            (tip, 3.0),
+            (5.0, 2.5),
+            (1.0, 1.0),
+            (0.0, 0.0),
+            (-1.0, 1.0),
+            (-6.0, 1.0),
+        ]));
+        let method = SectionFive::new(&shape, 0.1, Interceptors::Bisectors).unwrap();
+        let mut from_bottom = method
+            .interceptors()
+            .iter()
+            .filter(|one| one[0] == Vec2::zero());
+        from_bottom.next().unwrap()[1].y
+    };
+    assert!((reach(3e-6) / 52.0_f64.sqrt() - 1.0).abs() < 1e-14);
+    assert!((reach(-3e-6) - 3.0).abs() < 1e-5);
+}

@@ -293,3 +293,51 @@ fn vertices_within_a_side_are_allowed() {
     assert_eq!(plain(vertices).area(), 16.0);
     assert_eq!(comb(2, 1.0).area(), 5.0);
 }
+
+/// A square on its corner, away from the origin, from each of its vertices.
+#[test]
+fn bounds_do_not_depend_on_the_first_vertex() {
+    for sign in [1.0, -1.0] {
+        let (x, y) = (10.0 * sign, 20.0 * sign);
+        let mut vertices = ring(&[(x + 2.0, y), (x, y + 2.0), (x - 2.0, y), (x, y - 2.0)]);
+        for _ in 0..4 {
+            vertices.rotate_left(1);
+            let bounds = plain(vertices.clone()).bounds();
+            assert_eq!(bounds.lower, point(x - 2.0, y - 2.0));
+            assert_eq!(bounds.upper, point(x + 2.0, y + 2.0));
+        }
+    }
+}
+
+/// A straight vertex on the left side does not say in which direction a ring turns.
+#[test]
+fn vertices_on_the_left_side_do_not_change_the_direction() {
+    for height in [2.0, 1.0 + 5e-7] {
+        let corners = [
+            (2.0, 1.0),
+            (5.0, 1.0),
+            (5.0, 3.0),
+            (2.0, 3.0),
+            (2.0, height),
+        ];
+        let mut vertices = ring(&corners);
+        for _ in 0..5 {
+            vertices.rotate_left(1);
+            assert_eq!(plain(vertices.clone()).area(), 6.0);
+            let reversed = vertices.iter().rev().copied().collect();
+            assert_eq!(plain(reversed).area(), 6.0);
+        }
+    }
+}
+
+#[test]
+fn shapes_turn_by_the_given_angle() {
+    let disc = Outline::disc(2.0, 5).unwrap();
+    for angle in [0.3, -1.2, 3.0_f64] {
+        let turned = disc.rotated(angle).unwrap();
+        for (before, after) in disc.outer().iter().zip(turned.outer()) {
+            let found = before.cross(*after).atan2(before.dot(*after));
+            assert!((found - angle).abs() < 1e-14, "{found} {angle}");
+        }
+    }
+}

@@ -4,6 +4,7 @@ use crate::quadrature::{Random, derivative, integrate, integrate_pieces};
 use gouge_common::geometry::Vec2;
 use gouge_peridem::contact_law::{FrictionStep, Motion, Node, largest_step};
 use gouge_peridem::wall_law::{NodeAtWall, WallLaw, WallReading};
+use std::f64::consts::PI;
 
 const READINGS: [WallReading; 4] = [
     WallReading::Paper,
@@ -322,6 +323,90 @@ fn a_node_on_a_wall_is_stable_below_the_largest_step_only() {
             largest = largest.max((d + 5e-5).abs());
         }
         assert_eq!(largest < 2e-9, is_stable, "{ratio}: {largest}");
+    }
+}
+
+#[test]
+fn centroids_and_overlaps_are_those_of_the_regions() {
+    let law = WallLaw {
+        radius: 2.0,
+        ..unit(WallReading::Paper)
+    };
+    for a in DISTANCES {
+        let region = integrals(a, -1.0);
+        let error = law.centroid(2.0 * a) - 2.0 * region[1] / region[0];
+        assert!(error.abs() < 1e-12, "{a}: {error:e}");
+    }
+    assert_eq!([2.0, 3.0].map(|d| law.centroid(d)), [2.0, 2.0]);
+    let some = || DISTANCES.into_iter().step_by(3);
+    for (a, b) in some().flat_map(|a| some().map(move |b| (a, b))) {
+        let [area, x, y, ..] = integrals(a, b);
+        let found = law.overlap([2.0 * a, 2.0 * b]);
+        let errors = [
+            found.area - 4.0 * area,
+            found.moments[0] - 8.0 * x,
+            found.moments[1] - 8.0 * y,
+        ];
+        assert!(
+            errors.iter().all(|e| e.abs() < 1e-11),
+            "{a} {b}: {errors:?}"
+        );
+    }
+}
+
+#[test]
+fn the_whole_disc_is_beyond_a_wall_that_is_far_behind_a_node() {
+    let law = unit(WallReading::Paper);
+    for d in [-1.0, -1.5, -40.0] {
+        assert!((law.area_beyond(d) / PI - 1.0).abs() < 1e-15, "{d}");
+        assert!((law.push(d, 1.0) / PI - 1.0).abs() < 1e-15, "{d}");
+    }
+}
+
+#[test]
+fn the_exact_energy_vanishes_where_contact_begins() {
+    for height in [1e-12, 1e-9, 1e-6] {
+        // It grows with the height as a power of 7/2.
+        let energy = unit(WallReading::Exact).energy(1.0 - height, 1.0);
+        assert!(energy.abs() < 1e-15 * height.sqrt(), "{height}: {energy:e}");
+    }
+}
+
+#[test]
+fn the_steepest_slope_is_found_by_search() {
+    for reading in READINGS {
+        let law = unit(reading);
+        let (mut best, mut reach) = (0.0, 1.0);
+        for _ in 0..16 {
+            let near = (-16..=16).map(|k| best + reach * f64::from(k) / 16.0);
+            let inside = near.filter(|d| d.abs() < 1.0);
+            let by_slope = |a: &f64, b: &f64| law.slope(*a, 1.0).total_cmp(&law.slope(*b, 1.0));
+            best = inside.max_by(by_slope).unwrap();
+            reach *= 0.25;
+        }
+        let error = law.slope(best, 1.0) / law.steepest(1.0) - 1.0;
+        assert!(error.abs() < 1e-13, "{reading:?} {best}: {error:e}");
+    }
+}
+
+#[test]
+fn friction_and_damping_of_a_wall_begin_at_the_contact_radius() {
+    let law = metric(WallReading::Paper);
+    let velocity = Vec2::new(1e-3, -2.0);
+    let inside = NodeAtWall {
+        distance: 1e-4 * (1.0 - 5e-7),
+        ..at_floor(velocity)
+    };
+    assert_ne!(law.force(&inside, 0.0, &STEP).motion, Motion::Separate);
+    let push = law.push(3e-5, NODE.area);
+    let damping = law.force(&at_floor(velocity), push, &STEP).damping.y;
+    assert!((damping / (2.0 * law.damping(3e-5, &NODE)) - 1.0).abs() < 1e-14);
+    let limit = 0.5 * push * STEP.time_step / NODE.mass();
+    for (factor, motion) in [(1.0 - 1e-7, Motion::Stick), (1.0 + 1e-7, Motion::Slip)] {
+        let at = at_floor(Vec2::new(factor * limit, 0.0));
+        assert_eq!(law.force(&at, push, &STEP).motion, motion, "{factor}");
+        let pulled = law.force(&at, -push, &STEP);
+        assert_eq!(pulled.motion, motion, "the limit is that of the magnitude");
     }
 }
 

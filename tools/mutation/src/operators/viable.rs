@@ -141,8 +141,12 @@ fn complaints(
     Ok(found)
 }
 
-/// Position of an error in the written code.
+/// Position of an error in the written code; that of the macro if the error is inside one.
 fn primary(error: &Value) -> Option<&Value> {
     let spans = error["spans"].as_array()?;
-    spans.iter().find(|span| span["is_primary"] == true)
+    let mut span = spans.iter().find(|span| span["is_primary"] == true)?;
+    while span["expansion"].is_object() {
+        span = &span["expansion"]["span"];
+    }
+    Some(span)
 }

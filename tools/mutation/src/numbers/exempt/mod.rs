@@ -3,6 +3,7 @@
 
 mod contact_dynamics;
 mod dem;
+mod peridem;
 
 use super::site::Site;
 use crate::kernel::Kernel;
@@ -33,7 +34,11 @@ const fn exempt(
 
 /// The exemptions of all kernels.
 fn all() -> impl Iterator<Item = &'static Exemption> {
-    dem::EXEMPTIONS.iter().chain(contact_dynamics::EXEMPTIONS)
+    let others = contact_dynamics::EXEMPTIONS.iter();
+    dem::EXEMPTIONS
+        .iter()
+        .chain(others)
+        .chain(peridem::EXEMPTIONS)
 }
 
 impl Exemption {
