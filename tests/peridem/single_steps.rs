@@ -255,6 +255,24 @@ fn two_nodes_stick_without_their_neighbour() {
 }
 
 #[test]
+fn two_nodes_stick_without_a_node_of_the_same_grain_beyond_its_reference_distance() {
+    let reference = 1.2 * H;
+    let nodes = vec![Vec2::zero(), Vec2::new(-reference, 0.0)];
+    let mut own = grain(nodes, 0.5, Weight::Constant);
+    own.touches_itself = true;
+    let other = grain(vec![Vec2::new(0.6, 0.8) * H], 0.5, Weight::Constant);
+    let mass = node(&other).mass();
+    let mut settings = settings(1e-7);
+    settings.contact = Some(contact(0.0, 0.8));
+    let speed = 5e-5;
+    let (_, state) = evaluated(&[own, other], &settings, |state| {
+        state.places[1].displacement.x = -3e-7 * reference;
+        state.velocity[2] = Vec2::new(-0.8, 0.6) * speed;
+    });
+    assert_near(state.work.friction, 0.5 * mass * speed * speed);
+}
+
+#[test]
 fn contacts_are_listed_with_the_forces_that_act() {
     let mut settings = settings(1e-7);
     let mut contact = contact(0.3, 0.8);
