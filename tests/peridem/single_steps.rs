@@ -9,6 +9,7 @@ use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
 use gouge_peridem::bonds::Bonds;
 use gouge_peridem::contact_law::ContactMaterial;
 use gouge_peridem::contact_law::{ContactReading, ContactStiffness, Node};
+use gouge_peridem::error::StepError;
 use gouge_peridem::forces::{Settings, Workspace};
 use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::Weight;
@@ -194,10 +195,22 @@ fn a_node_is_behind_a_wall_beyond_the_contact_radius() {
         let mut settings = settings(1e-12);
         settings.walls = Some(walls(0.0, 0.0));
         let place = Vec2::new(33.0 * H, CONTAINER[2] + depth * radius);
-        let mut world = world(&singles(&[place]), settings, |state| {
-            state.walls = CONTAINER
-        });
-        assert_eq!(world.step().is_err(), is_behind, "{depth}");
+        let grains = singles(&[Vec2::zero(), place]);
+        let mut world = world(&grains, settings, |state| state.walls = CONTAINER);
+        match world.step() {
+            Err(StepError::BehindWall {
+                grain,
+                node,
+                wall,
+                depth: found,
+                ..
+            }) => {
+                assert!(is_behind);
+                assert_eq!((grain, node, wall), (1, 0, "top"));
+                assert_near(found, depth * radius);
+            }
+            other => assert!(other.is_ok() && !is_behind, "{other:?}"),
+        }
     }
 }
 
