@@ -269,7 +269,9 @@ fn a_pair_that_breaks_far_apart_touches_when_it_comes_back() {
     // back before one of them has moved by half the skin of the list.
     let radius = 1.5 * H;
     let mut pair = grain(
-        vec![Vec2::zero(), Vec2::new(1.02 * radius, 0.0)],
+        [0.0, 1.02]
+            .map(|x| Vec2::new(40.0 * H + x * radius, 30.0 * H))
+            .to_vec(),
         3.0,
         Weight::Constant,
     );

@@ -247,3 +247,20 @@ fn bonds_do_not_leave_at_extreme_points() {
         }
     }
 }
+
+#[test]
+fn points_below_a_nearly_level_side_are_inside() {
+    let (low, high) = (1.0, 1.0 + 4e-7);
+    for (left, right) in [(low, high), (high, low)] {
+        let shape = plain(ring(&[(0.0, 0.0), (4.0, 0.0), (4.0, right), (0.0, left)]));
+        let level = 0.5 * (low + high);
+        for x in [1.0, 3.0] {
+            let is_below = level < left + 0.25 * (right - left) * x;
+            assert_eq!(
+                shape.contains(point(x, level)),
+                is_below,
+                "{left} {right} {x}"
+            );
+        }
+    }
+}

@@ -18,6 +18,7 @@ mod lattice_sums;
 mod limits;
 mod material;
 mod meshes;
+mod mode;
 mod observables;
 mod quadrature;
 mod refused;

@@ -226,22 +226,36 @@ fn grains_with_wrong_columns_are_refused() {
     assert_eq!(areas, Err(length("area", 3)));
     let loads = of(|one| one.load = vec![Vec2::zero(); 5]);
     assert_eq!(loads, Err(length("load", 5)));
-    let clamped = of(|one| one.clamped = vec![3, 4]);
-    let node = 4;
-    assert_eq!(clamped, Err(SetupError::MissingNode { grain, node, nodes }));
+}
+
+#[test]
+fn clamped_nodes_exist() {
+    for node in [4, 5] {
+        let mut block = grain(lattice(2, 2), 1.5, Weight::Constant);
+        block.clamped = vec![3, node];
+        let expected = SetupError::MissingNode {
+            grain: 0,
+            node,
+            nodes: 4,
+        };
+        assert_eq!(Grains::new(&[block]), Err(expected));
+    }
 }
 
 #[test]
 fn parameters_of_shapes_are_named_with_their_values() {
     let numbers = [0.0, 1.0, 0.5, 0.25];
-    assert_eq!(named(Outline::disc(-3.0, 8)), ("radius", -3.0));
-    assert_eq!(named(Outline::square(-3.0)), ("radius", -3.0));
-    assert_eq!(named(Outline::plus(-3.0, 0.5)), ("radius", -3.0));
+    for wrong in [0.0, -3.0] {
+        assert_eq!(named(Outline::disc(wrong, 8)), ("radius", wrong));
+        assert_eq!(named(Outline::square(wrong)), ("radius", wrong));
+        assert_eq!(named(Outline::plus(wrong, 0.5)), ("radius", wrong));
+    }
     for wrong in [0.0, -3.0, 1.0] {
         assert_eq!(named(Outline::plus(1.0, wrong)), ("ratio", wrong));
         assert_eq!(named(Outline::annulus(1.0, wrong, 8)), ("ratio", wrong));
     }
-    assert!(Outline::annulus(1.0, 1.0 - 1e-9, 8).is_ok());
+    let nearly = 1.0 - 5e-7;
+    assert!(Outline::annulus(1.0, nearly, 8).is_ok() && Outline::plus(1.0, nearly).is_ok());
     for wrong in [0.0, -3.0, ABOVE] {
         let found = named(Outline::perturbed_disc(1.0, wrong, &numbers));
         assert_eq!(found, ("roundness", wrong));

@@ -9,6 +9,7 @@ use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
 use gouge_peridem::bonds::Bonds;
 use gouge_peridem::contact_law::ContactMaterial;
 use gouge_peridem::contact_law::{ContactReading, ContactStiffness, Node};
+use gouge_peridem::error::StepError;
 use gouge_peridem::forces::{Settings, Workspace};
 use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::Weight;
@@ -194,10 +195,22 @@ fn a_node_is_behind_a_wall_beyond_the_contact_radius() {
         let mut settings = settings(1e-12);
         settings.walls = Some(walls(0.0, 0.0));
         let place = Vec2::new(33.0 * H, CONTAINER[2] + depth * radius);
-        let mut world = world(&singles(&[place]), settings, |state| {
-            state.walls = CONTAINER
-        });
-        assert_eq!(world.step().is_err(), is_behind, "{depth}");
+        let grains = singles(&[Vec2::zero(), place]);
+        let mut world = world(&grains, settings, |state| state.walls = CONTAINER);
+        match world.step() {
+            Err(StepError::BehindWall {
+                grain,
+                node,
+                wall,
+                depth: found,
+                ..
+            }) => {
+                assert!(is_behind);
+                assert_eq!((grain, node, wall), (1, 0, "top"));
+                assert_near(found, depth * radius);
+            }
+            other => assert!(other.is_ok() && !is_behind, "{other:?}"),
+        }
     }
 }
 
@@ -252,6 +265,24 @@ fn two_nodes_stick_without_their_neighbour() {
     let (_, state) = evaluated(&grains, &settings, prepare);
     let lost = (masses[0] * first - masses[1] * second) * (first - second);
     assert_near(state.work.friction, lost);
+}
+
+#[test]
+fn two_nodes_stick_without_a_node_of_the_same_grain_beyond_its_reference_distance() {
+    let reference = 1.2 * H;
+    let nodes = vec![Vec2::zero(), Vec2::new(-reference, 0.0)];
+    let mut own = grain(nodes, 0.5, Weight::Constant);
+    own.touches_itself = true;
+    let other = grain(vec![Vec2::new(0.6, 0.8) * H], 0.5, Weight::Constant);
+    let mass = node(&other).mass();
+    let mut settings = settings(1e-7);
+    settings.contact = Some(contact(0.0, 0.8));
+    let speed = 5e-5;
+    let (_, state) = evaluated(&[own, other], &settings, |state| {
+        state.places[1].displacement.x = -3e-7 * reference;
+        state.velocity[2] = Vec2::new(-0.8, 0.6) * speed;
+    });
+    assert_near(state.work.friction, 0.5 * mass * speed * speed);
 }
 
 #[test]

@@ -145,8 +145,10 @@ fn a_corner_behind_a_wall_adds_nothing_to_it() {
     assert!(second.abs() < 1e-15);
     // Two walls that share no point of the disc act independently.
     for reading in READINGS {
-        let forces = unit(reading).corner_push([0.8, 0.7], 1.0);
-        assert_eq!(forces, [push(reading, 0.8), push(reading, 0.7)]);
+        for [a, b] in [[0.8, 0.7], [0.97, 0.83]] {
+            let forces = unit(reading).corner_push([a, b], 1.0);
+            assert_eq!(forces, [push(reading, a), push(reading, b)]);
+        }
     }
 }
 

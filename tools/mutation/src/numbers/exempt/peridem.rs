@@ -10,6 +10,7 @@ const END: &str = "an edge forbids no segment that touches its box only at this 
 const START: &str =
     "a vector from which an iteration starts; any with a part of every mode will do";
 const ROUNDING: &str = "how a point is moved by rounding errors until it is on the right side";
+const RIM: &str = "the end of a chord on the rim of the disc, where the integrand vanishes";
 const MARGIN: &str = "the extent of a lattice, whose outer points are left out anyway";
 
 /// Exemptions of peridynamic grains.
@@ -153,6 +154,12 @@ pub const EXEMPTIONS: &[Exemption] = &[
         "Tridiagonal::is_above_all",
         "1.0",
         "divides the side of the first row, which is zero",
+    ),
+    exempt(
+        "kernel/peridem/src/limits.rs",
+        "-«law.radius»].map",
+        "law.radius",
+        "from this distance on, the whole disc is beyond the wall",
     ),
     exempt(
         "kernel/peridem/src/mesh/boundary.rs",
@@ -315,5 +322,17 @@ pub const EXEMPTIONS: &[Exemption] = &[
         "(other > -«wall.half_chord»",
         "wall.half_chord",
         SWITCH,
+    ),
+    exempt(
+        "kernel/peridem/src/wall_law/segment.rs",
+        "let s = «self.half_chord»;",
+        "self.half_chord",
+        RIM,
+    ),
+    exempt(
+        "kernel/peridem/src/wall_law/segment.rs",
+        "+ line.force(«wall.half_chord»)",
+        "wall.half_chord",
+        RIM,
     ),
 ];
