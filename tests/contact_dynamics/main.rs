@@ -5,6 +5,7 @@
 mod detection;
 mod detection_bounds;
 mod detection_exact;
+mod directions;
 mod generators;
 mod cells;
 mod lmgc90;

@@ -10,6 +10,7 @@ mod contact_law;
 mod crack_start;
 mod criteria;
 mod exact;
+mod faces;
 mod friction;
 mod generators;
 mod identical;

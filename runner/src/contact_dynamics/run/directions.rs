@@ -20,17 +20,24 @@ const DIRECTIONS: usize = 180;
 /// Colours of what was measured and of the expansion.
 const COLOURS: [&str; 2] = ["#0072b2", "#d55e00"];
 
+/// Names of the functions, as columns of the table.
+const NAMES: [&str; 5] = [
+    "contacts",
+    "normal_force",
+    "tangential_force",
+    "normal_branch",
+    "tangential_branch",
+];
+
 /// A function of the direction: its name, its values per bin, and its expansion to first order.
 struct Function {
     name: &'static str,
-    title: &'static str,
     values: Vec<f64>,
     expansion: Expansion,
 }
 
-/// $ b + a \cos 2(\theta - \theta_s) $ or $ -a \sin 2(\theta - \theta_s) $, with b = 0
+/// $ 1 + a \cos 2(\theta - \theta_s) $, or $ -a \sin 2(\theta - \theta_s) $ if it is odd.
 struct Expansion {
-    mean: f64,
     amplitude: f64,
     is_odd: bool,
     principal: f64,
@@ -41,7 +48,7 @@ impl Expansion {
         let (sin, cos) = (2.0 * (angle - self.principal)).sin_cos();
         match self.is_odd {
             true => -self.amplitude * sin,
-            false => self.mean + self.amplitude * cos,
+            false => 1.0 + self.amplitude * cos,
         }
     }
 }
@@ -49,66 +56,48 @@ impl Expansion {
 /// The five functions of azema (7), relative to the means over all directions of the density, of the normal force and of the
 /// normal branch.
 fn functions(means: &Means) -> [Function; 5] {
-    let total = means.slab.total();
     let fitted = means.slab.anisotropies().fourier();
-    let principal = means.slab.stress().principal_angle();
-    let even = |amplitude: f64| Expansion {
-        mean: 1.0,
-        amplitude,
-        is_odd: false,
-        principal,
-    };
-    let odd = |amplitude: f64| Expansion {
-        is_odd: true,
-        mean: 0.0,
-        ..even(amplitude)
-    };
-    // A mean over contacts is not that over directions, because there are more contacts in some directions.
-    let over_directions = |sum: f64, amplitude: f64| {
-        sum / total.contacts.sum / (1.0 + 0.5 * fitted.contacts * amplitude)
-    };
-    let force = over_directions(total.normal_force.sum, fitted.normal_force);
-    let branch = over_directions(total.normal_branch.sum, fitted.normal_branch);
+    let [force, branch] = units(means);
     let bins = means.directions.bins();
     let column = |k: usize, unit: f64| bins.iter().map(|bin| bin.means()[k] / unit).collect();
     let density = means.directions.density().map(|density| TAU * density);
-    let function = |name, title, values, expansion| Function {
-        name,
-        title,
-        values,
-        expansion,
+    let amplitudes = [
+        fitted.contacts,
+        fitted.normal_force,
+        fitted.tangential_force,
+        fitted.normal_branch,
+        fitted.tangential_branch,
+    ];
+    let mut values = [
+        density.to_vec(),
+        column(0, force),
+        column(1, force),
+        column(2, branch),
+        column(3, branch),
+    ];
+    let principal = means.slab.stress().principal_angle();
+    std::array::from_fn(|k| Function {
+        name: NAMES[k],
+        values: std::mem::take(&mut values[k]),
+        expansion: Expansion {
+            amplitude: amplitudes[k],
+            is_odd: NAMES[k].starts_with("tangential"),
+            principal,
+        },
+    })
+}
+
+/// Means over all directions of the normal force in N and of the normal branch in m. Means over contacts are others, because
+/// there are more contacts in some directions.
+fn units(means: &Means) -> [f64; 2] {
+    let total = means.slab.total();
+    let fitted = means.slab.anisotropies().fourier();
+    let mean = |sum: f64, amplitude: f64| {
+        sum / total.contacts.sum / (1.0 + 0.5 * fitted.contacts * amplitude)
     };
     [
-        function(
-            "contacts",
-            "contacts",
-            density.to_vec(),
-            even(fitted.contacts),
-        ),
-        function(
-            "normal_force",
-            "normal force",
-            column(0, force),
-            even(fitted.normal_force),
-        ),
-        function(
-            "tangential_force",
-            "tangential force",
-            column(1, force),
-            odd(fitted.tangential_force),
-        ),
-        function(
-            "normal_branch",
-            "normal branch",
-            column(2, branch),
-            even(fitted.normal_branch),
-        ),
-        function(
-            "tangential_branch",
-            "tangential branch",
-            column(3, branch),
-            odd(fitted.tangential_branch),
-        ),
+        mean(total.normal_force.sum, fitted.normal_force),
+        mean(total.normal_branch.sum, fitted.normal_branch),
     ]
 }
 
@@ -186,7 +175,7 @@ fn diagram(function: &Function) -> Group {
         .add(rim)
         .add(line(&measured, COLOURS[0]).set("fill", "#0072b233"))
         .add(line(&expanded, COLOURS[1]).set("stroke-width", 2))
-        .add(text(function.title.to_owned(), 16.0))
+        .add(text(function.name.replace('_', " "), 16.0))
         .add(text(format!("rim: {most:.2}"), TITLE + SIDE - 2.0))
 }
 
