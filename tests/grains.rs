@@ -359,3 +359,60 @@ fn sweeps_observe_the_series_of_grains() {
     let broken = column(&out.join("runs.csv"), "broken_bonds_last");
     assert!(broken[0] > broken[1], "{broken:?}");
 }
+
+#[test]
+fn a_run_whose_interval_follows_from_its_end_can_be_extended() {
+    let load = |end: &str| {
+        let overrides = Overrides::parse(&[end, "output.energy=false"]).expect("overrides");
+        AnyScene::load_with("two-grains", &overrides).expect("a scene")
+    };
+    let (folder, ignore) = (tempfile::tempdir().unwrap(), &mut |_: Event<'_>| {});
+    let path = folder.path();
+    let first = load("time.end=1e-6");
+    first.run(path, OPTIONS, ignore).unwrap();
+    let times = column(&path.join("series.csv"), "time");
+    let resumed = RunOptions {
+        resume: true,
+        ..OPTIONS
+    };
+    load("time.end=2e-6").run(path, resumed, ignore).unwrap();
+    let extended = column(&path.join("series.csv"), "time");
+    assert_eq!(extended[..times.len()], times[..]);
+    assert_eq!(extended.last(), Some(&2e-6));
+}
+
+#[test]
+fn energies_that_are_no_numbers_are_not_trusted() {
+    let folder = tempfile::tempdir().unwrap();
+    let keys = [
+        "time.end=2e-6",
+        "external={law=\"gravity\",acceleration=1e300}",
+    ];
+    let scene = AnyScene::load_with("two-grains", &Overrides::parse(&keys).unwrap()).unwrap();
+    let ignore = &mut |_: Event<'_>| {};
+    let summary = scene.run(folder.path(), OPTIONS, ignore).unwrap();
+    assert_eq!(summary.status, "untrusted");
+}
+
+#[test]
+fn grains_without_bonds_and_forced_steps_are_doubted() {
+    let folder = tempfile::tempdir().unwrap();
+    let warnings = |keys: &[&str]| {
+        let scene = AnyScene::load_with("two-grains", &Overrides::parse(keys).unwrap()).unwrap();
+        let options = RunOptions {
+            overwrite: true,
+            ..OPTIONS
+        };
+        let ignore = &mut |_: Event<'_>| {};
+        scene
+            .run(folder.path(), options, ignore)
+            .unwrap()
+            .warnings
+            .join("\n")
+    };
+    assert_eq!(warnings(&["time.end=1e-6"]), "");
+    let forced = ["time.end=1e-6", "time.step=1e-7", "time.forced=true"];
+    assert!(warnings(&forced).contains("time.step = 1e-7: above the estimated stability bound"));
+    let loose = [&forced[..], &["bonds.horizon=1e-5"]].concat();
+    assert!(warnings(&loose).contains("grains[0] has no bonds"));
+}

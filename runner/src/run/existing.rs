@@ -9,7 +9,7 @@ use super::lock::Lock;
 use super::outcome::Summary;
 use super::{Event, Observer, RunOptions};
 use crate::error::Error;
-use crate::scene::{Scene, SceneText};
+use crate::scene::{Keys, Scene, SceneText};
 use std::path::Path;
 
 /// How a run begins.
@@ -33,24 +33,33 @@ pub trait Saved<S>: Sized {
     /// # Errors
     /// A file that cannot be read or is damaged.
     fn read(path: &Path, scene: &S) -> Result<(Self, Kinship), Error>;
+
+    /// The keys of its scene.
+    fn keys(&self) -> &Keys;
 }
 
 impl Saved<Scene> for Checkpoint {
     fn read(path: &Path, scene: &Scene) -> Result<(Self, Kinship), Error> {
         Self::read(path, scene)
     }
+
+    fn keys(&self) -> &Keys {
+        &self.keys
+    }
 }
 
 /// The scene with the interval between samples of the run in a folder, if the scene gives none and that run is one of
 /// the same scene, possibly with an earlier end. So the end can be moved although the interval follows from it.
-pub fn with_interval_of_earlier_run(scene: &Scene, folder: &Path) -> Option<Scene> {
-    let bytes = scene
-        .has_default_interval
-        .then(|| std::fs::read(folder.join(CHECKPOINT)))?
-        .ok()?;
-    let (saved, _) = Checkpoint::parse(&bytes, scene).ok()?;
-    let scene = scene.with_interval(saved.keys.number("output.interval")?);
-    let (_, kinship) = Checkpoint::parse(&bytes, &scene).ok()?;
+pub fn with_interval_of_earlier_run<S: SceneText, C: Saved<S>>(
+    scene: &S,
+    folder: &Path,
+    options: RunOptions,
+) -> Option<S> {
+    let path = folder.join(CHECKPOINT);
+    let read = |scene: &S| C::read(&path, scene).ok().filter(|_| !options.overwrite);
+    let (saved, _) = read(scene)?;
+    let scene = scene.with_interval(saved.keys().number("output.interval")?)?;
+    let (_, kinship) = read(&scene)?;
     (!matches!(kinship, Kinship::Other(_))).then_some(scene)
 }
 

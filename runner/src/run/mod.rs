@@ -56,6 +56,7 @@ pub use warning::Warning;
 
 use crate::error::Error;
 use crate::scene::Scene;
+use checkpoint::Checkpoint;
 use existing::{Beginning, beginning, with_interval_of_earlier_run};
 use folder::refuse_replacing_inputs;
 use lock::Lock;
@@ -89,10 +90,7 @@ pub fn run(
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
     let lock = Lock::take(folder)?;
     refuse_replacing_inputs(scene, folder)?;
-    let adapted = match options.overwrite {
-        true => None,
-        false => with_interval_of_earlier_run(scene, folder),
-    };
+    let adapted = with_interval_of_earlier_run::<_, Checkpoint>(scene, folder, options);
     let scene = adapted.as_ref().unwrap_or(scene);
     let run = match beginning(scene, folder, options)? {
         Beginning::Complete(summary) => {

@@ -71,6 +71,8 @@ pub enum Warning<'a> {
     Imbalance(f64),
     /// Nodes of different grains touch from the beginning, and store this energy in J per metre of depth.
     Touching(f64),
+    /// A grain, of this index, has no bonds.
+    WithoutBonds(usize),
     /// Walls have lost this number of nodes.
     BehindWalls(usize),
     /// The residual of the balance of energy is this part of the energy exchanged.
@@ -144,6 +146,11 @@ impl Warning<'_> {
                 f,
                 "grains are nearer than contact.radius at the beginning: they store {energy:.3e} J/m and push each other \
                  apart"
+            ),
+            Self::WithoutBonds(grain) => write!(
+                f,
+                "grains[{grain}] has no bonds, so that nothing holds its nodes together: bonds.horizon must exceed the \
+                 distances of nodes, and mesh.size be a part of the size of the grain"
             ),
             Self::BehindWalls(number) => write!(
                 f,

@@ -25,6 +25,7 @@ pub use file::{MODELS, SceneFile};
 pub use history::{History, initial_angles};
 pub use keys::Keys;
 pub use laws::DrivingTable;
+pub(crate) use output::has_default_interval;
 pub use output::{Measure, Output, Trajectory};
 pub use overrides::Overrides;
 pub use particles::{Material, Place, Placed, role_name};
@@ -256,9 +257,7 @@ impl Scene {
             output: output::output(root, end)?,
             domain,
             material,
-            has_default_interval: !root
-                .optional_table("output")?
-                .is_some_and(|table| table.has("interval")),
+            has_default_interval: output::has_default_interval(root)?,
             file: root.source().file.to_owned(),
             files: files(root, folder)?,
             sha256: String::new(),
@@ -339,14 +338,6 @@ impl Scene {
         self.driving.map_or(Vec2::zero(), |driving| {
             Vec2::new(driving.initial_force[0], driving.initial_force[1])
         })
-    }
-
-    /// The same scene with another time between samples in s.
-    pub fn with_interval(&self, interval: f64) -> Self {
-        let mut scene = self.clone();
-        scene.output.interval = interval;
-        scene.keys.set("output.interval", &format!("{interval:?}"));
-        scene
     }
 
     /// When a run takes samples.

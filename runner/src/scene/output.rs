@@ -80,6 +80,15 @@ const FORMATS: [(&str, Trajectory); 3] = [
     ("extxyz", Trajectory::Extxyz),
 ];
 
+/// Whether a scene leaves the time between samples to us.
+///
+/// # Errors
+/// `[output]` that is no table.
+pub(crate) fn has_default_interval(root: &Table) -> Result<bool> {
+    let output = root.optional_table("output")?;
+    Ok(!output.is_some_and(|table| table.has("interval")))
+}
+
 /// Read `[output]` of a scene that ends at a time.
 pub(super) fn output(root: &Table, end: f64) -> Result<Output> {
     let mut output = Output {

@@ -16,6 +16,11 @@ pub trait SceneText {
 
     /// Everything that affects the bits of a run of this scene until an end time in s, as text.
     fn content_until(&self, end: f64) -> String;
+
+    /// The same scene with another time between samples in s, if it gives none itself.
+    fn with_interval(&self, interval: f64) -> Option<Self>
+    where
+        Self: Sized;
 }
 
 impl SceneText for Scene {
@@ -55,5 +60,11 @@ impl SceneText for Scene {
             .chain(contacts)
             .for_each(|place| place.clone_from(&nowhere));
         format!("{anonymous:?}")
+    }
+    fn with_interval(&self, interval: f64) -> Option<Self> {
+        let mut scene = self.has_default_interval.then(|| self.clone())?;
+        scene.output.interval = interval;
+        scene.keys.set("output.interval", &format!("{interval:?}"));
+        Some(scene)
     }
 }

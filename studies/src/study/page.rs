@@ -23,7 +23,7 @@ pub fn page(
             ((study.introduction)())
             (summary(claims))
             h2 { "Claims and verdicts" }
-            p { "Each claim has a rule that was fixed before the runs. Parts of the study stand in brackets." }
+            p { "Each claim has a rule, fixed before the runs unless the introduction says otherwise. Parts of the study stand in brackets." }
             (verdicts(claims))
             h2 { "Runs" }
             (runs(study, results))

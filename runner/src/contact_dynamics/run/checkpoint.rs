@@ -111,4 +111,8 @@ impl Saved<Scene> for Checkpoint {
         let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
         Self::parse(&bytes, scene).map_err(|reason| refusal(path, reason))
     }
+
+    fn keys(&self) -> &Keys {
+        &self.keys
+    }
 }

@@ -23,8 +23,9 @@ pub use statistics::Statistics;
 
 use super::Scene;
 use crate::error::Error;
-use crate::run::existing::{Beginning, prepared};
+use crate::run::existing::{Beginning, prepared, with_interval_of_earlier_run};
 use crate::run::{Observer, RunOptions, Summary};
+use checkpoint::Checkpoint;
 use scene_run::SceneRun;
 use std::path::Path;
 
@@ -39,6 +40,8 @@ pub fn run(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<Summary, Error> {
+    let adapted = with_interval_of_earlier_run::<_, Checkpoint>(scene, folder, options);
+    let scene = adapted.as_ref().unwrap_or(scene);
     let (lock, beginning) = prepared(scene, folder, options, observer)?;
     let place = (folder, &lock);
     let mut run = match beginning {

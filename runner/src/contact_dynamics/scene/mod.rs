@@ -44,6 +44,8 @@ pub struct Scene {
     pub shear: Option<ShearTable>,
     /// What a run writes and how often.
     pub output: Output,
+    /// Whether the time between samples follows from the end.
+    pub has_default_interval: bool,
     /// Name of the scene file.
     pub file: String,
     /// All files that were read: the scene and its CSV files.
@@ -116,6 +118,7 @@ impl Scene {
             cell,
             shear: setup::shear(root)?,
             output: output::output(root, end)?,
+            has_default_interval: crate::scene::has_default_interval(root)?,
             file: root.source().file.to_owned(),
             files: vec![PathBuf::from(root.source().file)],
             sha256: String::new(),
@@ -241,9 +244,16 @@ impl SceneText for Scene {
             files: Vec::new(),
             sha256: String::new(),
             keys: Keys::default(),
+            has_default_interval: false,
             ..self.clone()
         };
         format!("{anonymous:?}")
+    }
+    fn with_interval(&self, interval: f64) -> Option<Self> {
+        let mut scene = self.has_default_interval.then(|| self.clone())?;
+        scene.output.interval = interval;
+        scene.keys.set("output.interval", &format!("{interval:?}"));
+        Some(scene)
     }
 }
 

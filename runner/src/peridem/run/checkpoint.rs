@@ -92,4 +92,8 @@ impl Saved<Scene> for Checkpoint {
         };
         read().map_err(|reason: &str| refusal(path, reason))
     }
+
+    fn keys(&self) -> &Keys {
+        &self.keys
+    }
 }

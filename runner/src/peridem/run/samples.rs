@@ -123,14 +123,18 @@ impl Balance {
         let [others @ .., (_, residual)] = terms;
         let sum: f64 = others.iter().map(|(_, term)| term.abs()).sum();
         self.exchanged = self.exchanged.max(sum + self.beginning.abs());
-        self.residual = self.residual.max(residual.abs());
+        let is_nan = residual.is_nan() || self.residual.is_nan();
+        self.residual = match is_nan {
+            true => f64::NAN,
+            false => self.residual.max(residual.abs()),
+        };
     }
 
     /// The largest residual in parts of the energy exchanged.
     pub fn error(&self) -> f64 {
-        match self.exchanged > 0.0 {
-            true => self.residual / self.exchanged,
-            false => 0.0,
+        match self.residual == 0.0 {
+            true => 0.0,
+            false => self.residual / self.exchanged,
         }
     }
 }

@@ -17,6 +17,7 @@ use crate::run::series::Series;
 use crate::run::{Event, NamedPhase, Observer, RunOptions, Warning};
 use gouge_peridem::limits::Limits;
 use gouge_peridem::world::World;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// Number of steps between reports of progress.
@@ -154,8 +155,23 @@ impl<'a> SceneRun<'a> {
         });
     }
 
-    /// Warn of grains that touch from the beginning.
+    /// Warn of a step above a limit, of grains without bonds, and of grains that touch from the beginning.
     fn doubt_beginning(&mut self) {
+        let (scene, (meaning, bound)) = (self.scene, self.limits.smallest());
+        if scene.step > bound {
+            self.warn(Warning::TimeStep {
+                scene: &scene.file,
+                phase: PHASE,
+                step: scene.step,
+                bound,
+                meaning,
+            });
+        }
+        let rows = self.world.grains().rows.iter();
+        let has_none = |nodes: Range<usize>| self.world.bonds().count_of(nodes) == 0;
+        if let Some(grain) = rows.clone().position(|row| has_none(row.nodes.clone())) {
+            self.warn(Warning::WithoutBonds(grain));
+        }
         let energy = self.world.energies().contacts;
         if energy > 0.0 {
             self.warn(Warning::Touching(energy));

@@ -50,6 +50,8 @@ pub struct Scene {
     pub cracks: Vec<CrackTable>,
     /// What a run writes and how often.
     pub output: Output,
+    /// Whether the time between samples follows from the end.
+    pub has_default_interval: bool,
     /// Name of the scene file.
     pub file: String,
     /// All files that were read: the scene and its CSV files.
@@ -133,6 +135,7 @@ impl Scene {
             gravity: gravity(root)?,
             cracks: output::cracks(root, grains.len())?,
             output: output::output(root, end)?,
+            has_default_interval: crate::scene::has_default_interval(root)?,
             file: root.source().file.to_owned(),
             files: [PathBuf::from(root.source().file)]
                 .into_iter()
@@ -205,9 +208,16 @@ impl SceneText for Scene {
             sha256: String::new(),
             keys: Keys::default(),
             refusals: Refusals::default(),
+            has_default_interval: false,
             ..self.clone()
         };
         format!("{anonymous:?}")
+    }
+    fn with_interval(&self, interval: f64) -> Option<Self> {
+        let mut scene = self.has_default_interval.then(|| self.clone())?;
+        scene.output.interval = interval;
+        scene.keys.set("output.interval", &format!("{interval:?}"));
+        Some(scene)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The claims of the paper, with rules that were fixed before the runs.
+//! The claims of the paper, with rules; those on the edge that is hit and on times were written after first runs.
 
 use super::square::{pieces, printed_pieces, times};
 use super::{CROSSES, CROSSES_FINE, KALTHOFF};
@@ -147,7 +147,7 @@ fn impact(sample: &Sample) -> Option<Finding> {
     let runs = plates(sample, "tension only", "off");
     // Without a damaged node there is no distance.
     let reach = |run: &Run| Some(run.number("broken_at_impact").unwrap_or(0.0));
-    let unit = " mm from the middle";
+    let unit = " mm of the edge damaged";
     judged(&runs, "grid", reach, unit, |d| d == 0.0, Verdict::Refuted)
 }
 
