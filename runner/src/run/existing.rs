@@ -50,17 +50,22 @@ impl Saved<Scene> for Checkpoint {
 
 /// The scene with the interval between samples of the run in a folder, if the scene gives none and that run is one of
 /// the same scene, possibly with an earlier end. So the end can be moved although the interval follows from it.
-pub fn with_interval_of_earlier_run<S: SceneText, C: Saved<S>>(
+pub fn with_interval_of_earlier_run<S: SceneText + Clone, C: Saved<S>>(
     scene: &S,
     folder: &Path,
     options: RunOptions,
 ) -> Option<S> {
     let path = folder.join(CHECKPOINT);
-    let read = |scene: &S| C::read(&path, scene).ok().filter(|_| !options.overwrite);
-    let (saved, _) = read(scene)?;
-    let scene = scene.with_interval(saved.keys().number("output.interval")?)?;
-    let (_, kinship) = read(&scene)?;
-    (!matches!(kinship, Kinship::Other(_))).then_some(scene)
+    if options.overwrite || !path.exists() {
+        return None;
+    }
+    let mut adapted = scene.clone();
+    let (interval, keys) = adapted.default_interval()?;
+    let (saved, _) = C::read(&path, scene).ok()?;
+    *interval = saved.keys().number("output.interval")?;
+    keys.set("output.interval", &format!("{interval:?}"));
+    let (_, kinship) = C::read(&path, &adapted).ok()?;
+    (!matches!(kinship, Kinship::Other(_))).then_some(adapted)
 }
 
 /// Lock the folder of a run, decide how it begins there, and report that to an observer.

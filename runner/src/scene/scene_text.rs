@@ -17,10 +17,8 @@ pub trait SceneText {
     /// Everything that affects the bits of a run of this scene until an end time in s, as text.
     fn content_until(&self, end: f64) -> String;
 
-    /// The same scene with another time between samples in s, if it gives none itself.
-    fn with_interval(&self, interval: f64) -> Option<Self>
-    where
-        Self: Sized;
+    /// The time between samples in s and the keys that name it, unless the scene gives one itself.
+    fn default_interval(&mut self) -> Option<(&mut f64, &mut Keys)>;
 }
 
 impl SceneText for Scene {
@@ -61,10 +59,8 @@ impl SceneText for Scene {
             .for_each(|place| place.clone_from(&nowhere));
         format!("{anonymous:?}")
     }
-    fn with_interval(&self, interval: f64) -> Option<Self> {
-        let mut scene = self.has_default_interval.then(|| self.clone())?;
-        scene.output.interval = interval;
-        scene.keys.set("output.interval", &format!("{interval:?}"));
-        Some(scene)
+    fn default_interval(&mut self) -> Option<(&mut f64, &mut Keys)> {
+        let own = (&mut self.output.interval, &mut self.keys);
+        self.has_default_interval.then_some(own)
     }
 }

@@ -84,6 +84,15 @@ impl AngularSums {
 }
 
 impl Bin {
+    /// Names of the fields, in their order.
+    pub const NAMES: [&str; 5] = [
+        "contacts",
+        "normal_force",
+        "tangential_force",
+        "normal_branch",
+        "tangential_branch",
+    ];
+
     fn add(&mut self, contact: &Contact) {
         self.contacts += 1.0;
         self.normal_force += contact.force.n;

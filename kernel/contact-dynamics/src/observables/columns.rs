@@ -166,22 +166,13 @@ impl Profile {
     }
 }
 
-/// Names of the numbers of a bin, without the bin.
-const OF_BIN: [&str; 5] = [
-    "contacts",
-    "normal_force",
-    "tangential_force",
-    "normal_branch",
-    "tangential_branch",
-];
-
 impl AngularSums {
     /// Names of the numbers: the bins of the first half-turn, with the angles in degrees at which they begin. Those of the
     /// second one are the same.
     pub fn names() -> Vec<String> {
         let of = |bin: usize| {
             let degrees = bin * 360 / Self::BINS;
-            OF_BIN.map(|name| format!("from_{degrees}_{name}"))
+            Bin::NAMES.map(|name| format!("from_{degrees}_{name}"))
         };
         (0..Self::BINS / 2).flat_map(of).collect()
     }

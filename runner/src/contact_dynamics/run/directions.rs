@@ -4,7 +4,7 @@
 use super::super::Means;
 use crate::run::picture::rounded;
 use crate::run::table::{Table, Values};
-use gouge_contact_dynamics::observables::AngularSums;
+use gouge_contact_dynamics::observables::{AngularSums, Anisotropies, Bin};
 use std::f64::consts::TAU;
 use svg::Document;
 use svg::node::element::{Circle, Group, Polygon, Text};
@@ -19,15 +19,6 @@ const RADIUS: f64 = 80.0;
 const DIRECTIONS: usize = 180;
 /// Colours of what was measured and of the expansion.
 const COLOURS: [&str; 2] = ["#0072b2", "#d55e00"];
-
-/// Names of the functions, as columns of the table.
-const NAMES: [&str; 5] = [
-    "contacts",
-    "normal_force",
-    "tangential_force",
-    "normal_branch",
-    "tangential_branch",
-];
 
 /// A function of the direction: its name, its values per bin, and its expansion to first order.
 struct Function {
@@ -57,7 +48,7 @@ impl Expansion {
 /// normal branch.
 fn functions(means: &Means) -> [Function; 5] {
     let fitted = means.slab.anisotropies().fourier();
-    let [force, branch] = units(means);
+    let [force, branch] = units(means, &fitted);
     let bins = means.directions.bins();
     let column = |k: usize, unit: f64| bins.iter().map(|bin| bin.means()[k] / unit).collect();
     let density = means.directions.density().map(|density| TAU * density);
@@ -77,11 +68,11 @@ fn functions(means: &Means) -> [Function; 5] {
     ];
     let principal = means.slab.stress().principal_angle();
     std::array::from_fn(|k| Function {
-        name: NAMES[k],
+        name: Bin::NAMES[k],
         values: std::mem::take(&mut values[k]),
         expansion: Expansion {
             amplitude: amplitudes[k],
-            is_odd: NAMES[k].starts_with("tangential"),
+            is_odd: Bin::NAMES[k].starts_with("tangential"),
             principal,
         },
     })
@@ -89,9 +80,8 @@ fn functions(means: &Means) -> [Function; 5] {
 
 /// Means over all directions of the normal force in N and of the normal branch in m. Means over contacts are others, because
 /// there are more contacts in some directions.
-fn units(means: &Means) -> [f64; 2] {
+fn units(means: &Means, fitted: &Anisotropies) -> [f64; 2] {
     let total = means.slab.total();
-    let fitted = means.slab.anisotropies().fourier();
     let mean = |sum: f64, amplitude: f64| {
         sum / total.contacts.sum / (1.0 + 0.5 * fitted.contacts * amplitude)
     };

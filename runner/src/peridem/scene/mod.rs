@@ -213,11 +213,9 @@ impl SceneText for Scene {
         };
         format!("{anonymous:?}")
     }
-    fn with_interval(&self, interval: f64) -> Option<Self> {
-        let mut scene = self.has_default_interval.then(|| self.clone())?;
-        scene.output.interval = interval;
-        scene.keys.set("output.interval", &format!("{interval:?}"));
-        Some(scene)
+    fn default_interval(&mut self) -> Option<(&mut f64, &mut Keys)> {
+        let own = (&mut self.output.interval, &mut self.keys);
+        self.has_default_interval.then_some(own)
     }
 }
 
