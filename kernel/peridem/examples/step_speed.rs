@@ -1,6 +1,6 @@
 //! Time per step of grains that touch, with shares of contact and walls: nine discs that have settled in a container, and
 //! a plate in a hundred pieces. In turns with the same grains without contact, on one thread, as time on the processor, which
-//! other programs lengthen little; so it runs only on Linux.
+//! other programs lengthen little; so it runs only on Linux. Then whole steps with two threads, by the clock on the wall.
 
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
@@ -14,7 +14,9 @@ use gouge_peridem::material::{Material, Plane, Weight};
 use gouge_peridem::state::State;
 use gouge_peridem::wall_law::{WallLaw, WallReading};
 use gouge_peridem::world::{Beginning, World};
+use rayon::ThreadPoolBuilder;
 use std::error::Error;
+use std::time::Instant;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -28,8 +30,9 @@ const MATERIAL: Material = Material {
     plane: Plane::Stress,
 };
 const ROUNDS: usize = 21;
-/// Steps of a round; lists of contacts are rebuilt in them.
-const STEPS: usize = 200;
+/// Nodes times steps of a round, which makes a quarter of a second; the clock of the processor advances every 4 ms. Lists of
+/// contacts are rebuilt in a round.
+const NODE_STEPS: usize = 2_000_000;
 
 fn grain(position: Vec<Vec2>, breaking: Option<BreakingRule>) -> Outcome<Grain> {
     let constants = MATERIAL.bond_constants(Weight::Constant, 4.015 * H)?;
@@ -144,7 +147,17 @@ fn on_processor() -> Outcome<f64> {
     Ok(1e-3 * nanoseconds.parse::<f64>()?)
 }
 
-/// Median times in us of a step: of bonds and motion, with contact, and with walls.
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_unstable_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// Steps of a round of a world.
+fn steps(world: &World) -> usize {
+    NODE_STEPS / world.grains().nodes()
+}
+
+/// Median times in us of a step with one thread: of bonds and motion, with contact, and with walls.
 fn times(world: &World) -> Outcome<[f64; 3]> {
     let mut worlds = [
         changed(world, |settings| {
@@ -157,22 +170,41 @@ fn times(world: &World) -> Outcome<[f64; 3]> {
     for _ in 0..ROUNDS {
         for (world, times) in worlds.iter_mut().zip(&mut all) {
             let begin = on_processor()?;
-            for _ in 0..STEPS {
+            for _ in 0..steps(world) {
                 world.step()?;
             }
-            times.push((on_processor()? - begin) / STEPS as f64);
+            times.push((on_processor()? - begin) / steps(world) as f64);
         }
     }
-    Ok(all.map(|mut times| {
-        times.sort_unstable_by(f64::total_cmp);
-        times[ROUNDS / 2]
-    }))
+    Ok(all.map(median))
+}
+
+/// Median time in us of a step by the clock on the wall.
+fn elapsed(world: &World) -> Outcome<f64> {
+    let mut world = world.clone();
+    let mut times = Vec::new();
+    for _ in 0..ROUNDS {
+        let begin = Instant::now();
+        for _ in 0..steps(&world) {
+            world.step()?;
+        }
+        times.push(1e6 * begin.elapsed().as_secs_f64() / steps(&world) as f64);
+    }
+    Ok(median(times))
+}
+
+/// The outcome of a task with a number of threads.
+fn with_threads<T: Send>(threads: usize, task: impl FnOnce() -> Outcome<T> + Send) -> Outcome<T> {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
+    Ok(pool.install(|| task().map_err(|error| error.to_string()))?)
 }
 
 fn print(name: &str, world: &World) -> Outcome<()> {
-    let [bonds, contact, walls] = times(world)?;
+    let [bonds, contact, walls] = with_threads(1, || times(world))?;
+    let with_two = with_threads(2, || elapsed(world))?;
     println!(
-        "{name}: {} nodes, {} bonds; {walls:.1} us a step; bonds and motion {bonds:.1}, contact {:+.2} of it, walls {:+.2}",
+        "{name}: {} nodes, {} bonds; {walls:.1} us a step; bonds and motion {bonds:.1}, contact {:+.2} of it, walls {:+.2}; two \
+         threads {with_two:.1} us",
         world.grains().nodes(),
         world.bonds().count(),
         contact / bonds - 1.0,
@@ -182,11 +214,6 @@ fn print(name: &str, world: &World) -> Outcome<()> {
 }
 
 fn main() -> Outcome<()> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    let both = || {
-        let nine = print("nine settled discs", &settled()?);
-        nine.and_then(|()| print("a plate in pieces", &shattered()?))
-    };
-    pool.install(|| both().map_err(|error| error.to_string()))?;
-    Ok(())
+    print("nine settled discs", &with_threads(1, settled)?)?;
+    print("a plate in pieces", &shattered()?)
 }
