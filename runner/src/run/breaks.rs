@@ -43,12 +43,13 @@ impl SceneRun<'_> {
     /// Whether bonds can break in the scene proper.
     pub(super) fn can_break(&self) -> bool {
         let bond = self.scene.bond;
-        self.is_main() && bond.is_some_and(|laws| laws.yielding.is_some())
+        self.context.is_main() && bond.is_some_and(|laws| laws.yielding.is_some())
     }
 
     /// Append the bonds that broke since the last call.
     pub(super) fn write_breaks(&mut self) -> Result<(), Error> {
-        let Some(file) = &mut self.breaks else {
+        let table = self.files.as_mut().and_then(|files| files.table.as_mut());
+        let Some(file) = table else {
             return Ok(());
         };
         let time_step = self.world.model().time_step;

@@ -1,20 +1,21 @@
 //! What an output folder already holds, and what a new run does about it: it never replaces results unasked.
 
 use super::checkpoint::Checkpoint;
-use super::fingerprint::Kinship;
+use super::context::RunContext;
+use super::fingerprint::{Fingerprint, Kinship};
 use super::folder::{
     CHECKPOINT, PARTICLES, PICTURE, SERIES, SUMMARY, outputs, refuse_replacing_inputs,
 };
 use super::lock::Lock;
 use super::outcome::Summary;
-use super::{Event, Observer, RunOptions};
+use super::{Event, NamedPhase, Observer, RunOptions};
 use crate::error::Error;
 use crate::scene::{Keys, Scene, SceneText};
 use std::path::Path;
 
 /// How a run begins.
 #[derive(Debug)]
-pub enum Beginning<C> {
+enum Beginning<C> {
     /// From the scene.
     Fresh,
     /// From a checkpoint of the same scene, possibly with an earlier end.
@@ -50,7 +51,7 @@ impl Saved<Scene> for Checkpoint {
 
 /// The scene with the interval between samples of the run in a folder, if the scene gives none and that run is one of
 /// the same scene, possibly with an earlier end. So the end can be moved although the interval follows from it.
-pub fn with_interval_of_earlier_run<S: SceneText + Clone, C: Saved<S>>(
+fn with_interval_of_earlier_run<S: SceneText + Clone, C: Saved<S>>(
     scene: &S,
     folder: &Path,
     options: RunOptions,
@@ -68,33 +69,44 @@ pub fn with_interval_of_earlier_run<S: SceneText + Clone, C: Saved<S>>(
     (!matches!(kinship, Kinship::Other(_))).then_some(adapted)
 }
 
-/// Lock the folder of a run, decide how it begins there, and report that to an observer.
+/// Lock a folder, decide how a run of a scene begins there, and let it go on: from a checkpoint if one is given.
 ///
 /// # Errors
-/// A folder that cannot be written or that another run is using, and as [`beginning`].
-pub fn prepared<S: SceneText, C: Saved<S>>(
+/// A folder that cannot be written or that another run is using, as [`beginning`], and as the run.
+pub fn run_in_folder<S: SceneText + Clone, C: Saved<S>>(
     scene: &S,
     folder: &Path,
     options: RunOptions,
     observer: &mut dyn Observer,
-) -> Result<(Lock, Beginning<C>), Error> {
+    phases: Vec<NamedPhase>,
+    go_on: impl for<'a> FnOnce(&'a S, RunContext<'a>, Option<C>) -> Result<Summary, Error>,
+) -> Result<Summary, Error> {
     std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
     let lock = Lock::take(folder)?;
     refuse_replacing_inputs(scene, folder)?;
-    let beginning = beginning(scene, folder, options)?;
-    match beginning {
-        Beginning::Complete(_) => observer.event(Event::AlreadyDone { folder }),
-        Beginning::Fresh if options.resume => observer.event(Event::NothingToResume { folder }),
-        _ => {}
+    let adapted = with_interval_of_earlier_run::<_, C>(scene, folder, options);
+    let scene = adapted.as_ref().unwrap_or(scene);
+    let saved = match beginning(scene, folder, options)? {
+        Beginning::Complete(summary) => {
+            observer.event(Event::AlreadyDone { folder });
+            return Ok(*summary);
+        }
+        Beginning::Checkpoint(saved) => Some(*saved),
+        Beginning::Fresh => None,
+    };
+    if saved.is_none() && options.resume {
+        observer.event(Event::NothingToResume { folder });
     }
-    Ok((lock, beginning))
+    let fingerprint = Fingerprint::of(scene);
+    let context = RunContext::new((folder, &lock), options, observer, phases, fingerprint);
+    go_on(scene, context, saved)
 }
 
 /// How a run of a scene begins in a folder.
 ///
 /// # Errors
 /// Outputs that the run would replace, nothing to resume from, or a failure of the file system.
-pub fn beginning<S, C: Saved<S>>(
+fn beginning<S, C: Saved<S>>(
     scene: &S,
     folder: &Path,
     options: RunOptions,

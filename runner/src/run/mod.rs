@@ -6,6 +6,7 @@ pub(crate) mod bytes;
 pub(crate) mod checkpoint;
 pub(crate) mod clock;
 pub(crate) mod columns;
+pub(crate) mod context;
 mod dem;
 mod displacements;
 mod doubts;
@@ -13,6 +14,7 @@ pub(crate) mod existing;
 pub(crate) mod fingerprint;
 pub(crate) mod folder;
 mod friction;
+pub(crate) mod growing;
 pub(crate) mod legend;
 mod links;
 pub(crate) mod lock;
@@ -56,10 +58,7 @@ pub use warning::Warning;
 
 use crate::error::Error;
 use crate::scene::Scene;
-use checkpoint::Checkpoint;
-use existing::{Beginning, beginning, with_interval_of_earlier_run};
-use folder::refuse_replacing_inputs;
-use lock::Lock;
+use existing::run_in_folder;
 use scene_run::SceneRun;
 use std::path::Path;
 
@@ -87,25 +86,19 @@ pub fn run(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<Summary, Error> {
-    std::fs::create_dir_all(folder).map_err(|error| Error::file("create", folder, error))?;
-    let lock = Lock::take(folder)?;
-    refuse_replacing_inputs(scene, folder)?;
-    let adapted = with_interval_of_earlier_run::<_, Checkpoint>(scene, folder, options);
-    let scene = adapted.as_ref().unwrap_or(scene);
-    let run = match beginning(scene, folder, options)? {
-        Beginning::Complete(summary) => {
-            observer.event(Event::AlreadyDone { folder });
-            return Ok(*summary);
-        }
-        Beginning::Checkpoint(saved) => {
-            SceneRun::resume(scene, folder, options, observer, *saved, &lock)?
-        }
-        Beginning::Fresh => {
-            if options.resume {
-                observer.event(Event::NothingToResume { folder });
-            }
-            SceneRun::begin(scene, folder, options, observer, &lock)?
-        }
-    };
-    run.complete()
+    let phases = named(&phases(scene));
+    run_in_folder(
+        scene,
+        folder,
+        options,
+        observer,
+        phases,
+        |scene, context, saved| {
+            let run = match saved {
+                Some(saved) => SceneRun::resume(scene, context, saved),
+                None => SceneRun::begin(scene, context),
+            };
+            run?.complete()
+        },
+    )
 }

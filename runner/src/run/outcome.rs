@@ -3,7 +3,7 @@
 use super::folder::{PARTICLES, SUMMARY, remove_restart, write_whole};
 use super::friction::Friction;
 use super::scene_run::SceneRun;
-use super::{Event, dem, page, picture, restart, stress_strain};
+use super::{dem, page, picture, restart, stress_strain};
 use crate::build::COMMIT;
 use crate::error::Error;
 use crate::scene::Scene;
@@ -80,17 +80,13 @@ pub struct Summary {
 impl Summary {
     /// Status of a finished run.
     pub const DONE: &str = DONE;
-    /// Status of a run that was stopped by the user.
-    pub const INTERRUPTED: &str = INTERRUPTED;
 
-    /// Status of a run that an error of the model stopped.
+    /// Status of a run that was interrupted, or that an error of the model stopped.
     pub fn failed(error: &Error) -> String {
-        format!("{FAILED}{error}")
-    }
-
-    /// Whether a status is that of a run that an error of the model stopped.
-    pub fn is_failure(status: &str) -> bool {
-        status.starts_with(FAILED)
+        match error.is_interruption() {
+            true => INTERRUPTED.to_owned(),
+            false => format!("{FAILED}{error}"),
+        }
     }
 
     /// The summary of the run in a folder.
@@ -161,7 +157,7 @@ impl Summary {
 
     /// Whether an error of the model stopped the run.
     pub fn is_failed(&self) -> bool {
-        Self::is_failure(&self.status)
+        self.status.starts_with(FAILED)
     }
 
     /// Whether the run finished without anything to show because its first state could not be made.
@@ -197,6 +193,18 @@ impl Summary {
         }
     }
 
+    /// What ended a run early, if its outputs can be written all the same.
+    ///
+    /// # Errors
+    /// What ended it, if not.
+    pub fn early_end(ended: Result<(), Error>) -> Result<Option<Error>, Error> {
+        match ended {
+            Ok(()) => Ok(None),
+            Err(error) if error.is_interruption() || error.is_of_state() => Ok(Some(error)),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Write that a run could not begin.
     ///
     /// # Errors
@@ -225,28 +233,19 @@ impl SceneRun<'_> {
     /// # Errors
     /// A failure of the file system, or a state that becomes invalid.
     pub fn complete(mut self) -> Result<Summary, Error> {
-        let mut failure = self.run_phases().err();
-        let is_final = |error: &mut Error| !error.is_of_state() && !error.is_interruption();
-        if let Some(error) = failure.take_if(is_final) {
-            return Err(error);
-        }
-        if failure.as_ref().is_none_or(Error::is_interruption) {
-            self.write_checkpoint()?;
-        }
-        if failure.is_none() && self.balance.conclude() {
-            self.warn_of_balance(self.balance.scale(), "the energy exchanged");
-        }
-        self.observer.event(Event::Ended);
+        let failure = Summary::early_end(self.run_phases())?;
         let neighbor_rebuilds = self.rebuilds();
-        let status = match &failure {
-            None if self.balance.is_off => UNTRUSTED.to_owned(),
-            None => DONE.to_owned(),
-            Some(error) if error.is_interruption() => INTERRUPTED.to_owned(),
-            Some(error) => {
+        match &failure {
+            Some(error) if error.is_of_state() => {
                 self.world = self.world.with_state(self.last_good.clone());
-                Summary::failed(error)
             }
+            _ => self.write_checkpoint()?,
+        }
+        let status = match &failure {
+            None => self.judge(),
+            Some(error) => Summary::failed(error),
         };
+        self.context.report_end();
         let summary = Summary {
             neighbor_rebuilds,
             ..self.summary(status)
@@ -255,22 +254,33 @@ impl SceneRun<'_> {
         failure.map_or(Ok(summary), Err)
     }
 
+    /// The status of a finished run, with a warning if its balance cannot be trusted.
+    fn judge(&mut self) -> String {
+        if self.balance.conclude() {
+            self.warn_of_balance(self.balance.scale(), "the energy exchanged");
+        }
+        match self.balance.is_off {
+            true => UNTRUSTED.to_owned(),
+            false => DONE.to_owned(),
+        }
+    }
+
     fn write_outcome(&self, summary: &Summary) -> Result<(), Error> {
-        let (scene, world, folder) = (self.scene, &self.world, &self.folder);
-        self.lock.check()?;
+        let (scene, world, folder) = (self.scene, &self.world, &self.context.folder);
+        self.context.lock.check()?;
         let particles = dem::particles(scene, world.particles());
         write_whole(&folder.join(PARTICLES), particles.to_csv().as_bytes())?;
         picture::write(folder, scene, world, self.balance.is_off)?;
-        if self.is_main() {
+        if self.context.is_main() {
             restart::write_bonds(folder, world)?;
             match summary.is_failed() {
                 // What led to the failure is in its last state, too.
                 true => remove_restart(folder)?,
-                false if self.options.data_only => {}
+                false if self.context.options.data_only => {}
                 false => restart::write_restart(folder, scene, world)?,
             }
         }
-        if !self.options.data_only {
+        if !self.context.options.data_only {
             stress_strain::write(folder)?;
             page::write(folder, scene, world, summary)?;
         }
@@ -279,8 +289,8 @@ impl SceneRun<'_> {
 
     fn summary(&self, status: String) -> Summary {
         let (scene, world) = (self.scene, &self.world);
-        let [wall_seconds, main] = self.seconds();
-        let (steps, time) = if self.is_main() {
+        let [wall_seconds, main] = self.context.seconds();
+        let (steps, time) = if self.context.is_main() {
             (world.steps(), world.time())
         } else {
             (0, 0.0)
@@ -300,7 +310,7 @@ impl SceneRun<'_> {
             link_steps_per_second: rate(self.link_steps),
             energy: scene.output.energy.then(|| dem::energies(world)),
             series_columns: columns.into_iter().map(str::to_owned).collect(),
-            warnings: self.warnings.lines().map(str::to_owned).collect(),
+            warnings: self.context.warnings.lines().map(str::to_owned).collect(),
             balance_watched: scene.output.energy,
             balance_error: scene.output.energy.then(|| self.balance.ratio()),
             friction: Friction::of(&self.drive_samples, mean(&world.particles().radius)),

@@ -2,7 +2,7 @@
 
 use super::scene_run::SceneRun;
 use super::series::Sample;
-use super::{Event, Warning, dem};
+use super::{Warning, dem};
 use crate::error::Error;
 use crate::scene::{Measure, Scene};
 use gouge_dem::estimators::Energy;
@@ -11,7 +11,7 @@ use std::borrow::Cow;
 
 impl SceneRun<'_> {
     /// Write a sample of the current state.
-    pub(super) fn sample(&mut self) -> Result<(), Error> {
+    pub(super) fn write_sample(&mut self) -> Result<(), Error> {
         let refreshed = self.world.refresh_neighbors();
         let checked = refreshed.and_then(|()| match self.world.check() {
             // Nothing has moved yet: the initial state is written, and the first step will fail.
@@ -33,12 +33,12 @@ impl SceneRun<'_> {
         let drive = *evaluated.drive();
         if let Some(name) = dem::infinite_energy(&sample) {
             return Err(Error::Energy {
-                phase: self.phases[self.phase].name.clone(),
+                phase: self.context.present_phase().name.clone(),
                 name,
                 time: self.world.time(),
             });
         }
-        if self.scene.regular_sample_step(self.samples) > self.world.steps() {
+        if self.scene.regular_sample_step(self.context.samples) > self.world.steps() {
             self.before_early_sample = Some(self.progress());
         }
         self.judge_step();
@@ -50,41 +50,34 @@ impl SceneRun<'_> {
             self.drive_samples.extend(drive);
         }
         self.last_good.clone_from(self.world.state());
-        self.lock.check()?;
+        self.context.lock.check()?;
         self.append(&sample)?;
-        self.observer.event(Event::SampleWritten {
-            sample: self.samples,
-            time: self.world.time(),
-        });
-        let since = self.samples.checked_sub(1);
+        let since = self.context.samples.checked_sub(1);
         let since = since.map_or(0, |before| self.scene.sample_step(before));
         let links = dem::number_of_bonds(&self.world) + self.world.number_of_contacts();
         self.link_steps += links as f64 * (self.world.steps() - since) as f64;
-        self.samples += 1;
+        self.context.count_sample(self.world.time());
         Ok(())
     }
 
     /// Append a sample of the current state to all outputs that grow.
     fn append(&mut self, sample: &Sample) -> Result<(), Error> {
-        if let Some(series) = &mut self.series {
-            series.write(sample)?;
-        }
         self.write_breaks()?;
-        if let Some(frames) = &mut self.frames {
-            let links = self.scene.output.links;
-            let links = links.then(|| dem::link_frame(self.scene, &self.world));
-            let frame = dem::frame(self.scene, &self.world);
-            frames.write(self.samples, &frame, links.as_ref())?;
-        }
-        if let Some(animation) = &mut self.animation {
-            animation.write(&dem::grains(&self.world))?;
-        }
-        Ok(())
+        let (scene, world) = (self.scene, &self.world);
+        let Some(files) = &mut self.files else {
+            return Ok(());
+        };
+        let frame = || {
+            let links = scene.output.links;
+            let links = links.then(|| dem::link_frame(scene, world));
+            (dem::frame(scene, world), links)
+        };
+        files.write(self.context.samples, sample, frame, || dem::grains(world))
     }
 
     /// Warn that the energy balance cannot be trusted, because its residual is too large beside some energy in J.
     pub(super) fn warn_of_balance(&mut self, scale: f64, what: &'static str) {
-        self.warn(Warning::Balance {
+        self.context.warn(Warning::Balance {
             time: self.world.time(),
             residual: self.balance.residual,
             scale,

@@ -3,27 +3,23 @@
 use super::balance::Balance;
 use super::breaks;
 use super::checkpoint::Checkpoint;
-use super::clock::Clock;
+use super::context::{RunContext, Sampled};
 use super::dem;
 use super::displacements::Displacements;
 use super::doubts;
-use super::fingerprint::Fingerprint;
 use super::folder::{BREAKS, CHECKPOINT, SERIES, SUMMARY, outputs, remove_outputs};
 use super::friction::DriveSample;
-use super::lock::Lock;
+use super::growing::{GrowingFiles, GrowthPlan};
 use super::outcome::Summary;
-use super::page::Animation;
-use super::phases::{Phase, named, phases};
+use super::phases::{Phase, phases};
 use super::series::Series;
-use super::trajectory::{FramePlan, Frames};
+use super::trajectory::FramePlan;
 use super::transitions::begin_phase;
-use super::warning::in_phase;
-use super::{Event, Observer, RunOptions, Warning};
+use super::warning::{Warning, in_phase};
 use crate::error::Error;
-use crate::scene::{Measure, Scene};
+use crate::scene::{Measure, Scene, Schedule};
 use crate::stability::{Bound, exceeded, pair_bounds, smallest};
 use gouge_dem::{State, StepError, World};
-use std::path::{Path, PathBuf};
 
 /// Number of steps between readings of the clock.
 const CHUNK: u64 = 256;
@@ -31,36 +27,19 @@ const CHUNK: u64 = 256;
 /// A run in progress.
 pub struct SceneRun<'a> {
     pub(super) scene: &'a Scene,
-    pub(super) folder: PathBuf,
-    /// Checked before anything is written.
-    pub(super) lock: &'a Lock,
-    pub(super) observer: &'a mut dyn Observer,
+    pub(super) context: RunContext<'a>,
     pub(super) world: World,
     pub(super) bonds_initial: usize,
     pub(super) link_steps: f64,
     /// The latest valid state: the last one that was sampled, saved or began a phase. A run that fails writes it.
     pub(super) last_good: State,
-    pub(super) phases: Vec<Phase>,
-    /// Position of the current phase.
-    pub(super) phase: usize,
-    pub(super) series: Option<Series>,
-    /// The bonds that broke, if any can.
-    pub(super) breaks: Option<Series>,
-    pub(super) frames: Option<Frames>,
-    /// What the page shows of the trajectory.
-    pub(super) animation: Option<Animation>,
-    /// Number of samples written.
-    pub(super) samples: u64,
-    pub(super) options: RunOptions,
-    fingerprint: Fingerprint,
-    clock: Clock,
+    phases: Vec<Phase>,
+    pub(super) files: Option<GrowingFiles>,
     pub(super) balance: Balance,
     /// What the samples so far say about the drive.
     pub(super) drive_samples: Vec<DriveSample>,
     /// Displacements since t = 0, if the scene measures strains.
     pub(super) displacements: Option<Displacements>,
-    /// The warnings so far, one per line.
-    pub(super) warnings: String,
     /// The smallest bound of single pairs in the current phase, once it was sought.
     pair_bound: Option<Option<Bound>>,
     /// Whether the step of the current phase was found to be above its bound.
@@ -84,13 +63,8 @@ impl<'a> SceneRun<'a> {
     ///
     /// # Errors
     /// A state that the kernel rejects, or a failure of the file system.
-    pub fn begin(
-        scene: &'a Scene,
-        folder: &Path,
-        options: RunOptions,
-        observer: &'a mut dyn Observer,
-        lock: &'a Lock,
-    ) -> Result<Self, Error> {
+    pub fn begin(scene: &'a Scene, context: RunContext<'a>) -> Result<Self, Error> {
+        let folder = &context.folder;
         let phases = phases(scene);
         let world = match begin_phase(scene, &phases, 0, None) {
             Ok(world) => world,
@@ -105,10 +79,10 @@ impl<'a> SceneRun<'a> {
             }
         };
         remove_outputs(folder)?;
-        let mut run = Self::new(scene, (folder, lock), options, observer, (phases, 0), world);
-        run.report_phase();
+        let mut run = Self::new(scene, context, phases, world);
+        run.context.report_phase();
         if let Some(doubt) = doubts::about_lattice(scene) {
-            run.warn(doubt);
+            run.context.warn(doubt);
         }
         run.save_beginning()?;
         Ok(run)
@@ -121,94 +95,59 @@ impl<'a> SceneRun<'a> {
     /// system.
     pub fn resume(
         scene: &'a Scene,
-        folder: &Path,
-        options: RunOptions,
-        observer: &'a mut dyn Observer,
+        mut context: RunContext<'a>,
         saved: Checkpoint,
-        lock: &'a Lock,
     ) -> Result<Self, Error> {
-        let path = folder.join(CHECKPOINT);
+        let path = context.folder.join(CHECKPOINT);
         let phases = phases(scene);
-        let phase = (saved.phase as usize).min(phases.len() - 1);
-        let world = saved.world(&path, scene, phases[phase].kind)?;
+        context.phase = (saved.phase as usize).min(phases.len() - 1);
+        context.samples = saved.samples;
+        context.clock.earlier = saved.seconds;
+        let world = saved.world(&path, scene, phases[context.phase].kind)?;
         let displacements = saved.displacements(&path, &world.particles().position)?;
-        let mut run = Self::new(
-            scene,
-            (folder, lock),
-            options,
-            observer,
-            (phases, phase),
-            world,
-        );
-        run.samples = saved.samples;
+        let mut run = Self::new(scene, context, phases, world);
         run.bonds_initial = saved.bonds_initial as usize;
         run.link_steps = saved.link_steps;
-        run.clock.earlier = saved.seconds;
         run.earlier_rebuilds = saved.rebuilds;
         run.balance = saved.balance;
         run.drive_samples = saved.drive_samples;
         run.displacements = displacements;
-        run.is_step_doubted = saved.warnings.contains(&in_phase(&run.phases[phase].name));
-        run.warnings = saved.warnings;
-        if run.is_main() {
-            let bytes = run.without_early_sample(saved.series_bytes)?;
-            run.series = Some(run.open_series(Some(bytes))?);
-            run.breaks = run.open_breaks(Some(saved.breaks_bytes))?;
-            run.frames =
-                Frames::open(&frames_of(scene), folder, &sample_times(scene, run.samples))?;
-            run.animation = run.open_animation()?;
+        let phase = in_phase(&run.context.present_phase().name);
+        run.is_step_doubted = saved.warnings.contains(&phase);
+        run.context.warnings = saved.warnings;
+        if run.context.is_main() {
+            let bytes = run.without_early_sample([saved.series_bytes, saved.breaks_bytes])?;
+            run.files = Some(run.open_files(Some(bytes))?);
         }
-        let _ = std::fs::remove_file(folder.join(SUMMARY));
-        run.report_phase();
+        let _ = std::fs::remove_file(run.context.folder.join(SUMMARY));
+        run.context.report_phase();
         Ok(run)
     }
 
-    /// The last sample of a run that ends before a regular sample is due is early. A longer run does not take it, and a
-    /// run that was stopped before its summary takes it again: forget it, and return the bytes of the series before it.
-    fn without_early_sample(&mut self, series_bytes: u64) -> Result<u64, Error> {
-        let is_early = self
-            .samples
-            .checked_sub(1)
-            .is_some_and(|last| self.scene.regular_sample_step(last) > self.world.steps());
-        if !is_early {
-            return Ok(series_bytes);
+    /// Bytes of the files before an early sample, which is forgotten, if there is one.
+    fn without_early_sample(&mut self, [series, breaks]: [u64; 2]) -> Result<[u64; 2], Error> {
+        let (schedule, steps) = (self.scene.schedule(), self.world.steps());
+        if !self.context.forget_early_sample(schedule, steps) {
+            return Ok([series, breaks]);
         }
-        self.samples -= 1;
         self.drive_samples.pop();
-        Series::without_last_row(&self.folder.join(SERIES), series_bytes)
+        let path = self.context.folder.join(SERIES);
+        Ok([Series::without_last_row(&path, series)?, breaks])
     }
 
-    fn new(
-        scene: &'a Scene,
-        (folder, lock): (&Path, &'a Lock),
-        options: RunOptions,
-        observer: &'a mut dyn Observer,
-        (phases, phase): (Vec<Phase>, usize),
-        world: World,
-    ) -> Self {
+    fn new(scene: &'a Scene, context: RunContext<'a>, phases: Vec<Phase>, world: World) -> Self {
         Self {
             scene,
-            options,
-            observer,
-            folder: folder.to_owned(),
-            lock,
-            fingerprint: Fingerprint::of(scene),
+            context,
             phases,
-            phase,
             last_good: world.state().clone(),
             world,
-            series: None,
-            breaks: None,
-            frames: None,
-            animation: None,
-            samples: 0,
+            files: None,
             bonds_initial: 0,
             link_steps: 0.0,
-            clock: Clock::start(),
             balance: Balance::default(),
             drive_samples: Vec::new(),
             displacements: None,
-            warnings: String::new(),
             pair_bound: None,
             is_step_doubted: false,
             before_early_sample: None,
@@ -221,42 +160,25 @@ impl<'a> SceneRun<'a> {
         self.earlier_rebuilds + self.world.rebuilds()
     }
 
-    /// Whether the current phase is the scene proper.
-    pub(super) fn is_main(&self) -> bool {
-        self.phase + 1 == self.phases.len()
-    }
-
     /// Run all remaining phases, including the current one.
     pub(super) fn run_phases(&mut self) -> Result<(), Error> {
-        while !self.is_main() {
-            self.advance_to(self.phases[self.phase].steps)?;
+        while !self.context.is_main() {
+            self.advance_to(self.context.present_phase().steps)?;
             self.begin_next_phase()?;
         }
-        self.clock.begin_main();
-        let last = self.phases[self.phase].steps;
-        loop {
-            let due = self.scene.sample_step(self.samples);
-            self.advance_to(due)?;
-            // The last step is always sampled, but only once.
-            let is_extra =
-                due == last && self.samples > 0 && self.scene.sample_step(self.samples - 1) >= last;
-            if !is_extra {
-                self.sample()?;
-            }
-            if due == last {
-                return Ok(());
-            }
-        }
+        self.context.clock.begin_main();
+        self.run_to_end()
     }
 
     fn begin_next_phase(&mut self) -> Result<(), Error> {
         self.last_good.clone_from(self.world.state());
         // The world is copied: if the next phase cannot begin, the run ends with the current one.
         let before = Some(self.world.clone());
-        self.world = begin_phase(self.scene, &self.phases, self.phase + 1, before)?;
-        self.phase += 1;
+        let next = self.context.phase + 1;
+        self.world = begin_phase(self.scene, &self.phases, next, before)?;
+        self.context.phase = next;
         self.last_good.clone_from(self.world.state());
-        self.report_phase();
+        self.context.report_phase();
         self.save_beginning()
     }
 
@@ -265,58 +187,36 @@ impl<'a> SceneRun<'a> {
     fn save_beginning(&mut self) -> Result<(), Error> {
         (self.is_step_doubted, self.pair_bound) = (false, None);
         self.judge_step();
-        if self.is_main() {
+        if self.context.is_main() {
             self.bonds_initial = dem::number_of_bonds(&self.world);
             let is_measured = self.scene.output.measure.contains(&Measure::Strain);
             let position = &self.world.particles().position;
             self.displacements = is_measured.then(|| Displacements::new(position));
             self.balance = Balance::new(&self.world);
             for doubt in doubts::about_beginning(self.scene, &self.world) {
-                self.warn(doubt);
+                self.context.warn(doubt);
             }
         }
         self.write_checkpoint()?;
-        if self.is_main() {
-            self.series = Some(self.open_series(None)?);
-            self.breaks = self.open_breaks(None)?;
-            self.frames = Frames::open(&frames_of(self.scene), &self.folder, &[])?;
-            self.animation = self.open_animation()?;
+        if self.context.is_main() {
+            self.files = Some(self.open_files(None)?);
         }
         Ok(())
     }
 
-    fn open_series(&self, bytes: Option<u64>) -> Result<Series, Error> {
-        let columns = dem::series_columns(self.scene);
-        Series::open(self.folder.join(SERIES), &columns, bytes)
-    }
-
-    fn open_animation(&self) -> Result<Option<Animation>, Error> {
-        match &self.frames {
-            Some(_) if !self.options.data_only => {
-                let particles = self.world.particles().len();
-                Animation::open(&self.folder, self.samples, particles)
-            }
-            _ => Ok(None),
-        }
-    }
-
-    fn open_breaks(&self, bytes: Option<u64>) -> Result<Option<Series>, Error> {
-        let open = || Series::open(self.folder.join(BREAKS), &breaks::COLUMNS, bytes);
-        self.can_break().then(open).transpose()
-    }
-
-    fn report_phase(&mut self) {
-        let phases = named(&self.phases);
-        self.observer.event(Event::PhaseBegan {
-            phases: &phases,
-            index: self.phase,
-        });
-    }
-
-    /// Report a problem, and keep it for the summary.
-    pub(super) fn warn(&mut self, warning: Warning) {
-        self.warnings += &format!("{warning}\n");
-        self.observer.event(Event::Warning(warning));
+    fn open_files(&self, bytes: Option<[u64; 2]>) -> Result<GrowingFiles, Error> {
+        let scene = self.scene;
+        let plan = GrowthPlan {
+            columns: &dem::series_columns(scene),
+            table: self.can_break().then_some((BREAKS, &breaks::COLUMNS)),
+            frames: FramePlan {
+                trajectory: scene.output.trajectory,
+                has_links: scene.output.links,
+            },
+            schedule: scene.schedule(),
+            bodies: self.world.particles().len(),
+        };
+        GrowingFiles::open(&self.context, &plan, bytes)
     }
 
     /// Warn, once in each phase, if the time step is above a bound of the present state.
@@ -328,7 +228,7 @@ impl<'a> SceneRun<'a> {
         let pairs = *self.pair_bound.get_or_insert_with(|| {
             smallest(&pair_bounds(&self.world, self.scene.material.density))
         });
-        let found = match self.is_main() {
+        let found = match self.context.is_main() {
             true => exceeded(&self.world, pairs),
             false => pairs.filter(|one| step > one.step),
         };
@@ -337,8 +237,8 @@ impl<'a> SceneRun<'a> {
         if let Some(bound) = found.filter(is_shown) {
             self.is_step_doubted = true;
             let scene = self.scene;
-            let phase = self.phases[self.phase].name.clone();
-            self.warn(Warning::TimeStep {
+            let phase = self.context.present_phase().name.clone();
+            self.context.warn(Warning::TimeStep {
                 scene: &scene.file,
                 phase: &phase,
                 step,
@@ -346,6 +246,65 @@ impl<'a> SceneRun<'a> {
                 meaning: bound.meaning,
             });
         }
+    }
+
+    pub(super) fn step_error(&self, source: StepError) -> Error {
+        Error::Step {
+            phase: self.context.present_phase().name.clone(),
+            source,
+        }
+    }
+
+    /// What the samples so far added up to.
+    pub(super) fn progress(&self) -> Progress {
+        Progress {
+            balance: self.balance.clone(),
+            warnings: self.context.warnings.clone(),
+            link_steps: self.link_steps,
+        }
+    }
+
+    /// Write the current state as a checkpoint.
+    pub(super) fn write_checkpoint(&mut self) -> Result<(), Error> {
+        self.context.lock.check()?;
+        self.write_breaks()?;
+        // Rows go to the disk first: a checkpoint must not count what a power failure may lose.
+        let [series_bytes, breaks_bytes] = match &mut self.files {
+            Some(files) => files.sync()?,
+            None => [0; 2],
+        };
+        let now = || self.progress();
+        let progress = self.before_early_sample.clone().unwrap_or_else(now);
+        let checkpoint = Checkpoint {
+            phase: self.context.phase as u64,
+            samples: self.context.samples,
+            series_bytes,
+            breaks_bytes,
+            bonds_initial: self.bonds_initial as u64,
+            seconds: self.context.seconds(),
+            link_steps: progress.link_steps,
+            rebuilds: self.rebuilds(),
+            balance: progress.balance,
+            drive_samples: self.drive_samples.clone(),
+            displacements: self.displacements.clone(),
+            warnings: progress.warnings,
+            keys: self.scene.keys.clone(),
+            state: self.world.record(),
+        };
+        let path = self.context.folder.join(CHECKPOINT);
+        checkpoint.write(&path, &self.context.fingerprint)?;
+        self.context.report_checkpoint(&path, self.world.steps());
+        Ok(())
+    }
+}
+
+impl Sampled for SceneRun<'_> {
+    fn schedule(&self) -> Schedule {
+        self.scene.schedule()
+    }
+
+    fn samples(&self) -> u64 {
+        self.context.samples
     }
 
     fn advance_to(&mut self, last: u64) -> Result<(), Error> {
@@ -361,14 +320,9 @@ impl<'a> SceneRun<'a> {
             {
                 displacements.follow(&self.world.particles().position, period);
             }
-            self.observer.event(Event::Progress {
-                phase: self.phase,
-                steps: self.world.steps(),
-            });
-            if self.observer.wants_stop() {
-                return Err(Error::Interrupted(self.folder.clone()));
-            }
-            if self.clock.since_saved() > self.options.checkpoint_interval {
+            self.context.report_progress(self.world.steps());
+            self.context.heed_stop()?;
+            if self.context.is_checkpoint_due() {
                 self.world
                     .check()
                     .map_err(|source| self.step_error(source))?;
@@ -379,80 +333,7 @@ impl<'a> SceneRun<'a> {
         Ok(())
     }
 
-    pub(super) fn step_error(&self, source: StepError) -> Error {
-        Error::Step {
-            phase: self.phases[self.phase].name.clone(),
-            source,
-        }
+    fn sample(&mut self) -> Result<(), Error> {
+        self.write_sample()
     }
-
-    /// Wall time so far in s: of the whole run and of the scene proper.
-    pub(super) fn seconds(&self) -> [f64; 2] {
-        self.clock.seconds(self.is_main())
-    }
-
-    /// What the samples so far added up to.
-    pub(super) fn progress(&self) -> Progress {
-        Progress {
-            balance: self.balance.clone(),
-            warnings: self.warnings.clone(),
-            link_steps: self.link_steps,
-        }
-    }
-
-    /// Write the current state as a checkpoint.
-    pub(super) fn write_checkpoint(&mut self) -> Result<(), Error> {
-        self.lock.check()?;
-        self.write_breaks()?;
-        // Rows go to the disk first: a checkpoint must not count what a power failure may lose.
-        for file in [&self.series, &self.breaks].into_iter().flatten() {
-            file.sync()?;
-        }
-        if let Some(frames) = &mut self.frames {
-            frames.sync()?;
-        }
-        if let Some(animation) = &self.animation {
-            animation.sync()?;
-        }
-        let now = || self.progress();
-        let progress = self.before_early_sample.clone().unwrap_or_else(now);
-        let checkpoint = Checkpoint {
-            phase: self.phase as u64,
-            samples: self.samples,
-            series_bytes: self.series.as_ref().map_or(0, Series::bytes),
-            breaks_bytes: self.breaks.as_ref().map_or(0, Series::bytes),
-            bonds_initial: self.bonds_initial as u64,
-            seconds: self.seconds(),
-            link_steps: progress.link_steps,
-            rebuilds: self.rebuilds(),
-            balance: progress.balance,
-            drive_samples: self.drive_samples.clone(),
-            displacements: self.displacements.clone(),
-            warnings: progress.warnings,
-            keys: self.scene.keys.clone(),
-            state: self.world.record(),
-        };
-        let path = self.folder.join(CHECKPOINT);
-        checkpoint.write(&path, &self.fingerprint)?;
-        self.clock.save();
-        self.observer.event(Event::CheckpointWritten {
-            path: &path,
-            steps: self.world.steps(),
-        });
-        Ok(())
-    }
-}
-
-/// What frames a scene asks for.
-fn frames_of(scene: &Scene) -> FramePlan {
-    FramePlan {
-        trajectory: scene.output.trajectory,
-        has_links: scene.output.links,
-    }
-}
-
-/// Times of the first samples in s.
-fn sample_times(scene: &Scene, samples: u64) -> Vec<f64> {
-    let time = |sample| scene.sample_step(sample) as f64 * scene.step;
-    (0..samples).map(time).collect()
 }

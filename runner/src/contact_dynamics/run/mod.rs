@@ -6,6 +6,7 @@ mod contacts;
 mod directions;
 mod files;
 mod frame;
+mod outcome;
 mod page;
 mod picture;
 mod shown;
@@ -23,9 +24,8 @@ pub use statistics::Statistics;
 
 use super::Scene;
 use crate::error::Error;
-use crate::run::existing::{Beginning, prepared, with_interval_of_earlier_run};
+use crate::run::existing::run_in_folder;
 use crate::run::{Observer, RunOptions, Summary};
-use checkpoint::Checkpoint;
 use scene_run::SceneRun;
 use std::path::Path;
 
@@ -40,15 +40,19 @@ pub fn run(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<Summary, Error> {
-    let adapted = with_interval_of_earlier_run::<_, Checkpoint>(scene, folder, options);
-    let scene = adapted.as_ref().unwrap_or(scene);
-    let (lock, beginning) = prepared(scene, folder, options, observer)?;
-    let place = (folder, &lock);
-    let mut run = match beginning {
-        Beginning::Complete(summary) => return Ok(*summary),
-        Beginning::Checkpoint(saved) => SceneRun::resume(scene, place, options, observer, *saved)?,
-        Beginning::Fresh => SceneRun::begin(scene, place, options, observer)?,
-    };
-    let ended = run.run_phases();
-    run.complete(ended)
+    let phases = begin::phases(scene);
+    run_in_folder(
+        scene,
+        folder,
+        options,
+        observer,
+        phases,
+        |scene, context, saved| {
+            let run = match saved {
+                Some(saved) => SceneRun::resume(scene, context, saved),
+                None => SceneRun::begin(scene, context),
+            };
+            run?.complete()
+        },
+    )
 }

@@ -24,10 +24,9 @@ pub use stability::stability;
 
 use super::Scene;
 use crate::error::Error;
-use crate::run::existing::{Beginning, prepared, with_interval_of_earlier_run};
+use crate::run::existing::run_in_folder;
 use crate::run::{Observer, RunOptions, Summary};
-use checkpoint::Checkpoint;
-use scene_run::SceneRun;
+use scene_run::{SceneRun, phase};
 use std::path::Path;
 
 /// Run a scene, write its outputs into a folder, report what happens to an observer, and return the summary.
@@ -41,15 +40,19 @@ pub fn run(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<Summary, Error> {
-    let adapted = with_interval_of_earlier_run::<_, Checkpoint>(scene, folder, options);
-    let scene = adapted.as_ref().unwrap_or(scene);
-    let (lock, beginning) = prepared(scene, folder, options, observer)?;
-    let place = (folder, &lock);
-    let mut run = match beginning {
-        Beginning::Complete(summary) => return Ok(*summary),
-        Beginning::Checkpoint(saved) => SceneRun::resume(scene, place, options, observer, *saved)?,
-        Beginning::Fresh => SceneRun::begin(scene, place, options, observer)?,
-    };
-    let ended = run.run_to_end();
-    run.complete(ended)
+    let phases = vec![phase(scene)];
+    run_in_folder(
+        scene,
+        folder,
+        options,
+        observer,
+        phases,
+        |scene, context, saved| {
+            let run = match saved {
+                Some(saved) => SceneRun::resume(scene, context, saved),
+                None => SceneRun::begin(scene, context),
+            };
+            run?.complete()
+        },
+    )
 }

@@ -6,8 +6,9 @@ use super::stability::summarized;
 use super::tables;
 use super::{page, picture};
 use crate::error::Error;
+use crate::run::context::Sampled;
 use crate::run::folder::{BONDS, GRAINS, NODES, PICTURE, write_whole};
-use crate::run::{Event, Summary, UNTRUSTED, Warning};
+use crate::run::{Summary, UNTRUSTED, Warning};
 use gouge_peridem::observables::{bulk_damage, softened_area};
 use gouge_peridem::world::World;
 use serde_json::{Map, Value, json};
@@ -16,25 +17,26 @@ use serde_json::{Map, Value, json};
 const TRUSTED: f64 = 0.05;
 
 impl SceneRun<'_> {
-    /// Write the final outputs of a run that ended in some way, and return its summary.
+    /// Run all remaining steps, write the final outputs, and return the summary.
     ///
     /// # Errors
     /// What ended the run, or a failure of the file system.
-    pub fn complete(mut self, ended: Result<(), Error>) -> Result<Summary, Error> {
-        let status = match &ended {
-            Ok(()) => self.judge(),
-            Err(error) if error.is_interruption() => Summary::INTERRUPTED.to_owned(),
-            Err(error) if error.is_of_state() => Summary::failed(error),
-            Err(_) => return ended.map(|()| self.summary(String::new(), &[])),
-        };
-        if !Summary::is_failure(&status) {
+    pub fn complete(mut self) -> Result<Summary, Error> {
+        self.context.clock.begin_main();
+        let failure = Summary::early_end(self.run_to_end())?;
+        if failure.as_ref().is_none_or(Error::is_interruption) {
             self.write_checkpoint()?;
         }
-        self.observer.event(Event::Ended);
+        let status = match &failure {
+            None => self.judge(),
+            Some(error) => Summary::failed(error),
+        };
+        self.context.report_end();
         let pieces = self.pieces.count(&self.world);
         let summary = self.summary(status, &pieces);
-        self.lock.check()?;
-        let write = |name, text: String| write_whole(&self.folder.join(name), text.as_bytes());
+        self.context.lock.check()?;
+        let write =
+            |name, text: String| write_whole(&self.context.folder.join(name), text.as_bytes());
         write(NODES, tables::nodes(&self.world).to_csv())?;
         write(GRAINS, tables::grains(&self.world, &pieces).to_csv())?;
         if self.scene.output.bonds {
@@ -42,24 +44,24 @@ impl SceneRun<'_> {
         }
         let picture = picture::draw(self.scene, &self.world, &self.cells);
         write(PICTURE, picture.to_string())?;
-        if !self.options.data_only {
+        if !self.context.options.data_only {
             let content = (&self.world, picture.to_string());
-            page::write(&self.folder, self.scene, content, &summary)?;
+            page::write(&self.context.folder, self.scene, content, &summary)?;
         }
-        summary.write(&self.folder)?;
-        ended.map(|()| summary)
+        summary.write(&self.context.folder)?;
+        failure.map_or(Ok(summary), Err)
     }
 
     /// The status of a finished run, with warnings of what is doubtful.
     fn judge(&mut self) -> String {
         let lost = behind_walls(&self.world);
         if lost > 0 {
-            self.warn(Warning::BehindWalls(lost));
+            self.context.warn(Warning::BehindWalls(lost));
         }
         let error = self.balance.error();
         let is_off = self.scene.output.energy && error.is_nan() | (error > TRUSTED);
         if is_off {
-            self.warn(Warning::Residual(error));
+            self.context.warn(Warning::Residual(error));
         }
         match is_off || lost > 0 {
             true => UNTRUSTED.to_owned(),
@@ -69,7 +71,7 @@ impl SceneRun<'_> {
 
     fn summary(&self, status: String, pieces: &[usize]) -> Summary {
         let (scene, world) = (self.scene, &self.world);
-        let [wall_seconds, stepping] = self.seconds();
+        let [wall_seconds, stepping] = self.context.seconds();
         let rate = |amount: f64| match stepping > 0.0 {
             true => amount / stepping,
             false => 0.0,
@@ -88,7 +90,7 @@ impl SceneRun<'_> {
             link_steps_per_second: rate(self.bond_steps),
             energy: scene.output.energy.then(|| energies(&self.balance, world)),
             series_columns: columns.collect(),
-            warnings: self.warnings.lines().map(str::to_owned).collect(),
+            warnings: self.context.warnings.lines().map(str::to_owned).collect(),
             balance_error: scene.output.energy.then(|| self.balance.error()),
             peridem: Some(self.observations(pieces)),
             ..Summary::empty(&scene.sha256, scene.output.energy, status)
