@@ -26,6 +26,14 @@ pub enum ReplayError {
         /// The cause.
         source: std::io::Error,
     },
+    /// A file is not text.
+    #[error("{}: neither text nor text compressed with gzip: {source}", file.display())]
+    NotText {
+        /// The file.
+        file: PathBuf,
+        /// The cause.
+        source: std::io::Error,
+    },
     /// A file is not JSON.
     #[error("{}: not JSON: {source}", file.display())]
     Syntax {

@@ -177,13 +177,28 @@ impl<'a> Fields<'a> {
             .map_or(Ok(default), |value| value.as_number())
     }
 
-    /// A positive number.
-    pub fn positive(&self, key: &str) -> Result<f64, Fault> {
-        let value = self.required(key, "a positive number")?;
-        let number = value.as_number()?;
+    /// This value as a positive number.
+    pub fn as_positive(&self) -> Result<f64, Fault> {
+        let number = self.as_number()?;
         match number > 0.0 {
             true => Ok(number),
-            false => Err(value.refuse("a positive number")),
+            false => Err(self.refuse("a positive number")),
+        }
+    }
+
+    /// A positive number.
+    pub fn positive(&self, key: &str) -> Result<f64, Fault> {
+        self.required(key, "a positive number")?.as_positive()
+    }
+
+    /// A number that is not negative.
+    pub fn not_negative(&self, key: &str) -> Result<f64, Fault> {
+        let accepted = "a number that is not negative";
+        let value = self.required(key, accepted)?;
+        let number = value.as_number()?;
+        match number >= 0.0 {
+            true => Ok(number),
+            false => Err(value.refuse(accepted)),
         }
     }
 
@@ -217,13 +232,14 @@ impl<'a> Fields<'a> {
         flag.ok_or_else(|| value.refuse("true or false"))
     }
 
-    /// True or false, or a number that is zero if the switch is off; another value if the key is absent.
+    /// True or false, or 1 or 0; another value if the key is absent.
     pub fn switch_or(&self, key: &str, default: bool) -> Result<bool, Fault> {
         let Some(value) = self.optional(key) else {
             return Ok(default);
         };
-        let number = value.value.as_f64().map(|number| number != 0.0);
-        let switch = value.value.as_bool().or(number);
+        let number = value.value.as_f64();
+        let number = number.filter(|&number| number == 0.0 || number == 1.0);
+        let switch = value.value.as_bool().or(number.map(|number| number == 1.0));
         switch.ok_or_else(|| value.refuse("true or false, or 1 or 0"))
     }
 
@@ -279,6 +295,13 @@ impl<'a> Fields<'a> {
         self.list_of(key, length)?
             .iter()
             .map(Self::as_number)
+            .collect()
+    }
+    /// A list with a fixed number of positive numbers.
+    pub fn positives_of(&self, key: &str, length: usize) -> Result<Vec<f64>, Fault> {
+        self.list_of(key, length)?
+            .iter()
+            .map(Self::as_positive)
             .collect()
     }
 }

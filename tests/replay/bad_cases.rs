@@ -102,7 +102,7 @@ fn bad_points_and_shapes() -> Vec<Bad> {
         ),
         of_point(
             point("mu", json!(-1.0)),
-            "mu is -1: must be a number that is not",
+            "mu is -1.0: must be a number that is not",
         ),
         of_point(
             point("W_nn", json!(0.0)),

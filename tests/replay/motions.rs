@@ -180,12 +180,27 @@ fn unusable_grains_are_refused_with_key_and_accepted_values() {
         (
             "/grains/0/V",
             json!([1.0]),
-            "grains[0].V is [1.0]: must be a number, or a list of 2 numbers",
+            "grains[0].V is [1.0]: must be a list of 2 items",
         ),
         (
             "/grains/0/V",
             Value::Null,
-            "grains[0].V is missing: must be a number, or a list of 2 numbers",
+            "grains[0].V is missing: must be a positive number, or a list of 2 positive numbers",
+        ),
+        (
+            "/grains/0/V",
+            json!([1.0, -1.0]),
+            "grains[0].V[1] is -1.0: must be a positive number",
+        ),
+        (
+            "/grains/0/movable",
+            json!(2),
+            "grains[0].movable is 2: must be true or false, or 1 or 0",
+        ),
+        (
+            "/grains/0/breakable",
+            json!("x"),
+            "grains[0].breakable is \"x\": must be true or false, or 1 or 0",
         ),
         (
             "/grains/0/clamped",
@@ -224,6 +239,16 @@ fn unusable_options_are_refused_with_key_and_accepted_values() {
             "conf.dt is 0.0: must be a positive number",
         ),
         (
+            "/conf/wall_speed",
+            json!([1.0, 0.0]),
+            "conf.wall_speed is [1.0,0.0]: must be 4 numbers",
+        ),
+        (
+            "/contact/mu",
+            json!(-0.5),
+            "contact.mu is -0.5: must be a number that is not negative",
+        ),
+        (
             "/contact/R_c",
             json!("wide"),
             "contact.R_c is \"wide\": must be a number",
@@ -255,7 +280,9 @@ fn a_failing_step_leaves_the_rows_before_it() {
     assert!(steps > 2 && steps < 500, "{steps}");
     assert_eq!(frames.lines().count() - 1, 2 * steps);
     let account = format!("failed in step {} of 500", steps + 1);
-    assert!(stdout(&output).contains(&account), "{}", stdout(&output));
+    for part in [&account, "dt = 1000000.0 s is above a limit of stability"] {
+        assert!(stdout(&output).contains(part), "{}", stdout(&output));
+    }
 }
 
 #[test]
@@ -351,4 +378,17 @@ fn single_states_that_cannot_be_used_do_not_keep_the_others_from_being_computed(
     ] {
         assert!(said.contains(part), "{said}");
     }
+}
+
+#[test]
+fn what_is_no_text_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("case.json.gz");
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    std::io::Write::write_all(&mut packed, &[0xff, 0xfe, 0x80]).expect("packed");
+    std::fs::write(&file, packed.finish().expect("packed")).expect("writable");
+    let output = replay(&file, &folder.path().join("out"), &[]);
+    assert_eq!(output.status.code(), Some(2));
+    let said = stderr(&output);
+    assert!(said.contains("case.json.gz: neither text nor"), "{said}");
 }

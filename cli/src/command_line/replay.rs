@@ -18,7 +18,8 @@ pub struct ReplayArguments {
     /// also compressed with gzip
     #[arg(value_name = "DIR|CASE.json")]
     cases: PathBuf,
-    /// File for the results, as JSON; folder for those of a file of peridynamic grains
+    /// File for the results, as JSON; folder for those of a file of peridynamic grains. Results of an earlier replay are
+    /// replaced
     #[arg(long, value_name = "RESULTS.json|DIR")]
     out: PathBuf,
     /// Reading of the source of peridynamic grains, only for their files [default: corrected]

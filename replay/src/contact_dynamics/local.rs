@@ -21,7 +21,7 @@ pub fn solve(case: &Case) -> Result<Value, Fault> {
         w_nt,
         a_n: -(free[0] + restitution[0] * before[0]),
         a_t: -(free[1] + restitution[1] * before[1]),
-        friction: super::friction(fields)?,
+        friction: fields.not_negative("mu")?,
     };
     let solution = ExactRule.solve(&problem);
     let p = solution.impulse;

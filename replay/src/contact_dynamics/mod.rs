@@ -180,16 +180,3 @@ fn solve<'a>(
     };
     Ok(())
 }
-
-/// The coefficient of friction of a case.
-fn friction(fields: &Fields) -> Result<f64, Fault> {
-    let friction = fields.number("mu")?;
-    match friction >= 0.0 {
-        true => Ok(friction),
-        false => Err(Fault::Value {
-            key: "mu".to_owned(),
-            value: friction.to_string(),
-            accepted: "a number that is not negative".to_owned(),
-        }),
-    }
-}

@@ -1,8 +1,8 @@
 //! Networks of forces: stress, anisotropies, coordination and solid fraction.
 
+use super::Case;
 use super::geometry::{add, centre, domain};
 use super::onestep::normal;
-use super::{Case, friction};
 use crate::error::Fault;
 use crate::fields::Fields;
 use gouge_common::geometry::{Domain, Vec2};
@@ -52,7 +52,7 @@ fn problem<'a>(case: &Case<'a>) -> Result<Fields<'a>, Fault> {
 /// Contacts whose normals, components of forces and branch vectors are given.
 fn given(fields: &Fields) -> Result<Vec<Contact>, Fault> {
     let friction = match fields.optional("mu") {
-        Some(_) => friction(fields)?,
+        Some(_) => fields.not_negative("mu")?,
         None => FRICTION,
     };
     let settings = NetworkSettings::for_friction(friction);
@@ -144,7 +144,7 @@ fn of_problem(case: &Case, problem: &Fields, diameter: f64) -> Result<Map<String
     let grains = grains(problem)?;
     let points = points(problem, &grains, domain)?;
     let mut network = Network::new();
-    let settings = NetworkSettings::for_friction(friction(problem)?);
+    let settings = NetworkSettings::for_friction(problem.not_negative("mu")?);
     network.update(points.iter().copied(), grains.len(), &settings);
     let glued = grains.iter().filter(|grain| !grain.is_free);
     let top = glued.fold(f64::NEG_INFINITY, |top, grain| top.max(grain.centre.y));

@@ -1,7 +1,7 @@
 //! One step of several bodies with given contact points.
 
+use super::Case;
 use super::geometry::{centre, domain};
-use super::{Case, friction};
 use crate::error::Fault;
 use crate::fields::Fields;
 use gouge_common::geometry::{Domain, Vec2};
@@ -138,7 +138,7 @@ pub fn normal(point: &Fields) -> Result<Vec2, Fault> {
 fn law(fields: &Fields) -> Result<ContactLaw, Fault> {
     let mode = fields.word("gap_mode", &["closed", "alert"])?;
     let law = ContactLaw {
-        friction: friction(fields)?,
+        friction: fields.not_negative("mu")?,
         restitution: Components {
             n: fields.number("e_n")?,
             t: fields.number("e_t")?,

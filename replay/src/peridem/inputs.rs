@@ -92,6 +92,16 @@ fn column(row: &Fields, key: &str, nodes: usize) -> Result<Vec<f64>, Fault> {
     }
 }
 
+/// Areas of nodes in m^2.
+fn areas(row: &Fields, nodes: usize) -> Result<Vec<f64>, Fault> {
+    let accepted = format!("a positive number, or a list of {nodes} positive numbers");
+    let value = row.required("V", &accepted)?;
+    match value.value().is_array() {
+        true => row.positives_of("V", nodes),
+        false => Ok(vec![value.as_positive()?; nodes]),
+    }
+}
+
 /// Two columns, each zero if it is absent.
 fn vectors(row: &Fields, x: &str, y: &str, nodes: usize) -> Result<Vec<Vec2>, Fault> {
     let column = |key: &str| match row.optional(key) {
@@ -117,14 +127,14 @@ fn grain(row: &Fields, shared: &Shared) -> Result<Grain, Fault> {
             .collect::<Result<_, _>>()?,
     };
     let constants = constants(row, shared.weight)?;
-    let breaks = shared.breaks && row.switch_or("breakable", true)?;
+    let breaks = row.switch_or("breakable", true)? && shared.breaks;
     let touches_itself = match shared.mode.is_of_authors() {
         true => shared.touches_itself && breaks,
         false => shared.touches_itself,
     };
     Ok(Grain {
         position: row.vectors("x", "y", nodes)?,
-        area: column(row, "V", nodes)?,
+        area: areas(row, nodes)?,
         density: row.positive("rho")?,
         constants,
         breaking: breaks.then(|| shared.mode.breaking()),
@@ -202,9 +212,10 @@ fn settings(shared: &Shared, conf: &Fields, state: &mut State) -> Result<Setting
     let contact = shared.case.inside("contact")?;
     options::require_known(conf, &contact)?;
     let coefficient = |switch: &str, key: &str| match conf.switch_or(switch, true)? {
-        true => contact.number(key),
+        true => contact.not_negative(key),
         false => Ok(0.0),
     };
+    let velocity = options::wall_velocity(shared.case, conf)?;
     let law = ContactLaw {
         radius: contact.positive("R_c")?,
         damping_ratio: coefficient("allow_damping", "r_d")?,
@@ -224,7 +235,7 @@ fn settings(shared: &Shared, conf: &Fields, state: &mut State) -> Result<Setting
                 friction: law.friction,
                 reading: shared.mode.walls(),
             },
-            velocity: options::wall_velocity(shared.case, conf)?,
+            velocity,
         });
     }
     Ok(Settings {

@@ -63,7 +63,10 @@ fn text(file: &Path) -> Result<String, ReplayError> {
     } else {
         (&bytes[..]).read_to_string(&mut text)
     }
-    .map_err(read)?;
+    .map_err(|source| ReplayError::NotText {
+        file: file.to_owned(),
+        source,
+    })?;
     Ok(text)
 }
 

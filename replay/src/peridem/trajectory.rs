@@ -5,6 +5,7 @@ use super::series::{Tables, broken};
 use super::{Repeated, Watch, json, output_name, text};
 use crate::error::{CaseError, Fault, ReplayError};
 use crate::fields::Fields;
+use gouge_peridem::limits::Limits;
 use gouge_peridem::material::Weight;
 use gouge_peridem::mode::Mode;
 use serde_json::Value;
@@ -164,8 +165,18 @@ impl Motion {
                 input.steps
             ),
         };
-        let nodes = input.world.grains().nodes();
+        let world = &input.world;
+        let nodes = world.grains().nodes();
         let broken = self.broken.len();
+        let limits = Limits::of(world.grains(), world.bonds(), world.settings());
+        let (meaning, limit) = limits.smallest();
+        let step = world.settings().time_step;
+        let doubt = match step > limit {
+            true => format!(
+                "dt = {step:?} s is above a limit of stability at the end, {limit:.3e} s ({meaning})\n"
+            ),
+            false => String::new(),
+        };
         Repeated {
             files: vec![
                 ("frames.csv".to_owned(), tables.frames),
@@ -173,7 +184,7 @@ impl Motion {
                 ("bonds.csv".to_owned(), tables.bonds),
             ],
             account: format!(
-                "{}: {nodes} nodes, {steps}, {broken} bonds broken\n",
+                "{}: {nodes} nodes, {steps}, {broken} bonds broken\n{doubt}",
                 mode.name()
             ),
             failures,

@@ -70,7 +70,7 @@ impl Setup<'_> {
     }
 
     fn friction(&self) -> Result<f64, Fault> {
-        super::friction(&self.fields)
+        self.fields.not_negative("mu")
     }
 
     /// Mass per area; 1 if absent.

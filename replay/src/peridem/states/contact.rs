@@ -89,8 +89,8 @@ fn node_node(case: &Fields) -> Result<Found, Fault> {
     for (name, reading) in READINGS {
         let law = ContactLaw {
             radius: case.positive("R_c")?,
-            damping_ratio: case.number("r_d")?,
-            friction: case.number("mu")?,
+            damping_ratio: case.not_negative("r_d")?,
+            friction: case.not_negative("mu")?,
             reading,
         };
         law.validate()?;

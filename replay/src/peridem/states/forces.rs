@@ -37,7 +37,7 @@ impl Cloud {
         Ok(Self {
             position: case.vectors("x", "y", nodes)?,
             displacement: case.vectors("ux", "uy", nodes)?,
-            area: case.numbers_of("V", nodes)?,
+            area: case.positives_of("V", nodes)?,
             bonds: case
                 .list("bonds")?
                 .iter()
