@@ -3,6 +3,7 @@
 //! The division depends on the grains alone, and sums of blocks are added in their order, so the result does not depend on
 //! the number of threads.
 
+use super::lanes::Lanes;
 use crate::bonds::Bonds;
 use crate::grain::Grains;
 use core::ops::Range;
@@ -34,6 +35,10 @@ impl Block {
 pub(super) struct Buffer {
     /// Sums over bonds for each node that the block reaches.
     pub(super) sums: Vec<Vec2>,
+    /// Bonds that are computed together.
+    pub(super) lanes: Lanes,
+    /// What is computed for each of them.
+    pub(super) pulls: Vec<Vec2>,
     /// Bonds that broke.
     pub(super) broken: Vec<Pair>,
     /// Energy in J/m of the bonds that broke.

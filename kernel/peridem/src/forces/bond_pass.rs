@@ -2,12 +2,13 @@
 
 use super::Settings;
 use super::blocks::{Block, Blocks, Buffer};
-use super::lanes::{LANES, Lanes};
+use super::lanes::BATCH;
 use crate::bond_law::{BreakOrder, BreakingRule, Elongation};
 use crate::bonds::BondRows;
 use crate::grain::Grains;
 use crate::material::{BondConstants, Weight};
 use crate::state::{Place, State, moved};
+use core::ops::Range;
 use gouge_common::geometry::Vec2;
 use gouge_common::instructions::Instructions;
 use gouge_common::pair::Pair;
@@ -160,36 +161,37 @@ impl BlockPass<'_> {
         let constants = nodes.grains.rows[block.grain].constants;
         let (first, reach) = (block.first, block.reach());
         let (places, area) = (&nodes.places[reach.clone()], &nodes.grains.area[reach]);
-        let is_over = |elongation: &Elongation| {
-            BREAKS && elongation.exceeds::<TWO_SIDED>(constants.critical_stretch)
+        let (critical_stretch, horizon) = (constants.critical_stretch, constants.horizon);
+        let is_over = move |elongation: &Elongation| {
+            BREAKS && elongation.exceeds::<TWO_SIDED>(critical_stretch)
         };
-        let pull_or_zero = |elongation: &Elongation| {
+        let pull_or_zero = move |elongation: &Elongation| {
             let breaks = is_over(elongation);
-            let pull = elongation.pull(W::WEIGHT, constants.horizon);
+            let pull = elongation.pull(W::WEIGHT, horizon);
             let acts = !(BREAK_FIRST && breaks);
             (if acts { pull } else { Vec2::zero() }, breaks)
         };
         buffer.reset(block);
-        let mut lanes = Lanes::default();
-        let mut pulls = [Vec2::zero(); LANES];
-        for (row, later) in block.nodes.clone().enumerate() {
-            let (own, own_area) = (places[later - first], area[later - first]);
-            let sums = &mut buffer.sums[..places.len()];
-            let mut sum = Vec2::zero();
-            let mut has_broken = false;
-            let here = rows.places(row);
-            let earlier = rows.earlier[here.clone()].chunks(LANES);
-            for (earlier, length) in earlier.zip(rows.length[here].chunks(LANES)) {
-                let earlier = earlier.iter().map(|&earlier| earlier as usize - first);
-                lanes.gather(own, earlier.clone().map(|node| places[node]), length);
-                has_broken |= lanes.compute(length.len(), &mut pulls, pull_or_zero);
-                for (node, &pull) in earlier.zip(&pulls) {
-                    sums[node] += pull * own_area;
-                    sum += -pull * area[node];
-                }
+        let mut next = 0;
+        while next < block.nodes.len() {
+            let begin = next;
+            buffer.lanes.number = 0;
+            while next < block.nodes.len() && buffer.lanes.number < BATCH {
+                let here = rows.places(next);
+                let earlier = rows.earlier[here.clone()].iter();
+                let earlier = earlier.map(|&earlier| places[earlier as usize - first]);
+                let own = places[block.nodes.start + next - first];
+                buffer.lanes.gather(own, earlier, &rows.length[here]);
+                next += 1;
             }
-            sums[later - first] += sum;
-            if BREAKS && has_broken {
+            let has_broken = buffer.lanes.compute(&mut buffer.pulls, pull_or_zero);
+            add_pulls(&rows, begin..next, block, area, buffer);
+            if !(BREAKS && has_broken) {
+                continue;
+            }
+            for row in begin..next {
+                let later = block.nodes.start + row;
+                let (own, own_area) = (places[later - first], area[later - first]);
                 let energy_if_over = |earlier: usize, length| {
                     let elongation = places[earlier - first].elongation_to(own, length);
                     let moved = nodes.moved(later) - nodes.moved(earlier);
@@ -201,6 +203,33 @@ impl BlockPass<'_> {
                 remove(&mut rows, row, later, buffer, energy_if_over);
             }
         }
+    }
+}
+
+/// Add what was computed for the bonds of some rows to the sums of both nodes, times the area of the other one.
+#[inline(always)]
+fn add_pulls(
+    rows: &BondRows,
+    range: Range<usize>,
+    block: &Block,
+    area: &[f64],
+    buffer: &mut Buffer,
+) {
+    let mut pulls = &buffer.pulls[..];
+    let sums = &mut buffer.sums[..area.len()];
+    for row in range {
+        let later = block.nodes.start + row - block.first;
+        let own_area = area[later];
+        let earlier = &rows.earlier[rows.places(row)];
+        let (own, others) = pulls.split_at(earlier.len());
+        let mut sum = Vec2::zero();
+        for (&earlier, &pull) in earlier.iter().zip(own) {
+            let earlier = earlier as usize - block.first;
+            sums[earlier] += pull * own_area;
+            sum += -pull * area[earlier];
+        }
+        sums[later] += sum;
+        pulls = others;
     }
 }
 

@@ -1,66 +1,76 @@
-//! Bonds of a node side by side, so that one vector instruction computes several of them.
+//! Bonds side by side, so that one vector instruction computes several of them.
 
 use crate::bond_law::Elongation;
 use crate::state::Place;
 use gouge_common::geometry::Vec2;
 
-/// Most bonds that are computed together.
-pub(super) const LANES: usize = 32;
+/// Bonds of several nodes are computed together once there are this many, which still fit into the first-level cache. Those
+/// of one node would fill their last vector badly, and the processor would guess the end of each of its loops wrongly.
+pub(super) const BATCH: usize = 192;
 /// Numbers of bonds are filled up to a multiple of this one, so that no bond is left to scalar instructions.
 const VECTOR: usize = 8;
 
-/// Bonds of a node with earlier ones, as columns.
-#[derive(Default)]
+/// Bonds as columns.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Lanes {
     /// From the earlier node to the later one: differences of references and of displacements.
-    difference: [Place; LANES],
+    difference: Vec<Place>,
     /// Reference length in m.
-    length: [f64; LANES],
+    length: Vec<f64>,
+    /// Number of bonds.
+    pub(super) number: usize,
 }
 
 impl Lanes {
-    /// Take the bonds of a node at `own` with earlier ones, and bonds without elongation behind them.
+    /// Append the bonds of a node at `own`, given by the places of the earlier nodes and the lengths in m.
     #[inline(always)]
     pub(super) fn gather(
         &mut self,
         own: Place,
-        earlier: impl Iterator<Item = Place>,
+        earlier: impl ExactSizeIterator<Item = Place>,
         length: &[f64],
     ) {
-        for (difference, from) in self.difference.iter_mut().zip(earlier) {
+        let begin = self.number;
+        self.number += length.len();
+        if self.difference.len() < self.number {
+            self.grow();
+        }
+        let differences = self.difference[begin..self.number].iter_mut();
+        let lengths = self.length[begin..self.number].iter_mut();
+        for (((difference, copy), from), &length) in
+            differences.zip(lengths).zip(earlier).zip(length)
+        {
             *difference = Place {
                 reference: own.reference - from.reference,
                 displacement: own.displacement - from.displacement,
             };
-        }
-        // Whole vectors: what single numbers have just stored, no vector instruction can load without waiting.
-        let (whole, rest) = length.as_chunks::<VECTOR>();
-        let (lengths, _) = self.length.as_chunks_mut::<VECTOR>();
-        for (lengths, whole) in lengths.iter_mut().zip(whole) {
-            *lengths = *whole;
-        }
-        if !rest.is_empty() {
-            let (number, filled) = (length.len(), length.len().next_multiple_of(VECTOR));
-            self.length[number - rest.len()..number].copy_from_slice(rest);
-            self.length[number..filled].fill(1.0);
-            self.difference[number..filled].fill(Place::default());
+            *copy = length;
         }
     }
 
-    /// Compute a vector for each of a number of bonds. Returns whether any of them breaks.
+    #[cold]
+    fn grow(&mut self) {
+        let filled = self.number.next_multiple_of(VECTOR).max(2 * BATCH);
+        self.difference.resize(filled, Place::default());
+        self.length.resize(filled, 1.0);
+    }
+
+    /// Compute a vector for each bond. Returns whether any of them breaks.
     ///
-    /// The vectors are no field of the lanes: a loop over columns of one object that it also writes is not vectorised.
+    /// What `of_bond` needs, it must hold by value: a loop that may write what it reads is not vectorised.
     #[inline(always)]
     pub(super) fn compute(
-        &self,
-        number: usize,
-        vectors: &mut [Vec2; LANES],
+        &mut self,
+        vectors: &mut Vec<Vec2>,
         of_bond: impl Fn(&Elongation) -> (Vec2, bool),
     ) -> bool {
-        let filled = number.next_multiple_of(VECTOR);
-        let inputs = self.difference[..filled].iter().zip(&self.length[..filled]);
+        let filled = self.number.next_multiple_of(VECTOR);
+        self.difference[self.number..filled].fill(Place::default());
+        self.length[self.number..filled].fill(1.0);
+        vectors.resize(filled.max(vectors.len()), Vec2::zero());
+        let inputs = self.difference[..filled].iter().zip(&self.length);
         let mut any_breaks = false;
-        for ((difference, &length), vector) in inputs.zip(&mut vectors[..filled]) {
+        for ((difference, &length), vector) in inputs.zip(vectors) {
             let elongation = Elongation::new(difference.reference, difference.displacement, length);
             let breaks;
             (*vector, breaks) = of_bond(&elongation);
