@@ -2,6 +2,30 @@
 
 use thiserror::Error;
 
+/// A node that moves so far per step that contacts could be missed.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error(
+    "node {node} of grain {grain} has a speed of {speed:.4e} m/s and moves by {distance:.3e} m per step relative to {other}: \
+     more than {limit:.3e} m, half of the contact radius, so that contacts could be missed; the time step must be at most \
+     {safe_step:.3e} s for that"
+)]
+pub struct TooFast {
+    /// The grain.
+    pub grain: usize,
+    /// The node, counted from the first of the grain.
+    pub node: usize,
+    /// Its speed in m/s.
+    pub speed: f64,
+    /// Relative to what it moves.
+    pub other: &'static str,
+    /// How far in m it moves along an axis relative to that.
+    pub distance: f64,
+    /// How far it may move, in m.
+    pub limit: f64,
+    /// The longest time step in s in which it does not move farther than that.
+    pub safe_step: f64,
+}
+
 /// An invalid shape, mesh, material or setting.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SetupError {
@@ -86,6 +110,9 @@ pub enum SetupError {
         /// The smallest distance in m.
         smallest: f64,
     },
+    /// A node moves too fast from the beginning.
+    #[error(transparent)]
+    TooFast(#[from] TooFast),
     /// A ring of vertices is not a polygon.
     #[error("ring {ring} has {vertices} vertices, but a polygon needs 3")]
     TooFewVertices {
@@ -173,6 +200,14 @@ pub enum StepError {
         time: f64,
         /// Number of steps, with the one that failed.
         steps: u64,
+    },
+    /// A node is too fast for the time step.
+    #[error("at {time:.6e} s, {motion}")]
+    TooFast {
+        /// The node, and how far it would move in the next step.
+        motion: TooFast,
+        /// Time in s.
+        time: f64,
     },
     /// A node went through a wall.
     #[error(
