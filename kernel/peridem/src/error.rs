@@ -174,12 +174,25 @@ pub enum SetupError {
         cut: usize,
     },
     /// A mesh of the given size has no node, too many, or cannot be made.
-    #[error("no mesh of size {size} m: {reason}")]
+    #[error("no mesh of size {size:?} m: {reason}")]
     Mesh {
         /// The size in m.
         size: f64,
         /// Why not.
         reason: &'static str,
+    },
+    /// A shape is so thin that rounding changes the area of its mesh.
+    #[error(
+        "the mesh of size {size:?} m has an area of {area:e} m^2 instead of the {expected:e} m^2 of the shape: it is too thin \
+         for the rounding of coordinates, or too far from the origin of its frame"
+    )]
+    MeshArea {
+        /// The size of the mesh in m.
+        size: f64,
+        /// The sum of the areas of the nodes in m^2.
+        area: f64,
+        /// The area of the shape in m^2.
+        expected: f64,
     },
 }
 
