@@ -30,7 +30,7 @@ pub struct TooFast {
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SetupError {
     /// A parameter is outside its range.
-    #[error("{name} is {value}, but must be {accepted}")]
+    #[error("{name} is {value:?}, but must be {accepted}")]
     Parameter {
         /// Name of the parameter.
         name: &'static str,
@@ -38,6 +38,30 @@ pub enum SetupError {
         value: f64,
         /// Which values are accepted.
         accepted: &'static str,
+    },
+    /// A parameter is so large or small that what follows from it is no usable number.
+    #[error(
+        "{name} is {value:?}, which makes {product} {result:?}, but that must be from {least:?} to {most:?}"
+    )]
+    Product {
+        /// Name of the parameter, of those in the product the one with the most extreme power.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What follows from it, with its unit.
+        product: &'static str,
+        /// The value of that.
+        result: f64,
+        /// The smallest accepted value of that.
+        least: f64,
+        /// The largest accepted value of that.
+        most: f64,
+    },
+    /// There are more nodes than indices.
+    #[error("there are {nodes} nodes, but at most 4294967295 are accepted")]
+    TooManyNodes {
+        /// Number of nodes of all grains.
+        nodes: usize,
     },
     /// A grain has no nodes.
     #[error("grain {grain} has no nodes")]
@@ -239,6 +263,37 @@ pub enum StepError {
         /// Time in s.
         time: f64,
     },
+}
+
+/// Smallest and largest product of parameters, in SI units, whose further products are surely numbers.
+const USABLE: [f64; 2] = [1e-100, 1e100];
+
+/// Accept a product of powers of parameters, given with names, values and exponents, that is neither too small nor too large.
+pub(crate) fn require_product(
+    product: &'static str,
+    result: f64,
+    factors: &[(&'static str, f64, i32)],
+) -> Result<(), SetupError> {
+    let [least, most] = USABLE;
+    if (least..=most).contains(&result) {
+        return Ok(());
+    }
+    let magnitude = |&(_, value, exponent): &(_, f64, i32)| {
+        (f64::from(exponent) * libm::log(value.abs())).abs()
+    };
+    let larger = |a, b| if magnitude(b) > magnitude(a) { b } else { a };
+    let (name, value) = match factors.iter().reduce(larger) {
+        Some(&(name, value, _)) => (name, value),
+        None => (product, result),
+    };
+    Err(SetupError::Product {
+        name,
+        value,
+        product,
+        result,
+        least,
+        most,
+    })
 }
 
 /// Accept a finite number that satisfies a condition.
