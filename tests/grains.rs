@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Stdio;
 
-const OPTIONS: RunOptions = RunOptions {
+pub const OPTIONS: RunOptions = RunOptions {
     resume: false,
     overwrite: false,
     data_only: false,
@@ -34,12 +34,12 @@ const KEYS: [&str; 4] = [
     "output.bonds=true",
 ];
 
-fn pair(more: &[&str]) -> AnyScene {
+pub fn pair(more: &[&str]) -> AnyScene {
     let overrides = Overrides::parse(&[&KEYS, more].concat()).expect("overrides");
     AnyScene::load_with("two-grains", &overrides).expect("a scene")
 }
 
-fn summary(folder: &Path) -> Value {
+pub fn summary(folder: &Path) -> Value {
     let text = fs::read_to_string(folder.join("summary.json")).expect("a summary");
     serde_json::from_str(&text).expect("JSON")
 }
@@ -245,28 +245,6 @@ fn commands_state_limits_links_and_mode() {
     assert!(forces.map(force).all(|force| force > 0.0));
 }
 
-#[test]
-fn an_unsafe_step_or_radius_is_refused_unless_forced() {
-    let folder = tempfile::tempdir().unwrap();
-    let attempt = |keys: &[&str]| {
-        let out = folder.path().join(keys.len().to_string() + keys[0]);
-        let scene = pair(&[keys, &["time.end=2e-6"]].concat());
-        let result = scene.run(&out, OPTIONS, &mut |_: Event<'_>| {});
-        result.map(drop).map_err(|error| error.to_string())
-    };
-    let said = attempt(&["time.step=1e-6"]).unwrap_err();
-    assert!(
-        said.contains("--set time.step=1e-6: the time step of") && said.contains("time.forced")
-    );
-    attempt(&["time.step=1e-6", "time.forced=true"]).unwrap();
-    let said = attempt(&["contact.radius=1e-4"]).unwrap_err();
-    assert!(
-        said.contains("--set contact.radius=1e-4: the contact radius of"),
-        "{said}"
-    );
-    attempt(&["contact.radius=1e-4", "contact.forced=true"]).unwrap();
-}
-
 /// A grain between walls, one of which is moving: the forces, the share of the container, and a grain that is too fast.
 const WALLED: &str = "model = \"peridem\"\n[time]\nstep = 5e-8\nend = 2e-5\n\
     [materials.a]\nyoung_modulus = 1e9\ndensity = 1200.0\n\
@@ -299,7 +277,7 @@ fn walls_push_and_are_pushed() {
         work > 0.0 && residual.abs() < 2e-3 * work,
         "{work:e} {residual:e}"
     );
-    let fast = ["--overwrite", "--set", "grains.0.velocity=[0.0, 3000.0]"];
+    let fast = ["--overwrite", "--set", "grains.0.velocity=[0.0, 2900.0]"];
     let output = run(&[&arguments[..], &fast].concat());
     assert_eq!(output.status.code(), Some(1));
     assert!(
@@ -379,40 +357,4 @@ fn a_run_whose_interval_follows_from_its_end_can_be_extended() {
     let extended = column(&path.join("series.csv"), "time");
     assert_eq!(extended[..times.len()], times[..]);
     assert_eq!(extended.last(), Some(&2e-6));
-}
-
-#[test]
-fn energies_that_are_no_numbers_are_not_trusted() {
-    let folder = tempfile::tempdir().unwrap();
-    let keys = [
-        "time.end=2e-6",
-        "external={law=\"gravity\",acceleration=1e300}",
-    ];
-    let scene = AnyScene::load_with("two-grains", &Overrides::parse(&keys).unwrap()).unwrap();
-    let ignore = &mut |_: Event<'_>| {};
-    let summary = scene.run(folder.path(), OPTIONS, ignore).unwrap();
-    assert_eq!(summary.status, "untrusted");
-}
-
-#[test]
-fn grains_without_bonds_and_forced_steps_are_doubted() {
-    let folder = tempfile::tempdir().unwrap();
-    let warnings = |keys: &[&str]| {
-        let scene = AnyScene::load_with("two-grains", &Overrides::parse(keys).unwrap()).unwrap();
-        let options = RunOptions {
-            overwrite: true,
-            ..OPTIONS
-        };
-        let ignore = &mut |_: Event<'_>| {};
-        scene
-            .run(folder.path(), options, ignore)
-            .unwrap()
-            .warnings
-            .join("\n")
-    };
-    assert_eq!(warnings(&["time.end=1e-6"]), "");
-    let forced = ["time.end=1e-6", "time.step=1e-7", "time.forced=true"];
-    assert!(warnings(&forced).contains("time.step = 1e-7: above the estimated stability bound"));
-    let loose = [&forced[..], &["bonds.horizon=1e-5"]].concat();
-    assert!(warnings(&loose).contains("grains[0] has no bonds"));
 }

@@ -11,6 +11,7 @@ mod command_line;
 mod commands;
 mod compare;
 mod distributions;
+mod doubtful_grains;
 mod drafts;
 mod dual;
 mod equations;

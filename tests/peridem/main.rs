@@ -13,6 +13,7 @@ mod exact;
 mod faces;
 mod friction;
 mod generators;
+mod guard;
 mod identical;
 mod interior;
 mod lattice_sums;

@@ -1,6 +1,8 @@
 //! Constants of bonds against the integrals that define them.
 
 use crate::quadrature::integrate;
+use gouge_peridem::contact_law::{ContactMaterial, ContactStiffness};
+use gouge_peridem::error::SetupError;
 use gouge_peridem::material::{Material, Plane, Weight};
 use std::f64::consts::PI;
 
@@ -86,4 +88,85 @@ fn invalid_materials_are_refused() {
         assert!(bad.bond_constants(Weight::Constant, 1e-3).is_err());
     }
     assert!(good.bond_constants(Weight::Constant, 0.0).is_err());
+}
+
+/// Name and value of a parameter of which a product is refused.
+fn extreme<T: std::fmt::Debug>(result: Result<T, SetupError>) -> (&'static str, f64) {
+    match result {
+        Err(SetupError::Product { name, value, .. }) => (name, value),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_parameter_with_which_a_product_overflows_is_named() {
+    let of = |change: fn(&mut Material), horizon: f64| {
+        let mut material = materials()[0];
+        change(&mut material);
+        material.bond_constants(Weight::Constant, horizon)
+    };
+    for (young, name) in [(1e300, "young_modulus"), (1e-300, "young_modulus")] {
+        let material = Material {
+            young_modulus: young,
+            ..materials()[0]
+        };
+        let found = material.bond_constants(Weight::Constant, 1e-3);
+        assert_eq!(extreme(found), (name, young));
+    }
+    for horizon in [1e-150, 1e100] {
+        assert_eq!(extreme(of(|_| (), horizon)), ("horizon", horizon));
+    }
+    assert_eq!(
+        extreme(of(|one| one.density = 1e300, 1e-3)),
+        ("density", 1e300)
+    );
+    assert_eq!(
+        extreme(of(|one| one.density = 1e-300, 1e-3)),
+        ("density", 1e-300)
+    );
+    let tough = of(|one| one.fracture_energy = 1e300, 1e-3).unwrap();
+    assert!(tough.critical_stretch > 1e100);
+    let text = of(|one| one.young_modulus = 1e300, 1e-3)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        text.starts_with("young_modulus is 1e300, which makes") && text.len() < 200,
+        "{text}"
+    );
+}
+
+#[test]
+fn the_parameter_with_which_a_contact_stiffness_overflows_is_named() {
+    let side = |bulk_modulus: f64| ContactMaterial {
+        material: materials()[0],
+        bulk_modulus,
+        horizon: 1e-3,
+    };
+    let between = |how: ContactStiffness, bulk: f64, radius: f64| {
+        extreme(how.between(&side(bulk), &side(bulk), radius))
+    };
+    for how in [ContactStiffness::Published, ContactStiffness::Printed] {
+        assert_eq!(between(how, 1e300, 1e-3), ("bulk_modulus", 1e300));
+    }
+    let radius = between(ContactStiffness::FromBonds, 1.0, 1e-300);
+    assert_eq!(radius, ("contact radius", 1e-300));
+}
+
+/// A strip of bonds is as stiff as its material only if Poisson's ratio is that of the bonds.
+#[test]
+fn young_modulus_of_bonds_is_that_of_the_plate_with_the_same_dilation() {
+    for material in materials() {
+        let own = material.young_modulus_of_bonds();
+        assert!((own / material.young_modulus - 1.0).abs() < 1e-15);
+        let other = Material {
+            poisson_ratio: 0.1,
+            ..material
+        };
+        let of_bonds = Material {
+            young_modulus: other.young_modulus_of_bonds(),
+            ..material
+        };
+        let ratio = energy_of_hooke(&other) / energy_of_hooke(&of_bonds);
+        assert!((ratio - 1.0).abs() < 1e-14, "{ratio}");
+    }
 }

@@ -280,8 +280,49 @@ fn meshes_that_cannot_be_made_are_refused() {
     assert!(Mesh::lattice(&square, 0.1, point(f64::NAN, 0.0)).is_err());
 }
 
+#[test]
+fn shapes_as_thin_as_rounding_are_refused() {
+    let mesh = |corners: [(f64, f64); 3]| Mesh::triangulated(&plain(ring(&corners)), 2e-4);
+    let flat = |height: f64| mesh([(0.0, 0.0), (1e-3, 0.0), (5e-4, height)]);
+    assert!(flat(1e-3).is_ok() && flat(1e-6).is_ok() && flat(1e-9).is_ok());
+    let error = flat(1e-12).unwrap_err();
+    let SetupError::MeshArea { area, expected, .. } = error else {
+        panic!("{error}");
+    };
+    assert!((expected / 5e-16 - 1.0).abs() < 1e-12 && (area / expected - 1.0).abs() < 1e-5);
+    for height in [1e-19, 1e-50] {
+        assert!(
+            matches!(flat(height), Err(SetupError::Mesh { .. })),
+            "{height:e}"
+        );
+    }
+    // Corners of a thick shape may be far from the origin of its frame.
+    assert!(mesh([(1.0, 1.0), (1.001, 1.0), (1.0005, 1.001)]).is_ok());
+    let far = mesh([(1e5, 1e5), (1e5 + 1e-3, 1e5), (1e5 + 5e-4, 1e5 + 1e-3)]);
+    assert!(matches!(far, Err(SetupError::MeshArea { .. })));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn meshes_of_slivers_have_their_area_or_are_refused(
+        exponent in -18.0..0.0f64, place in 0.0..100.0f64, size in 0.05..0.5f64,
+    ) {
+        let height = 10.0_f64.powf(exponent);
+        let corners = [(place, place), (place + 1.0, place), (place + 0.5, place + height)];
+        let Ok(shape) = Outline::new(ring(&corners), Vec::new(), Vec::new()) else {
+            return Ok(());
+        };
+        let meshes = [
+            Mesh::triangulated(&shape, size),
+            Mesh::lattice(&shape, size, point(place, place)),
+        ];
+        for mesh in meshes.into_iter().flatten() {
+            prop_assert!((total(&mesh.area) / shape.area() - 1.0).abs() <= 1e-9);
+            prop_assert!(mesh.area.iter().all(|&area| area > 0.0));
+        }
+    }
 
     #[test]
     fn smallest_distances_are_those_of_all_pairs(

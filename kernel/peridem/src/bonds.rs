@@ -200,11 +200,12 @@ impl Bonds {
             self.earlier.push((first + i) as u32);
             self.length.push(length);
         }
-        let Ok(held) = u16::try_from(row.len()) else {
+        let sizes = (u16::try_from(row.len()), u32::try_from(self.earlier.len()));
+        let (Ok(held), Ok(end)) = sizes else {
             return Err(wrong(j, "too many bonds"));
         };
         self.held.push(held);
-        self.start.push(self.earlier.len() as u32);
+        self.start.push(end);
         Ok(())
     }
 

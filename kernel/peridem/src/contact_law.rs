@@ -1,6 +1,6 @@
 //! Contact of two nodes: repulsion, normal damping, friction; stiffness of contacts and the time step they allow.
 
-use crate::error::{SetupError, require};
+use crate::error::{SetupError, require, require_product};
 use crate::material::{Material, Weight};
 use core::f64::consts::PI;
 use gouge_common::geometry::Vec2;
@@ -176,10 +176,14 @@ impl ContactLaw {
     /// Check the coefficients.
     ///
     /// # Errors
-    /// [`SetupError::Parameter`] for a radius that is not positive, a damping ratio outside [0, 1] or negative friction.
+    /// [`SetupError::Parameter`] for a radius that is not positive, a damping ratio outside [0, 1] or negative friction, and
+    /// [`SetupError::Product`] for a radius whose square under- or overflows.
     pub fn validate(&self) -> Result<(), SetupError> {
         let (radius, ratio) = (self.radius, self.damping_ratio);
         require("contact radius", radius, "positive", radius > 0.0)?;
+        let factors = [("contact radius", radius, 2)];
+        let square = "the square of the contact radius in m^2";
+        require_product(square, radius * radius, &factors)?;
         let is_valid = (0.0..=1.0).contains(&ratio);
         require("damping ratio", ratio, "in [0, 1]", is_valid)?;
         let is_valid = self.friction >= 0.0;
@@ -326,7 +330,8 @@ impl ContactStiffness {
     /// The bulk modulus k (or the bond stiffness c) is the harmonic mean of both sides, and the horizon the mean.
     ///
     /// # Errors
-    /// [`SetupError::Parameter`] for a number outside its range.
+    /// [`SetupError::Parameter`] for a number outside its range, and [`SetupError::Product`] for a stiffness that under- or
+    /// overflows.
     pub fn between(
         self,
         first: &ContactMaterial,
@@ -344,7 +349,22 @@ impl ContactStiffness {
             Self::Printed => 18.0 * bulk / (PI * horizon.powi(5)),
             Self::Given(stiffness) => stiffness,
         };
-        require("contact stiffness", stiffness, "positive", stiffness > 0.0)?;
+        let factors = match self {
+            Self::FromBonds => vec![("contact radius", radius, -1)],
+            Self::Published => vec![
+                ("bulk_modulus", first.bulk_modulus, 1),
+                ("horizon", horizon, -4),
+            ],
+            Self::Printed => vec![
+                ("bulk_modulus", first.bulk_modulus, 1),
+                ("horizon", horizon, -5),
+            ],
+            Self::Given(_) => {
+                require("contact stiffness", stiffness, "positive", stiffness > 0.0)?;
+                vec![("contact stiffness", stiffness, 1)]
+            }
+        };
+        require_product("the stiffness of contacts in N/m^6", stiffness, &factors)?;
         Ok(stiffness)
     }
 }

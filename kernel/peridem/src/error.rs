@@ -2,11 +2,35 @@
 
 use thiserror::Error;
 
+/// A node that moves so far per step that contacts could be missed.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error(
+    "node {node} of grain {grain} has a speed of {speed:.4e} m/s and moves by {distance:.3e} m per step relative to {other}: \
+     more than {limit:.3e} m, half of the contact radius, so that contacts could be missed; the time step must be at most \
+     {safe_step:.3e} s for that"
+)]
+pub struct TooFast {
+    /// The grain.
+    pub grain: usize,
+    /// The node, counted from the first of the grain.
+    pub node: usize,
+    /// Its speed in m/s.
+    pub speed: f64,
+    /// Relative to what it moves.
+    pub other: &'static str,
+    /// How far in m it moves along an axis relative to that.
+    pub distance: f64,
+    /// How far it may move, in m.
+    pub limit: f64,
+    /// The longest time step in s in which it does not move farther than that.
+    pub safe_step: f64,
+}
+
 /// An invalid shape, mesh, material or setting.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SetupError {
     /// A parameter is outside its range.
-    #[error("{name} is {value}, but must be {accepted}")]
+    #[error("{name} is {value:?}, but must be {accepted}")]
     Parameter {
         /// Name of the parameter.
         name: &'static str,
@@ -14,6 +38,28 @@ pub enum SetupError {
         value: f64,
         /// Which values are accepted.
         accepted: &'static str,
+    },
+    /// A parameter is so large or small that what follows from it is no usable number.
+    #[error(
+        "{name} is {value:?}, which makes {product} {result:?}, but that must be from {least:?} to {most:?}",
+        least = USABLE[0],
+        most = USABLE[1]
+    )]
+    Product {
+        /// Name of the parameter, of those in the product the one with the most extreme power.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What follows from it, with its unit.
+        product: &'static str,
+        /// The value of that.
+        result: f64,
+    },
+    /// There are more nodes than indices.
+    #[error("there are {nodes} nodes, but at most 4294967295 are accepted")]
+    TooManyNodes {
+        /// Number of nodes of all grains.
+        nodes: usize,
     },
     /// A grain has no nodes.
     #[error("grain {grain} has no nodes")]
@@ -86,6 +132,9 @@ pub enum SetupError {
         /// The smallest distance in m.
         smallest: f64,
     },
+    /// A node moves too fast from the beginning.
+    #[error(transparent)]
+    TooFast(#[from] Box<TooFast>),
     /// A ring of vertices is not a polygon.
     #[error("ring {ring} has {vertices} vertices, but a polygon needs 3")]
     TooFewVertices {
@@ -147,12 +196,25 @@ pub enum SetupError {
         cut: usize,
     },
     /// A mesh of the given size has no node, too many, or cannot be made.
-    #[error("no mesh of size {size} m: {reason}")]
+    #[error("no mesh of size {size:?} m: {reason}")]
     Mesh {
         /// The size in m.
         size: f64,
         /// Why not.
         reason: &'static str,
+    },
+    /// A shape is so thin that rounding changes the area of its mesh.
+    #[error(
+        "the mesh of size {size:?} m has an area of {area:e} m^2 instead of the {expected:e} m^2 of the shape: it is too thin \
+         for the rounding of coordinates, or too far from the origin of its frame"
+    )]
+    MeshArea {
+        /// The size of the mesh in m.
+        size: f64,
+        /// The sum of the areas of the nodes in m^2.
+        area: f64,
+        /// The area of the shape in m^2.
+        expected: f64,
     },
 }
 
@@ -174,6 +236,14 @@ pub enum StepError {
         /// Number of steps, with the one that failed.
         steps: u64,
     },
+    /// A node is too fast for the time step.
+    #[error("at {time:.6e} s, {motion}")]
+    TooFast {
+        /// The node, and how far it would move in the next step.
+        motion: Box<TooFast>,
+        /// Time in s.
+        time: f64,
+    },
     /// A node went through a wall.
     #[error(
         "node {node} of grain {grain} is {depth:.3e} m behind the {wall} wall at {time:.6e} s, farther than the contact \
@@ -191,6 +261,35 @@ pub enum StepError {
         /// Time in s.
         time: f64,
     },
+}
+
+/// Smallest and largest product of parameters, in SI units, whose further products are surely numbers.
+const USABLE: [f64; 2] = [1e-100, 1e100];
+
+/// Accept a product of powers of parameters, given with names, values and exponents, that is neither too small nor too large.
+pub(crate) fn require_product(
+    product: &'static str,
+    result: f64,
+    factors: &[(&'static str, f64, i32)],
+) -> Result<(), SetupError> {
+    let [least, most] = USABLE;
+    if (least..=most).contains(&result) {
+        return Ok(());
+    }
+    let magnitude = |&(_, value, exponent): &(_, f64, i32)| {
+        (f64::from(exponent) * libm::log(value.abs())).abs()
+    };
+    let larger = |a, b| if magnitude(b) > magnitude(a) { b } else { a };
+    let (name, value) = match factors.iter().reduce(larger) {
+        Some(&(name, value, _)) => (name, value),
+        None => (product, result),
+    };
+    Err(SetupError::Product {
+        name,
+        value,
+        product,
+        result,
+    })
 }
 
 /// Accept a finite number that satisfies a condition.

@@ -72,8 +72,12 @@ impl Grains {
     ///
     /// # Errors
     /// [`SetupError`] for a grain without nodes, columns of different lengths, areas that are not positive, positions
-    /// that are not finite, and nodes that do not exist.
+    /// that are not finite, nodes that do not exist, and more nodes than indices.
     pub fn new(grains: &[Grain]) -> Result<Self, SetupError> {
+        let nodes = grains.iter().map(|grain| grain.position.len()).sum();
+        if u32::try_from(nodes).is_err() {
+            return Err(SetupError::TooManyNodes { nodes });
+        }
         let mut all = Self::default();
         let is_loaded = grains.iter().any(|grain| !grain.load.is_empty());
         for (index, grain) in grains.iter().enumerate() {

@@ -23,6 +23,7 @@ pub mod state;
 pub mod forces;
 pub mod limits;
 pub mod energy;
+mod guard;
 pub mod world;
 pub mod mode;
 pub mod record;

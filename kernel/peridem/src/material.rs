@@ -1,6 +1,6 @@
 //! What bonds are made of: weights, stiffness, critical stretch.
 
-use crate::error::{SetupError, require};
+use crate::error::{SetupError, require, require_product};
 use core::f64::consts::PI;
 use gouge_equations::rendered;
 
@@ -25,6 +25,16 @@ pub enum Plane {
     Stress,
     /// A long prism: Poisson's ratio of the bonds is 1/4.
     Strain,
+}
+
+impl Plane {
+    /// Poisson's ratio of central bonds.
+    pub fn poisson_ratio_of_bonds(self) -> f64 {
+        match self {
+            Self::Stress => 1.0 / 3.0,
+            Self::Strain => 0.25,
+        }
+    }
 }
 
 /// A brittle elastic material, as an experiment gives it.
@@ -105,6 +115,16 @@ impl Material {
         }
     }
 
+    /// Young's modulus in Pa of the bonds. It is the given one only if Poisson's ratio is that of the bonds, too: bonds have
+    /// the given energy of an isotropic stretch.
+    pub fn young_modulus_of_bonds(&self) -> f64 {
+        let of_bonds = Self {
+            poisson_ratio: self.plane.poisson_ratio_of_bonds(),
+            ..*self
+        };
+        self.young_modulus * (self.dilation_modulus() / of_bonds.dilation_modulus())
+    }
+
     /// Stiffness and critical stretch of bonds of this material.
     ///
     /// $$ c = \frac{2 W/s^2}{\pi \epsilon^3 \int_0^1 w t^2 dt}, \qquad s_0 = \sqrt{\frac{G_c}{c \, \epsilon^4 \int_0^1 w t^3 dt}} $$
@@ -113,7 +133,8 @@ impl Material {
     /// costs the fracture energy. The printed $s_0$ is this one for a Poisson's ratio of 1/3, which is that of the bonds.
     ///
     /// # Errors
-    /// [`SetupError::Parameter`] for a number outside its range.
+    /// [`SetupError::Parameter`] for a number outside its range, and [`SetupError::Product`] for numbers with which the
+    /// stiffness, the critical stretch or the speed of waves under- or overflow.
     pub fn bond_constants(
         &self,
         weight: Weight,
@@ -124,11 +145,24 @@ impl Material {
         let moments = weight.moments();
         let stiffness = 2.0 * self.dilation_modulus() / (PI * horizon.powi(3) * moments.dilation);
         let separation = stiffness * horizon.powi(4) * moments.separation;
+        let critical_stretch = (self.fracture_energy / separation).sqrt();
+        let modulus = ("young_modulus", self.young_modulus, 1);
+        let factors = [modulus, ("horizon", horizon, -3)];
+        require_product("the stiffness of bonds in N/m^6", stiffness, &factors)?;
+        let factors = [modulus, ("density", self.density, -1)];
+        let speed_squared = self.young_modulus / self.density;
+        let name = "the square of the speed of waves in m^2/s^2";
+        require_product(name, speed_squared, &factors)?;
+        // Any other stretch is accepted: some scenes make bonds unbreakable with a huge fracture energy.
+        if !(critical_stretch > 0.0 && critical_stretch.is_finite()) {
+            let factors = [("fracture_energy", self.fracture_energy, 1)];
+            require_product("the critical stretch", critical_stretch, &factors)?;
+        }
         Ok(BondConstants {
             weight,
             horizon,
             stiffness,
-            critical_stretch: (self.fracture_energy / separation).sqrt(),
+            critical_stretch,
         })
     }
 

@@ -2,9 +2,10 @@
 
 use crate::bonds::Bonds;
 use crate::energy::Energies;
-use crate::error::{SetupError, StepError, require};
+use crate::error::{SetupError, StepError, TooFast, require};
 use crate::forces::{Settings, Touching, Workspace};
 use crate::grain::Grains;
+use crate::guard::Guard;
 use crate::limits::Limits;
 use crate::state::{State, moved};
 use gouge_common::geometry::Vec2;
@@ -29,6 +30,8 @@ pub struct World {
     settings: Settings,
     state: State,
     workspace: Workspace,
+    /// Stops nodes that are too fast, if it is wanted.
+    guard: Option<Guard>,
 }
 
 /// Refuse settings outside their ranges, and states of other grains.
@@ -60,11 +63,13 @@ fn validate(grains: &Grains, settings: &Settings, state: &State) -> Result<(), S
 
 #[rendered]
 impl World {
-    /// Grains in a state of motion, as [`World::new`] makes them, with a time step and a contact radius that are safe.
+    /// Grains in a state of motion, as [`World::new`] makes them, with a time step and a contact radius that are safe, also
+    /// for fast nodes.
     ///
     /// # Errors
-    /// As for [`World::new`]; [`SetupError::TimeStep`] for a step above one of the [`Limits`], and
-    /// [`SetupError::ContactRadius`] for a radius below that of [`Contact::check_radius`].
+    /// As for [`World::new`]; [`SetupError::TimeStep`] for a step above one of the [`Limits`],
+    /// [`SetupError::ContactRadius`] for a radius below that of [`Contact::check_radius`], and [`SetupError::TooFast`] for
+    /// nodes that [`World::guarded`] refuses.
     ///
     /// [`Contact::check_radius`]: crate::contacts::Contact::check_radius
     pub fn within_limits(
@@ -78,7 +83,7 @@ impl World {
             contact.check_radius(&grains)?;
         }
         Limits::of(&grains, &state.bonds, &settings).check(settings.time_step)?;
-        Self::new(grains, settings, state, beginning)
+        Ok(Self::new(grains, settings, state, beginning)?.guarded()?)
     }
 
     /// Grains in a state of motion, whatever the time step and the contact radius are: results of others may have been
@@ -100,6 +105,7 @@ impl World {
             settings,
             state,
             workspace,
+            guard: None,
         };
         world.hold_clamped();
         if beginning == Beginning::Forces {
@@ -121,6 +127,24 @@ impl World {
         self
     }
 
+    /// The same world, which stops before a step in which nodes that can touch something move by more than half of the
+    /// contact radius, relative to other nodes or to walls, along an axis: contacts could be missed.
+    ///
+    /// # Errors
+    /// [`TooFast`] if the first step is such a step.
+    pub fn guarded(mut self) -> Result<Self, Box<TooFast>> {
+        self.guard = Guard::of(&self.grains, &self.settings);
+        self.require_slow()?;
+        Ok(self)
+    }
+
+    fn require_slow(&self) -> Result<(), Box<TooFast>> {
+        match &self.guard {
+            Some(guard) => guard.check(&self.grains, &self.settings, &self.state),
+            None => Ok(()),
+        }
+    }
+
     /// Advance by one step of velocity Verlet, section 6.1 of peridem.
     ///
     /// $$ \vec u \leftarrow \vec u + \Delta t \, \vec v + \tfrac12 \Delta t^2 \vec a, \qquad \vec v \leftarrow \vec v + \tfrac12 \Delta t (\vec a + \vec a') $$
@@ -129,8 +153,11 @@ impl World {
     /// friction explicit and of first order.
     ///
     /// # Errors
-    /// [`StepError`] if the state is no longer finite.
+    /// [`StepError`] if the state is no longer finite, a node is behind a wall, or a node is too fast for a guarded world,
+    /// which then has not moved.
     pub fn step(&mut self) -> Result<(), StepError> {
+        let time = self.time();
+        (self.require_slow()).map_err(|motion| StepError::TooFast { motion, time })?;
         let step = self.settings.time_step;
         let state = &mut self.state;
         let motions = state.velocity.iter().zip(&state.acceleration);

@@ -3,5 +3,6 @@
 mod run;
 mod scene;
 
+pub(crate) use run::is_saved;
 pub use run::{damage_colours, links, run, series_columns, shown, stability, world};
 pub use scene::Scene;

@@ -11,8 +11,10 @@ use super::folder::write_whole;
 use super::friction::DriveSample;
 use super::phases::{PhaseKind, phase_model, phases};
 use super::sealed;
+use crate::contact_dynamics;
 use crate::error::Error;
 use crate::machine::with_chosen_execution;
+use crate::peridem;
 use crate::scene::{Keys, Scene};
 use gouge_common::geometry::Vec2;
 use gouge_common::record::Record;
@@ -115,7 +117,7 @@ impl Checkpoint {
         else {
             return Err("it is damaged: its beginning is missing");
         };
-        let rest = Rest::read(rest).ok_or(UNFIT)?;
+        let rest = Rest::read(rest).ok_or_else(|| unfit(bytes))?;
         let kinship = Kinship::of(scene, fingerprint, &rest.keys);
         let saved = Self {
             phase,
@@ -195,6 +197,27 @@ fn drive_samples(rest: &mut Reader) -> Option<Vec<DriveSample>> {
     let (samples, _) = words.as_chunks();
     let sample = |words: &[u64; 5]| DriveSample::of_numbers(words.map(f64::from_bits));
     Some(samples.iter().map(sample).collect())
+}
+
+/// Why a whole checkpoint is refused whose content is not one of the model of the scene.
+pub(crate) fn unfit(bytes: &[u8]) -> &'static str {
+    let is_read = |is_saved: fn(Reader) -> bool| {
+        let opened = sealed::open(bytes);
+        opened.is_ok_and(|(_, content)| is_saved(content))
+    };
+    match () {
+        () if is_read(is_saved) => "it is of a scene with model = \"dem\"",
+        () if is_read(contact_dynamics::is_saved) => {
+            "it is of a scene with model = \"contact-dynamics\""
+        }
+        () if is_read(peridem::is_saved) => "it is of a scene with model = \"peridem\"",
+        () => UNFIT,
+    }
+}
+
+/// Whether the content of a checkpoint is one of this model.
+fn is_saved(mut content: Reader) -> bool {
+    content.words(HEAD as u64).is_some() && Rest::read(content).is_some()
 }
 
 pub(crate) fn refusal(path: &Path, reason: &str) -> Error {

@@ -73,6 +73,17 @@ pub enum Warning<'a> {
     Touching(f64),
     /// A grain, of this index, has no bonds.
     WithoutBonds(usize),
+    /// Bonds do not have Poisson's ratio of their material.
+    PoissonRatio {
+        /// Name of the material.
+        material: &'a str,
+        /// Its Poisson's ratio.
+        given: f64,
+        /// That of the bonds.
+        of_bonds: f64,
+        /// Young's modulus in Pa of the bonds.
+        young_modulus: f64,
+    },
     /// Walls have lost this number of nodes.
     BehindWalls(usize),
     /// The residual of the balance of energy is this part of the energy exchanged.
@@ -151,6 +162,16 @@ impl Warning<'_> {
                 f,
                 "grains[{grain}] has no bonds, so that nothing holds its nodes together: bonds.horizon must exceed the \
                  distances of nodes, and mesh.size be a part of the size of the grain"
+            ),
+            Self::PoissonRatio {
+                material,
+                given,
+                of_bonds,
+                young_modulus,
+            } => write!(
+                f,
+                "materials.{material}.poisson_ratio = {given:?}: bonds have {of_bonds:.4}, whatever is given; they have the \
+                 given stiffness against an equal stretch in all directions, so that Young's modulus is {young_modulus:.4e} Pa"
             ),
             Self::BehindWalls(number) => write!(
                 f,

@@ -73,7 +73,8 @@ impl Mesh {
     ///
     /// # Errors
     /// [`SetupError::Parameter`] for a spacing that is not positive or an origin that is not finite,
-    /// [`SetupError::Mesh`] if no point lies in the shape or there would be more than four million cells.
+    /// [`SetupError::Mesh`] if no point lies in the shape or there would be more than four million cells;
+    /// [`SetupError::MeshArea`] for a shape so thin that rounding changes its area by more than a billionth.
     pub fn lattice(outline: &Outline, spacing: f64, origin: Vec2) -> Result<Self, SetupError> {
         require("spacing", spacing, "positive", spacing > 0.0)?;
         require("origin", origin.norm(), "finite", origin.is_finite())?;
@@ -98,12 +99,13 @@ impl Mesh {
             cell_areas[*cell] < whole || around.len() < 8 || around.into_iter().any(missing)
         };
         let nodes: Vec<_> = (0..is_node.len()).filter(|&cell| is_node[cell]).collect();
-        Ok(Self {
+        let mesh = Self {
             position: nodes.iter().map(|&cell| grid.point(cell)).collect(),
             area: nodes.iter().map(|&cell| area[cell]).collect(),
             triangles: Vec::new(),
             on_rim: nodes.iter().map(on_rim).collect(),
-        })
+        };
+        mesh.covering(outline, spacing)
     }
 }
 

@@ -76,7 +76,8 @@ impl Mesh {
     ///
     /// # Errors
     /// [`SetupError::Parameter`] for a size that is not positive, [`SetupError::Mesh`] if there would be more than four
-    /// million nodes, or if vertices of the shape are so close together that they cannot be triangulated.
+    /// million nodes, or if vertices of the shape are so close together that they cannot be triangulated;
+    /// [`SetupError::MeshArea`] for a shape so thin that rounding changes its area by more than a billionth.
     pub fn triangulated(outline: &Outline, size: f64) -> Result<Self, SetupError> {
         require("size", size, "positive", size > 0.0)?;
         let failed = |reason| SetupError::Mesh { size, reason };
@@ -104,11 +105,7 @@ impl Mesh {
             sweep(&mut position, &delaunay.triangles(&chains), fixed);
             delaunay = triangulate(&position)?;
         }
-        Ok(Self::from_triangles(
-            position,
-            delaunay.triangles(&chains),
-            &chains,
-        ))
+        Self::from_triangles(position, delaunay.triangles(&chains), &chains).covering(outline, size)
     }
 
     fn from_triangles(position: Vec<Vec2>, triangles: Vec<[u32; 3]>, chains: &Chains) -> Self {

@@ -4,7 +4,7 @@ use super::super::Scene;
 use super::since::{Since, WORDS};
 use crate::error::Error;
 use crate::run::bytes::{Reader, put_record, put_text, put_words};
-use crate::run::checkpoint::{UNFIT, refusal};
+use crate::run::checkpoint::{refusal, unfit};
 use crate::run::existing::Saved;
 use crate::run::fingerprint::{Fingerprint, Kinship};
 use crate::run::folder::write_whole;
@@ -72,7 +72,7 @@ impl Checkpoint {
     /// What is wrong with it.
     pub fn parse(bytes: &[u8], scene: &Scene) -> Result<(Self, Kinship), &'static str> {
         let (fingerprint, rest) = sealed::open(bytes)?;
-        let saved = Self::read_content(rest).ok_or(UNFIT)?;
+        let saved = Self::read_content(rest).ok_or_else(|| unfit(bytes))?;
         let kinship = Kinship::of(scene, fingerprint, &saved.keys);
         Ok((saved, kinship))
     }
@@ -115,4 +115,9 @@ impl Saved<Scene> for Checkpoint {
     fn keys(&self) -> &Keys {
         &self.keys
     }
+}
+
+/// Whether the content of a checkpoint is one of this model.
+pub fn is_saved(content: Reader) -> bool {
+    Checkpoint::read_content(content).is_some()
 }

@@ -16,6 +16,7 @@ mod since;
 mod stability;
 mod statistics;
 
+pub(crate) use checkpoint::is_saved;
 pub use contacts::contacts;
 pub use samples::columns as series_columns;
 pub use shown::shown;

@@ -2,11 +2,11 @@
 
 use super::super::Scene;
 use super::mesh::{Cells, Meshed, meshed, refused};
-use crate::error::Error;
+use crate::error::{Error, SceneError};
 use crate::machine::chosen;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::contacts::Contact;
-use gouge_peridem::error::SetupError;
+use gouge_peridem::error::{SetupError, TooFast};
 use gouge_peridem::forces::Settings;
 use gouge_peridem::grain::Grains;
 use gouge_peridem::limits::Limits;
@@ -50,12 +50,12 @@ pub fn built(scene: &Scene) -> Result<Built, Error> {
     })
 }
 
-/// The world at t = 0 of a scene, with a time step and a contact radius that are safe or forced.
+/// The world at t = 0 of a scene, with a time step, a contact radius and velocities that are safe or forced.
 ///
 /// # Errors
 /// What the kernel refuses, and an unsafe step or radius that the scene does not force.
 pub fn checked(scene: &Scene) -> Result<Built, Error> {
-    let built = built(scene)?;
+    let mut built = built(scene)?;
     let contact = built.world.settings().contact.as_ref();
     let is_forced = scene.contact.is_none_or(|contact| contact.is_forced);
     if let Some(contact) = contact.filter(|_| !is_forced) {
@@ -71,7 +71,28 @@ pub fn checked(scene: &Scene) -> Result<Built, Error> {
             with_advice(refused(step, &error), advice)
         })?;
     }
+    if !is_forced {
+        let guarded = built.world.guarded();
+        built.world = guarded.map_err(|error| {
+            let reason = refused(motion_of(scene, &error), &error.into());
+            with_advice(reason, "contact.forced = true")
+        })?;
+    }
     Ok(built)
+}
+
+/// The error about what makes a node too fast: most of its speed, or else the time step.
+fn motion_of<'a>(scene: &'a Scene, error: &TooFast) -> Option<&'a SceneError> {
+    let (refusals, table) = (&scene.refusals, scene.grains.get(error.grain)?);
+    let grain = refusals.grains.get(error.grain)?;
+    let turns = table.velocity.norm() < 0.5 * error.speed;
+    let [main, other] = match turns {
+        true => [&grain.angular_velocity, &grain.velocity],
+        false => [&grain.velocity, &grain.angular_velocity],
+    };
+    [main, other, &refusals.step]
+        .into_iter()
+        .find_map(Option::as_ref)
 }
 
 /// The world at t = 0 of a scene, for programs that step it themselves.

@@ -4,7 +4,7 @@ use super::super::Scene;
 use super::samples::Balance;
 use crate::error::Error;
 use crate::run::bytes::{Reader, put_record, put_text, put_words};
-use crate::run::checkpoint::{UNFIT, refusal};
+use crate::run::checkpoint::{refusal, unfit};
 use crate::run::existing::Saved;
 use crate::run::fingerprint::{Fingerprint, Kinship};
 use crate::run::folder::{GRAINS, NODES, PICTURE, SERIES, write_whole};
@@ -86,7 +86,7 @@ impl Saved<Scene> for Checkpoint {
         let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
         let read = || {
             let (fingerprint, rest) = sealed::open(&bytes)?;
-            let saved = Self::read_content(rest).ok_or(UNFIT)?;
+            let saved = Self::read_content(rest).ok_or_else(|| unfit(&bytes))?;
             let kinship = Kinship::of(scene, fingerprint, &saved.keys);
             Ok((saved, kinship))
         };
@@ -96,4 +96,9 @@ impl Saved<Scene> for Checkpoint {
     fn keys(&self) -> &Keys {
         &self.keys
     }
+}
+
+/// Whether the content of a checkpoint is one of this model.
+pub fn is_saved(content: Reader) -> bool {
+    Checkpoint::read_content(content).is_some()
 }

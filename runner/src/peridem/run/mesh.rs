@@ -50,8 +50,10 @@ pub fn meshed(scene: &Scene) -> Result<Meshed, Error> {
     let mut cells = Vec::new();
     let mut first = 0;
     for (k, table) in scene.grains.iter().enumerate() {
-        let refuse = |error| refused(scene.refusals.grains.get(k), &error);
-        let mesh = nodes(table).map_err(refuse)?;
+        let refusals = scene.refusals.grains.get(k);
+        let of_shape = |error| refused(refusals.map(|all| &all.shape), &error);
+        let refuse = |error| refused(refusals.map(|all| &all.whole), &error);
+        let mesh = nodes(table).map_err(of_shape)?;
         let shifted = |triangle: &[u32; 3]| triangle.map(|node| node + first);
         cells.push(Cells {
             triangles: mesh.triangles.iter().map(shifted).collect(),
@@ -66,8 +68,13 @@ pub fn meshed(scene: &Scene) -> Result<Meshed, Error> {
         let placed = |point: Vec2| table.position + rotated(point, table.angle);
         let positions = grain.position.iter().map(|&point| placed(point));
         grain.position = positions.collect();
+        let refusals = scene.refusals.grains.get(k);
         let checked = hold_and_load(table, grain);
-        checked.map_err(|reason| refused_by_runner(scene, k, reason))?;
+        let whole = refusals.map(|all| &all.whole);
+        checked.map_err(|reason| refused_by_runner(whole, k, reason))?;
+        let clamped = refusals.map(|all| &all.clamped);
+        let checked = require_free(table, grain);
+        checked.map_err(|reason| refused_by_runner(clamped, k, reason))?;
     }
     Ok(Meshed {
         grains: Grains::new(&local)?,
@@ -77,13 +84,12 @@ pub fn meshed(scene: &Scene) -> Result<Meshed, Error> {
 }
 
 /// The error of a grain for a reason of the runner.
-fn refused_by_runner(scene: &Scene, grain: usize, reason: &str) -> Error {
-    let refusal = scene.refusals.grains.get(grain).cloned();
+fn refused_by_runner(refusal: Option<&SceneError>, grain: usize, reason: &str) -> Error {
     let argument = || Error::Argument(format!("grains[{grain}]: {reason}"));
     refusal.map_or_else(argument, |refusal| {
         Error::Scene(SceneError {
             accepted: reason.to_owned(),
-            ..refusal
+            ..refusal.clone()
         })
     })
 }
@@ -199,7 +205,7 @@ fn of_bonds(scene: &Scene, error: &SetupError) -> Error {
         SetupError::Bond { grain, .. } => scene.refusals.grains.get(*grain),
         _ => None,
     };
-    refused(refusal, error)
+    refused(refusal.map(|all| &all.whole), error)
 }
 
 /// Clamp nodes of a placed grain and load others.
@@ -227,4 +233,20 @@ fn hold_and_load(table: &GrainTable, grain: &mut Grain) -> Result<(), &'static s
         }
     }
     Ok(())
+}
+
+/// Refuse a motion or a load of a grain all of whose nodes are clamped.
+fn require_free(table: &GrainTable, grain: &Grain) -> Result<(), &'static str> {
+    let mut clamped = grain.clamped.clone();
+    clamped.sort_unstable();
+    clamped.dedup();
+    let moves = table.velocity != Vec2::zero() || table.angular_velocity != 0.0;
+    let is_moved = moves || !table.loads.is_empty();
+    match is_moved && clamped.len() == grain.position.len() {
+        true => Err(
+            "holds all nodes of the grain, so that its velocity, angular_velocity and loads have no effect; leave them out, \
+             or some nodes outside the boxes",
+        ),
+        false => Ok(()),
+    }
 }

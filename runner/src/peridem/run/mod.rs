@@ -16,6 +16,7 @@ mod stability;
 mod tables;
 
 pub use begin::world;
+pub(crate) use checkpoint::is_saved;
 pub use links::links;
 pub use picture::damage_colours;
 pub use samples::columns as series_columns;

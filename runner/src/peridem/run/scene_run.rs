@@ -21,6 +21,8 @@ use std::ops::Range;
 
 /// Number of steps between reports of progress.
 const CHUNK: u64 = 50;
+/// Largest difference between two Poisson's ratios that count as the same, such as 1/3 and 0.33.
+const SAME_RATIO: f64 = 5e-3;
 /// Name of the only phase.
 const PHASE: &str = "run";
 
@@ -112,7 +114,8 @@ impl<'a> SceneRun<'a> {
         Ok([Series::without_last_row(&path, series)?, breaks])
     }
 
-    /// Warn of a step above a limit, of grains without bonds, and of grains that touch from the beginning.
+    /// Warn of a step above a limit, of grains without bonds, of grains that touch from the beginning, and of materials whose
+    /// Poisson's ratio bonds do not have.
     fn doubt_beginning(&mut self) {
         let (scene, (meaning, bound)) = (self.scene, self.limits.smallest());
         if scene.step > bound {
@@ -132,6 +135,19 @@ impl<'a> SceneRun<'a> {
         let energy = self.world.energies().contacts;
         if energy > 0.0 {
             self.context.warn(Warning::Touching(energy));
+        }
+        let used = |index: usize| scene.grains.iter().any(|grain| grain.material == index);
+        for (_, material) in scene.materials.iter().enumerate().filter(|(k, _)| used(*k)) {
+            let of_bonds = material.plane.poisson_ratio_of_bonds();
+            if (material.poisson_ratio - of_bonds).abs() > SAME_RATIO {
+                let of_contact = material.contact(&scene.bonds);
+                self.context.warn(Warning::PoissonRatio {
+                    material: &material.name,
+                    given: material.poisson_ratio,
+                    of_bonds,
+                    young_modulus: of_contact.material.young_modulus_of_bonds(),
+                });
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 //! `[contact]` and `[walls]`.
 
+use super::materials::refused;
 use super::{Result, Scene};
 use crate::scene::table::{Range, Table};
 use gouge_peridem::contact_law::{ContactLaw, ContactReading, ContactStiffness};
@@ -139,6 +140,32 @@ pub(super) fn walls(
         let accepted = "must have the position of at least one of: left, right, top, bottom";
         return Err(root.error("walls", accepted));
     }
+    let laws = [
+        ("paper", WallReading::Paper),
+        ("exact", WallReading::Exact),
+        ("two-fixes", WallReading::TwoFixes),
+        ("authors", WallReading::Authors),
+    ];
+    let law = table.optional_choice("law", &laws)?;
+    let walls = WallTable {
+        position,
+        velocity: velocities(&table, &position)?,
+        reading: law.unwrap_or(mode.walls()),
+        stiffness: table.optional_number("stiffness", Range::Positive)?,
+    };
+    if walls
+        .stiffness
+        .is_some_and(|stiffness| !(1e-100..=1e100).contains(&stiffness))
+    {
+        return Err(table.error("stiffness", "must be a number from 1e-100 to 1e100"));
+    }
+    let checked = walls.with_stiffness(1.0, &contact.law).validate(&position);
+    checked.map_err(|error| root.error("walls", &error.to_string()))?;
+    Ok(Some(walls))
+}
+
+/// The velocities in m/s of walls at positions in m.
+fn velocities(table: &Table, position: &[f64; 4]) -> Result<[f64; 4]> {
     let mut velocity = [0.0; 4];
     if let Some(moving) = table.optional_table("velocity")? {
         moving.allow(&WALLS)?;
@@ -150,22 +177,7 @@ pub(super) fn walls(
             velocity[wall] = given.unwrap_or(0.0);
         }
     }
-    let laws = [
-        ("paper", WallReading::Paper),
-        ("exact", WallReading::Exact),
-        ("two-fixes", WallReading::TwoFixes),
-        ("authors", WallReading::Authors),
-    ];
-    let law = table.optional_choice("law", &laws)?;
-    let walls = WallTable {
-        position,
-        velocity,
-        reading: law.unwrap_or(mode.walls()),
-        stiffness: table.optional_number("stiffness", Range::Positive)?,
-    };
-    let checked = walls.with_stiffness(1.0, &contact.law).validate(&position);
-    checked.map_err(|error| root.error("walls", &error.to_string()))?;
-    Ok(Some(walls))
+    Ok(velocity)
 }
 
 impl WallTable {
@@ -232,6 +244,11 @@ pub(super) fn check_stiffness(root: &Table, contact: &ContactTable, scene: &Scen
             let accepted = format!("needs materials.{}.bulk_modulus", material.name);
             return Err(table.error("stiffness", &accepted));
         }
+        let valid = contact.law.validate();
+        valid.map_err(|error| refused(root, material, &error))?;
+        let own = material.contact(&scene.bonds);
+        let stiffness = contact.stiffness.between(&own, &own, contact.law.radius);
+        stiffness.map_err(|error| refused(root, material, &error))?;
     }
     let made = contact.between(scene);
     made.map(drop)

@@ -3,8 +3,9 @@
 use super::Result;
 use super::materials::MaterialTable;
 use super::outline::Family;
+use super::size;
 use crate::scene::Rectangle;
-use crate::scene::rows::rows_of;
+use crate::scene::rows::{Row, rows_of};
 use crate::scene::table::{Range, Table};
 use gouge_common::geometry::Vec2;
 use gouge_peridem::shape::Outline;
@@ -14,6 +15,8 @@ use std::path::{Path, PathBuf};
 pub(super) const FILES: [&str; 2] = ["nodes_file", "bonds_file"];
 /// Part of a cell by which the sides of a rectangle may differ from whole cells.
 const WHOLE: f64 = 1e-6;
+/// Part of the horizon by which a listed bond may be longer: numbers in files are rounded.
+const ROUNDING: f64 = 1e-9;
 /// What a box must be.
 const BOX: &str = "must be a box [x0, y0, x1, y1], with x0 < x1 and y0 < y1";
 const BOXES: &str = "must be an array of boxes [x0, y0, x1, y1], with x0 < x1 and y0 < y1";
@@ -109,13 +112,18 @@ impl GrainTable {
     }
 }
 
+/// What grains need of the rest of a scene.
+pub(super) struct Surroundings<'a> {
+    pub(super) root: &'a Table<'a>,
+    pub(super) folder: &'a Path,
+    pub(super) materials: &'a [MaterialTable],
+    /// Horizon of the bonds in m.
+    pub(super) horizon: f64,
+}
+
 /// Read the grains of a scene.
-pub(super) fn grains(
-    tables: &[Table],
-    root: &Table,
-    folder: &Path,
-    materials: &[MaterialTable],
-) -> Result<Vec<GrainTable>> {
+pub(super) fn grains(tables: &[Table], around: &Surroundings) -> Result<Vec<GrainTable>> {
+    let root = around.root;
     if tables.is_empty() {
         return Err(root.error("grains", "missing; a scene needs at least one [[grains]]"));
     }
@@ -125,7 +133,7 @@ pub(super) fn grains(
         mesh.optional_choice("kind", &KINDS)?;
         mesh.optional_number("size", Range::Positive)?;
     }
-    let read = |table: &Table| grain(table, mesh.as_ref(), folder, materials);
+    let read = |table: &Table| grain(table, mesh.as_ref(), around);
     tables.iter().map(read).collect()
 }
 
@@ -141,12 +149,7 @@ const KEYS: [&str; 9] = [
     "loads",
 ];
 
-fn grain(
-    table: &Table,
-    mesh: Option<&Table>,
-    folder: &Path,
-    materials: &[MaterialTable],
-) -> Result<GrainTable> {
+fn grain(table: &Table, mesh: Option<&Table>, around: &Surroundings) -> Result<GrainTable> {
     let pair = |key| {
         let [x, y] = table.optional_pair(key)?.unwrap_or_default();
         Ok(Vec2::new(x, y))
@@ -158,7 +161,7 @@ fn grain(
     let form = match table.has("nodes_file") {
         true => {
             table.allow(&[&KEYS[1..], &FILES].concat())?;
-            Form::Nodes(nodes(table, folder)?)
+            Form::Nodes(nodes(table, around)?)
         }
         false => {
             let family = Family::read(table)?;
@@ -169,10 +172,12 @@ fn grain(
             Form::Outline(outline, mesh)
         }
     };
+    let position = pair("position")?;
+    size::check_place(table, &form, position)?;
     Ok(GrainTable {
         form,
-        material: material(table, materials)?,
-        position: pair("position")?,
+        material: material(table, around.materials)?,
+        position,
         angle: number("angle")?,
         velocity: pair("velocity")?,
         angular_velocity: number("angular_velocity")?,
@@ -196,12 +201,17 @@ fn material(table: &Table, materials: &[MaterialTable]) -> Result<usize> {
     table.choice("material", &names)
 }
 
-fn mesh_of(table: &Table, mesh: Option<&Table>, family: Family, outline: &Outline) -> Result<Mesh> {
-    let shared_kind = match mesh {
+fn mesh_of(
+    table: &Table,
+    shared: Option<&Table>,
+    family: Family,
+    outline: &Outline,
+) -> Result<Mesh> {
+    let shared_kind = match shared {
         Some(mesh) => mesh.optional_choice("kind", &KINDS)?,
         None => None,
     };
-    let shared_size = match mesh {
+    let shared_size = match shared {
         Some(mesh) => mesh.optional_number("size", Range::Positive)?,
         None => None,
     };
@@ -224,7 +234,14 @@ fn mesh_of(table: &Table, mesh: Option<&Table>, family: Family, outline: &Outlin
             return Err(table.own_error(accepted));
         }
     }
-    Ok(mesh)
+    let refused = |accepted: &str| match (own_size, shared) {
+        (None, Some(shared)) => shared.error("size", accepted),
+        _ => table.error("mesh_size", accepted),
+    };
+    match size::unusable_mesh(outline, &mesh) {
+        Some(accepted) => Err(refused(&accepted)),
+        None => Ok(mesh),
+    }
 }
 
 impl Mesh {
@@ -265,8 +282,12 @@ fn load(table: &Table) -> Result<LoadTable> {
 }
 
 /// The nodes and bonds that files list.
-fn nodes(table: &Table, folder: &Path) -> Result<NodeList> {
-    let place = |key: &str| Ok(folder.join(table.optional_text(key)?.unwrap_or_default()));
+fn nodes(table: &Table, around: &Surroundings) -> Result<NodeList> {
+    let place = |key: &str| {
+        Ok(around
+            .folder
+            .join(table.optional_text(key)?.unwrap_or_default()))
+    };
     let path = place("nodes_file")?;
     let rows = rows_of(table, "nodes_file", &path)?;
     let nodes = rows.read(&["x", "y", "area"], &[], |row| {
@@ -289,16 +310,25 @@ fn nodes(table: &Table, folder: &Path) -> Result<NodeList> {
     if table.has("bonds_file") {
         let path = place("bonds_file")?;
         let rows = rows_of(table, "bonds_file", &path)?;
-        let number = list.position.len();
-        let bonds = rows.read(&["i", "j"], &[], |row| {
-            let [i, j] = [row.node("i", number)?, row.node("j", number)?];
-            match i == j {
-                true => Err(row.error("j", "must be another node than i")),
-                false => Ok([i, j]),
-            }
-        })?;
-        list.bonds = Some(bonds);
+        list.bonds = Some(rows.read(&["i", "j"], &[], |row| bond(row, &list, around.horizon))?);
         list.files.push(path);
     }
     Ok(list)
+}
+
+/// The nodes of a bond that a row lists.
+fn bond(row: &Row, list: &NodeList, horizon: f64) -> Result<[usize; 2]> {
+    let number = list.position.len();
+    let [i, j] = [row.node("i", number)?, row.node("j", number)?];
+    if i == j {
+        return Err(row.error("j", "must be another node than i"));
+    }
+    let length = (list.position[j] - list.position[i]).norm();
+    if length > horizon * (1.0 + ROUNDING) {
+        let accepted = format!(
+            "is {length:e} m from node {i}, but bonds must not be longer than bonds.horizon = {horizon:?}"
+        );
+        return Err(row.error("j", &accepted));
+    }
+    Ok([i, j])
 }

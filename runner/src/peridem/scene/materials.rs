@@ -1,6 +1,7 @@
 //! `[materials.NAME]` and `[bonds]`: what grains are made of.
 
 use super::Result;
+use crate::error::SceneError;
 use crate::scene::table::{Range, Table};
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
 use gouge_peridem::contact_law::ContactMaterial;
@@ -79,17 +80,13 @@ fn material(table: &Table, name: &str) -> Result<MaterialTable> {
     ])?;
     let planes = [("stress", Plane::Stress), ("strain", Plane::Strain)];
     let plane = table.optional_choice("plane", &planes)?.unwrap_or_default();
-    let of_bonds = match plane {
-        Plane::Stress => 1.0 / 3.0,
-        Plane::Strain => 0.25,
-    };
     let ratio = table.optional_number("poisson_ratio", Range::Between(-1.0, 0.5))?;
     Ok(MaterialTable {
         name: name.to_owned(),
         young_modulus: table.number("young_modulus", Range::Positive)?,
         density: table.number("density", Range::Positive)?,
         fracture_energy: table.optional_number("fracture_energy", Range::Positive)?,
-        poisson_ratio: ratio.unwrap_or(of_bonds),
+        poisson_ratio: ratio.unwrap_or(plane.poisson_ratio_of_bonds()),
         bulk_modulus: table.optional_number("bulk_modulus", Range::Positive)?,
         plane,
     })
@@ -181,6 +178,27 @@ impl MaterialTable {
             },
             bulk_modulus: self.bulk_modulus.unwrap_or(f64::NAN),
             horizon: bonds.horizon,
+        }
+    }
+}
+
+/// The error of a scene for a reason that the kernel gives, about the key of a material or of the bonds that it names.
+pub(super) fn refused(root: &Table, material: &MaterialTable, reason: &SetupError) -> SceneError {
+    let name = match reason {
+        SetupError::Product { name, .. } | SetupError::Parameter { name, .. } => *name,
+        _ => "",
+    };
+    let at = |table: Result<Table>, key: &str| match table {
+        Ok(table) => table.error(key, &reason.to_string()),
+        Err(error) => error,
+    };
+    match name {
+        "horizon" => at(root.table("bonds"), name),
+        "contact radius" => at(root.table("contact"), "radius"),
+        "contact stiffness" | "" => at(root.table("contact"), "stiffness"),
+        _ => {
+            let all = root.table("materials");
+            at(all.and_then(|all| all.table(&material.name)), name)
         }
     }
 }

@@ -5,11 +5,14 @@ mod grains;
 mod materials;
 mod output;
 mod outline;
+mod refusals;
+mod size;
 
 pub use contact::{ContactTable, WallTable};
 pub use grains::{Form, GrainTable, Mesh, MeshKind};
 pub use materials::{BondTable, Constants, MaterialTable};
 pub use output::{CrackTable, MOST_CRACKS, Output};
+pub use refusals::Refusals;
 
 use crate::error::SceneError;
 use crate::scene::table::Table;
@@ -64,17 +67,6 @@ pub struct Scene {
     pub refusals: Refusals,
 }
 
-/// Errors without their reasons, which the kernel finds.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Refusals {
-    /// About `time.step`.
-    pub step: Option<SceneError>,
-    /// About `contact.radius`.
-    pub radius: Option<SceneError>,
-    /// About each grain.
-    pub grains: Vec<SceneError>,
-}
-
 const KEYS: [&str; 13] = [
     "title",
     "model",
@@ -118,12 +110,13 @@ impl Scene {
         let bonds = materials::bonds(root, mode)?;
         let contact = contact::contact(root, mode)?;
         let tables = root.tables("grains")?;
-        let grains = grains::grains(&tables, root, folder, &materials)?;
-        let refusal = |table: &Table, key: &str| table.error(key, "");
-        let radius = match &contact {
-            Some(_) => Some(refusal(&root.table("contact")?, "radius")),
-            None => None,
+        let surroundings = grains::Surroundings {
+            root,
+            folder,
+            materials: &materials,
+            horizon: bonds.horizon,
         };
+        let grains = grains::grains(&tables, &surroundings)?;
         let grain_files = grains.iter().flat_map(GrainTable::files);
         let scene = Self {
             title: root.optional_text("title")?.unwrap_or_default().to_owned(),
@@ -143,11 +136,7 @@ impl Scene {
                 .collect(),
             sha256: String::new(),
             keys: Keys::default(),
-            refusals: Refusals {
-                step: Some(refusal(&time, "step")),
-                radius,
-                grains: tables.iter().map(|table| table.own_error("")).collect(),
-            },
+            refusals: Refusals::of(root, &time, contact.as_ref(), &tables)?,
             materials,
             bonds,
             contact,
@@ -171,12 +160,12 @@ impl Scene {
                 return Err(table.own_error(&accepted));
             }
             let constants = material.constants(&self.bonds);
-            constants.map_err(|error| table.own_error(&error.to_string()))?;
+            constants.map_err(|error| materials::refused(root, material, &error))?;
         }
         if let Some(contact) = &self.contact {
             contact::check_stiffness(root, contact, self)?;
         }
-        Ok(())
+        size::check_bonds(root, self)
     }
 
     /// When a run takes samples.

@@ -41,6 +41,13 @@ const FAMILIES: [(&str, Family); 7] = [
     ("polygon", Family::Polygon),
 ];
 
+/// The key that gives the size of a grain: that of its nodes, vertices or sides, or its radius.
+pub(super) fn shape_key(table: &Table) -> &'static str {
+    let keys = ["nodes_file", "vertices", "size", "radius"];
+    let found = keys.into_iter().find(|key| table.has(key));
+    found.unwrap_or("shape")
+}
+
 /// What a list of cuts must be.
 const CUTS: &str = "must be an array of segments, each [x0, y0, x1, y1]";
 
