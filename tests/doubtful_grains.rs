@@ -143,16 +143,21 @@ fn a_checkpoint_of_another_model_is_named() {
 }
 
 #[test]
-fn energies_that_are_no_numbers_are_not_trusted() {
+fn energies_that_are_no_numbers_are_not_trusted_and_said_so_once() {
     let folder = tempfile::tempdir().unwrap();
-    let keys = [
-        "time.end=2e-6",
-        "external={law=\"gravity\",acceleration=1e300}",
-    ];
-    let scene = AnyScene::load_with("two-grains", &Overrides::parse(&keys).unwrap()).unwrap();
-    let ignore = &mut |_: Event<'_>| {};
-    let summary = scene.run(folder.path(), OPTIONS, ignore).unwrap();
-    assert_eq!(summary.status, "untrusted");
+    let gravity = "external={law=\"gravity\",acceleration=1e300}";
+    let until = |end: &str, resume: bool| {
+        let overrides = Overrides::parse(&[end, gravity]).unwrap();
+        let scene = AnyScene::load_with("two-grains", &overrides).unwrap();
+        let options = RunOptions { resume, ..OPTIONS };
+        let ignore = &mut |_: Event<'_>| {};
+        scene.run(folder.path(), options, ignore).unwrap()
+    };
+    let short = until("time.end=2e-6", false);
+    assert_eq!(short.status, "untrusted");
+    let extended = until("time.end=4e-6", true);
+    assert_eq!(extended.status, "untrusted");
+    assert_eq!(extended.warnings, short.warnings);
 }
 
 #[test]
