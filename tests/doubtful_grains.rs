@@ -97,7 +97,7 @@ fn what_only_meshing_shows_is_refused_with_its_key() {
     };
     let thin = "shape = \"polygon\"\nvertices = [[0, 0], [1e-3, 0], [5e-4, 1e-12]]\n";
     let said = scene(thin);
-    let expected = ":13: grains[0].vertices = [[array of 2], [array of 2], [array of 2]]: the mesh of size 0.0002 m has an area";
+    let expected = ":15: grains[0].vertices = [[array of 2], [array of 2], [array of 2]]: the mesh of size 0.0002 m has an area";
     assert!(
         said.contains(expected) && said.contains("it is too thin"),
         "{said}"

@@ -183,7 +183,10 @@ impl World {
         if !sum.is_finite() {
             return self.find_fault();
         }
-        self.require_inside()
+        match self.workspace.has_lost {
+            true => self.require_inside(),
+            false => Ok(()),
+        }
     }
 
     fn evaluate(&mut self) {
@@ -213,7 +216,8 @@ impl World {
         })
     }
 
-    /// Refuse nodes behind a wall that would no longer push them back.
+    /// Refuse nodes that a wall has lost.
+    #[cold]
     fn require_inside(&self) -> Result<(), StepError> {
         let Some(walls) = &self.settings.walls else {
             return Ok(());

@@ -46,6 +46,8 @@ pub struct Workspace {
     wall_push: Vec<Vec2>,
     /// Forces in N per metre of depth of the grains on the left, right, top and bottom wall in the latest pass.
     pub reactions: [Vec2; 4],
+    /// Whether a wall has lost a node in the latest pass.
+    pub(crate) has_lost: bool,
     /// Force densities in N/m^3 of the latest pass.
     pub force: Vec<Vec2>,
     /// Bonds that broke in the latest pass, by later node and then by earlier one.
@@ -72,6 +74,7 @@ impl Workspace {
             partners: Vec::new(),
             wall_push: pass.map_or_else(Vec::new, |pass| pass.elastic(state)),
             reactions: [Vec2::zero(); 4],
+            has_lost: false,
             force: vec![Vec2::zero(); grains.nodes()],
             broken: Vec::new(),
         }
@@ -112,7 +115,8 @@ impl Workspace {
                 walls,
                 time_step: settings.time_step,
             };
-            self.reactions = pass.add_forces(state, &mut self.wall_push, &mut self.force);
+            (self.reactions, self.has_lost) =
+                pass.add_forces(state, &mut self.wall_push, &mut self.force);
         }
     }
 

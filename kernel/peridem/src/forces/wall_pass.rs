@@ -58,15 +58,18 @@ impl Walls {
         }
     }
 
-    /// The first node that is farther behind a wall than the contact radius, with the wall and the depth in m. The authors'
-    /// readings let it go.
+    /// Whether nodes at a distance in m from a wall are so far behind it that it no longer pushes them back. The authors'
+    /// readings let them go.
+    fn is_lost(&self, distance: f64) -> bool {
+        distance <= -self.law.radius
+            && matches!(self.law.reading, WallReading::Paper | WallReading::Exact)
+    }
+
+    /// The first node that a wall has lost, with the wall and the depth in m.
     pub(crate) fn first_behind(&self, state: &State) -> Option<(usize, &'static str, f64)> {
-        if !matches!(self.law.reading, WallReading::Paper | WallReading::Exact) {
-            return None;
-        }
         state.places.iter().enumerate().find_map(|(node, place)| {
             let distances = distances(&state.walls, place.position());
-            let behind = |wall: &usize| distances[*wall] <= -self.law.radius;
+            let behind = |wall: &usize| self.is_lost(distances[*wall]);
             let wall = (0..WALLS.len()).find(behind)?;
             Some((node, WALLS[wall], -distances[wall]))
         })
@@ -133,7 +136,8 @@ impl WallPass<'_> {
         }
     }
 
-    /// Add the forces of all walls to force densities in N/m^3, book their work, and return the forces on the walls.
+    /// Add the forces of all walls to force densities in N/m^3, book their work, and return the forces on the walls, and
+    /// whether a wall has lost a node.
     ///
     /// Elastic work is the mean of the forces before and after the step times the displacement in it.
     pub(super) fn add_forces(
@@ -141,8 +145,9 @@ impl WallPass<'_> {
         state: &mut State,
         pushes: &mut [Vec2],
         force: &mut [Vec2],
-    ) -> [Vec2; 4] {
+    ) -> ([Vec2; 4], bool) {
         let mut reactions = [Vec2::zero(); 4];
+        let mut has_lost = false;
         for node in 0..self.grains.nodes() {
             let NearWalls { walls, distances } = self.near(state, node);
             let before = pushes[node];
@@ -151,6 +156,9 @@ impl WallPass<'_> {
             if is_far && before == Vec2::zero() {
                 continue;
             }
+            has_lost |= distances
+                .iter()
+                .any(|&distance| self.walls.is_lost(distance));
             let area = self.grains.area[node];
             let push = self.walls.law.corner_push(distances, area);
             let mut total = Vec2::zero();
@@ -173,7 +181,7 @@ impl WallPass<'_> {
             pushes[node] = after;
             force[node] += total * (1.0 / area);
         }
-        reactions
+        (reactions, has_lost)
     }
 
     fn velocity_at(&self, state: &State, node: usize, wall: usize) -> Vec2 {
