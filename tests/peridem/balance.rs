@@ -8,7 +8,7 @@ use gouge_common::geometry::Vec2;
 use gouge_peridem::grain::Grain;
 use gouge_peridem::limits::{BondLimits, Limits};
 use gouge_peridem::material::Weight;
-use gouge_peridem::world::World;
+use gouge_peridem::world::{Beginning, World};
 
 const WEIGHTS: [Weight; 3] = [Weight::Constant, Weight::Conic, Weight::Parabolic];
 
@@ -139,6 +139,34 @@ fn the_ledger_of_elastic_walls_and_corners_closes_at_second_order() {
         assert!(after.y > 0.5 * before.norm() / 2.0, "{after:?} {before:?}");
         let found = order(|fraction, steps| ledger_error(bounce(velocity, fraction), steps));
         assert!((found - 2.0).abs() < 0.25, "{velocity:?} {found:?}");
+    }
+}
+
+/// A wall that moves up against a disc at rest, or one at rest that a disc falls on: the same motion, seen by another one.
+#[test]
+fn the_ledger_of_walls_that_move_damp_and_rub_closes_at_first_order() {
+    let speed = 10.0;
+    let pushed = |of_wall: f64, fraction: f64| {
+        let mut world = bounce(Vec2::new(4.0, of_wall - speed), fraction);
+        let mut settings = world.settings().clone();
+        settings.walls = Some(walls(0.4, 0.3));
+        settings.walls.as_mut().unwrap().velocity[3] = of_wall;
+        let (grains, state) = (world.grains().clone(), world.state().clone());
+        world = World::new(grains, settings, state, Beginning::Forces).unwrap();
+        world
+    };
+    for of_wall in [0.0, 4.0, speed] {
+        let found = order(|fraction, steps| ledger_error(pushed(of_wall, fraction), steps));
+        assert!((found - 1.0).abs() < 0.25, "{of_wall}: {found:?}");
+    }
+    let lost = [0.0, speed].map(|of_wall| {
+        let mut world = pushed(of_wall, 0.1);
+        run(&mut world, 3200);
+        let work = world.state().work;
+        [work.damping, work.friction]
+    });
+    for (at_rest, moving) in lost[0].iter().zip(lost[1]) {
+        assert!((moving / at_rest - 1.0).abs() < 1e-9, "{lost:?}");
     }
 }
 

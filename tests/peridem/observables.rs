@@ -7,7 +7,8 @@ use gouge_peridem::forces::Workspace;
 use gouge_peridem::grain::Grains;
 use gouge_peridem::material::Weight;
 use gouge_peridem::observables::{
-    Crack, bulk_damage, face_gap, free_distance, grain_damage, pieces, softened_area,
+    Crack, bulk_damage, connected_damage, face_gap, free_distance, grain_damage, pieces,
+    softened_area,
 };
 use gouge_peridem::state::State;
 
@@ -202,4 +203,23 @@ fn nodes_belong_to_a_crack_above_the_threshold_of_damage() {
     };
     let factors = [1.0 - 5e-7, 1.0, 1.0 + 5e-7];
     assert_eq!(factors.map(|f| count(f * damage)), [Some(1), None, None]);
+}
+
+#[test]
+fn damage_is_connected_with_a_tip_by_short_steps() {
+    let horizon = 3.015 * H;
+    // A row along y = 0, and one that is too far from it; all nodes count, whatever their damage.
+    let found = |step: f64, begin: f64| {
+        let row = |y: f64| (0..4).map(move |k| Vec2::new(begin + f64::from(k) * step, y) * horizon);
+        let position: Vec<_> = row(0.0).chain(row(1.2)).collect();
+        let (grains, state) = at_rest(&[grain(position, 3.015, Weight::Constant)]);
+        connected_damage(&grains, &state.bonds, 0, Vec2::zero(), -1.0)
+    };
+    let (below, above) = (1.0 - 5e-7, 1.0 + 5e-7);
+    assert_eq!(found(0.5 * below, below), [0, 1, 2, 3]);
+    assert_eq!(found(0.5 * above, below), [0]);
+    assert!(found(0.5 * below, above).is_empty());
+    let (grains, state) = torn(|_| Vec2::zero());
+    let tip = grains.position[0];
+    assert!(connected_damage(&grains, &state.bonds, 0, tip, 0.0).is_empty());
 }

@@ -39,7 +39,8 @@ impl Place {
 /// Work and losses since the beginning, in J per metre of depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
-    /// Work of the elastic forces of walls on the grains, which is negative while walls are approached.
+    /// Work of walls on the grains: of their elastic forces, which is negative while walls are approached, and of damping and
+    /// friction on the motion of the walls.
     pub walls: f64,
     /// Energy that damping has taken; positive.
     pub damping: f64,

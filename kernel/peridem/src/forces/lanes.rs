@@ -52,7 +52,7 @@ impl Lanes {
     fn grow(&mut self) {
         let filled = self.number.next_multiple_of(VECTOR).max(2 * BATCH);
         self.difference.resize(filled, Place::default());
-        self.length.resize(filled, 1.0);
+        self.length.resize(filled, 0.0);
     }
 
     /// Compute a vector for each bond. Returns whether any of them breaks.

@@ -139,7 +139,8 @@ impl WallPass<'_> {
     /// Add the forces of all walls to force densities in N/m^3, book their work, and return the forces on the walls, and
     /// whether a wall has lost a node.
     ///
-    /// Elastic work is the mean of the forces before and after the step times the displacement in it.
+    /// Elastic work is the mean of the forces before and after the step times the displacement in it. What damping and
+    /// friction do on the motion relative to a wall is lost; what they do on the motion of the wall is its work, too.
     pub(super) fn add_forces(
         &self,
         state: &mut State,
@@ -168,9 +169,12 @@ impl WallPass<'_> {
                 after += on_node.repulsion;
                 total += on_node.total();
                 reactions[wall] += -on_node.total();
-                let velocity = self.velocity_at(state, node, wall);
+                let of_wall = self.velocity_of(wall);
+                let velocity = state.velocity[node] - of_wall;
                 state.work.damping -= on_node.damping.dot(velocity) * self.time_step;
                 state.work.friction -= on_node.friction.dot(velocity) * self.time_step;
+                let dragging = on_node.damping + on_node.friction;
+                state.work.walls += dragging.dot(of_wall) * self.time_step;
             }
             let moved = moved(
                 state.velocity[node],
@@ -184,10 +188,10 @@ impl WallPass<'_> {
         (reactions, has_lost)
     }
 
-    fn velocity_at(&self, state: &State, node: usize, wall: usize) -> Vec2 {
+    /// Velocity of a wall in m/s.
+    fn velocity_of(&self, wall: usize) -> Vec2 {
         let outward = OUTWARD[wall];
-        let along = Vec2::new(outward.x.abs(), outward.y.abs());
-        state.velocity[node] - along * self.walls.velocity[wall]
+        Vec2::new(outward.x.abs(), outward.y.abs()) * self.walls.velocity[wall]
     }
 
     fn force(
@@ -205,7 +209,7 @@ impl WallPass<'_> {
             },
             distance,
             outward: OUTWARD[wall],
-            velocity: self.velocity_at(state, node, wall),
+            velocity: state.velocity[node] - self.velocity_of(wall),
         };
         let step = FrictionStep {
             time_step: self.time_step,

@@ -4,7 +4,7 @@ use super::super::Scene;
 use super::super::scene::{CrackTable, MOST_CRACKS};
 use crate::run::series::{Sample, Value};
 use gouge_common::geometry::Vec2;
-use gouge_peridem::observables::{Crack, bulk_damage, pieces, softened_area};
+use gouge_peridem::observables::{Crack, bulk_damage, connected_damage, pieces, softened_area};
 use gouge_peridem::world::World;
 
 /// Terms of the balance of energy, in J per metre of depth.
@@ -218,9 +218,21 @@ fn solid_fraction(world: &World) -> f64 {
 /// The crack from a tip; none if no node belongs to it.
 pub fn crack(world: &World, table: &CrackTable) -> Option<Crack> {
     let (grains, [low, high]) = (world.grains(), table.within);
+    let connected = table.connected.then(|| {
+        connected_damage(
+            grains,
+            world.bonds(),
+            table.grain,
+            table.tip,
+            table.threshold,
+        )
+    });
     let belongs = |node: usize| {
         let distance = (grains.position[node] - table.tip).norm();
-        grains.grain_of[node] as usize == table.grain && (low..=high).contains(&distance)
+        let is_connected = |nodes: &Vec<usize>| nodes.binary_search(&node).is_ok();
+        grains.grain_of[node] as usize == table.grain
+            && (low..=high).contains(&distance)
+            && connected.as_ref().is_none_or(is_connected)
     };
     Crack::from_tip(grains, world.bonds(), table.tip, table.threshold, belongs)
 }

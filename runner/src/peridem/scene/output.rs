@@ -34,6 +34,8 @@ pub struct CrackTable {
     pub threshold: f64,
     /// Smallest and largest distance in m of its nodes from the tip, at t = 0.
     pub within: [f64; 2],
+    /// Whether damage must lead from its tip to them.
+    pub connected: bool,
 }
 
 /// Read `[output]` of a scene that ends at a time.
@@ -67,7 +69,7 @@ pub(super) fn cracks(root: &Table, grains: usize) -> Result<Vec<CrackTable>> {
 }
 
 fn crack(table: &Table, grains: usize) -> Result<CrackTable> {
-    table.allow(&["grain", "tip", "threshold", "within"])?;
+    table.allow(&["grain", "tip", "threshold", "within", "connected"])?;
     let last = grains.saturating_sub(1) as u64;
     let grain = table.optional_whole_within("grain", 0, last)?.unwrap_or(0);
     let [x, y] = table.pair("tip")?;
@@ -84,5 +86,6 @@ fn crack(table: &Table, grains: usize) -> Result<CrackTable> {
         tip: Vec2::new(x, y),
         threshold: threshold.unwrap_or(THRESHOLD),
         within,
+        connected: table.optional_truth("connected")?.unwrap_or(true),
     })
 }

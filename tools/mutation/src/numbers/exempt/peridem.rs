@@ -77,7 +77,7 @@ pub const EXEMPTIONS: &[Exemption] = &[
     ),
     exempt(
         "kernel/peridem/src/forces/lanes.rs",
-        "Lanes::gather",
+        "Lanes::compute",
         "1.0",
         "the length of bonds that only fill a vector",
     ),
