@@ -1,6 +1,6 @@
 //! Scenes of peridynamic grains that are refused when they begin, stopped, or doubted.
 
-use crate::grains::{OPTIONS, pair, summary};
+use crate::grains::{OPTIONS, WALLED, pair, summary};
 use crate::program::{run, stderr, write_scene};
 use gouge_runner::any_scene::AnyScene;
 use gouge_runner::run::{Event, RunOptions};
@@ -109,6 +109,43 @@ fn what_only_meshing_shows_is_refused_with_its_key() {
         let said = scene(&format!("{held}{useless}"));
         let expected = ":16: grains[0].clamped = [[array of 4]]: holds all nodes of the grain";
         assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn grains_in_walls_are_doubted_and_grains_behind_walls_and_nodes_on_cuts_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write_scene(folder.path(), WALLED);
+    let said = |key: &str| {
+        let out = folder.path().join("out");
+        let [scene, out] = [&scene, &out].map(|path| path.to_str().unwrap());
+        let end = "time.end=1e-6";
+        let all = [
+            "run",
+            scene,
+            "--out",
+            out,
+            "--overwrite",
+            "--set",
+            end,
+            "--set",
+            key,
+        ];
+        stderr(&run(&all))
+    };
+    let warning = "grains are nearer to walls than contact.radius from the beginning";
+    assert!(!said("time.end=1e-6").contains(warning));
+    assert!(said("grains.0.position=[0.0, 1e-4]").contains(warning));
+    let refused = said("grains.0.position=[0.0, 7e-4]");
+    for part in [
+        "grains.0.position=[0.0, 7e-4]: node ",
+        "behind the top wall",
+    ] {
+        assert!(refused.contains(part), "{refused}");
+    }
+    let refused = said("grains.0.cuts=[[-5e-4, 1e-4, 5e-4, 1e-4]]");
+    for part in ["grains.0.cuts=", "lies on cut 0: move the cut"] {
+        assert!(refused.contains(part), "{refused}");
     }
 }
 

@@ -11,7 +11,10 @@ pub enum ReplayError {
     #[error("{}: not a folder", .0.display())]
     NotAFolder(PathBuf),
     /// The folder has none of the files.
-    #[error("{}: has none of {accepted}", folder.display())]
+    #[error(
+        "{0}: has none of {accepted}; a case of peridynamic grains is given by its file, such as {0}/case.json",
+        folder.display()
+    )]
     NothingKnown {
         /// The folder.
         folder: PathBuf,

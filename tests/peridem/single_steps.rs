@@ -198,16 +198,10 @@ fn a_node_is_behind_a_wall_beyond_the_contact_radius() {
         let grains = singles(&[Vec2::zero(), place]);
         let mut world = world(&grains, settings, |state| state.walls = CONTAINER);
         match world.step() {
-            Err(StepError::BehindWall {
-                grain,
-                node,
-                wall,
-                depth: found,
-                ..
-            }) => {
+            Err(StepError::BehindWall { lost, .. }) => {
                 assert!(is_behind);
-                assert_eq!((grain, node, wall), (1, 0, "top"));
-                assert_near(found, depth * radius);
+                assert_eq!((lost.grain, lost.node, lost.wall), (1, 0, "top"));
+                assert_near(lost.depth, depth * radius);
             }
             other => assert!(other.is_ok() && !is_behind, "{other:?}"),
         }

@@ -188,7 +188,9 @@ pub enum SetupError {
         cut: usize,
     },
     /// A node lies on a cut, so that it belongs to both sides or to none.
-    #[error("node {node} lies on cut {cut}")]
+    #[error(
+        "node {node} lies on cut {cut}: move the cut by a part of the size of the mesh, or change that size"
+    )]
     NodeOnCut {
         /// Position among the nodes.
         node: usize,
@@ -246,21 +248,30 @@ pub enum StepError {
     },
     /// A node went through a wall.
     #[error(
-        "node {node} of grain {grain} is {depth:.3e} m behind the {wall} wall at {time:.6e} s, farther than the contact \
-         radius; likely cause: the grain is too fast, or the contact is too soft"
+        "at {time:.6e} s, {lost}; likely cause: the grain is too fast, or the contact is too soft"
     )]
     BehindWall {
-        /// The grain.
-        grain: usize,
-        /// The node, counted from the first of the grain.
-        node: usize,
-        /// Name of the wall.
-        wall: &'static str,
-        /// How far it is behind the wall in m.
-        depth: f64,
+        /// The node.
+        lost: LostNode,
         /// Time in s.
         time: f64,
     },
+}
+
+/// A node so far behind a wall that it is no longer pushed back.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error(
+    "node {node} of grain {grain} is {depth:.3e} m behind the {wall} wall, farther than the contact radius"
+)]
+pub struct LostNode {
+    /// The grain.
+    pub grain: usize,
+    /// The node, counted from the first of the grain.
+    pub node: usize,
+    /// Name of the wall.
+    pub wall: &'static str,
+    /// How far it is behind the wall in m.
+    pub depth: f64,
 }
 
 /// Smallest and largest product of parameters, in SI units, whose further products are surely numbers.

@@ -2,7 +2,7 @@
 
 use crate::bonds::Bonds;
 use crate::energy::Energies;
-use crate::error::{SetupError, StepError, TooFast, require};
+use crate::error::{LostNode, SetupError, StepError, TooFast, require};
 use crate::forces::{Settings, Touching, Workspace};
 use crate::grain::Grains;
 use crate::guard::Guard;
@@ -216,22 +216,27 @@ impl World {
         })
     }
 
-    /// Refuse nodes that a wall has lost.
     #[cold]
     fn require_inside(&self) -> Result<(), StepError> {
-        let Some(walls) = &self.settings.walls else {
-            return Ok(());
-        };
-        let Some((node, wall, depth)) = walls.first_behind(&self.state) else {
-            return Ok(());
-        };
+        match self.lost_node() {
+            None => Ok(()),
+            Some(lost) => Err(StepError::BehindWall {
+                lost,
+                time: self.time(),
+            }),
+        }
+    }
+
+    /// The first node that is so far behind a wall that it no longer pushes it back. The authors' readings of walls let such
+    /// nodes go.
+    pub fn lost_node(&self) -> Option<LostNode> {
+        let (node, wall, depth) = self.settings.walls.as_ref()?.first_behind(&self.state)?;
         let grain = self.grains.grain_of[node] as usize;
-        Err(StepError::BehindWall {
+        Some(LostNode {
             grain,
             node: node - self.grains.rows[grain].nodes.start,
             wall,
             depth,
-            time: self.time(),
         })
     }
 

@@ -71,6 +71,8 @@ pub enum Warning<'a> {
     Imbalance(f64),
     /// Nodes of different grains touch from the beginning, and store this energy in J per metre of depth.
     Touching(f64),
+    /// Grains are in walls from the beginning, which push them with this force in N per metre of depth.
+    InWalls(f64),
     /// A grain, of this index, has no bonds.
     WithoutBonds(usize),
     /// Bonds do not have Poisson's ratio of their material.
@@ -157,6 +159,10 @@ impl Warning<'_> {
                 f,
                 "grains are nearer than contact.radius at the beginning: they store {energy:.3e} J/m and push each other \
                  apart"
+            ),
+            Self::InWalls(force) => write!(
+                f,
+                "grains are nearer to walls than contact.radius from the beginning: they are pushed away with up to {force:.3e} N/m"
             ),
             Self::WithoutBonds(grain) => write!(
                 f,

@@ -1,7 +1,7 @@
 //! The world at the beginning of a scene.
 
 use super::super::Scene;
-use super::mesh::{Cells, Meshed, meshed, refused};
+use super::mesh::{Cells, Meshed, meshed, refused, refused_by_runner};
 use crate::error::{Error, SceneError};
 use crate::machine::chosen;
 use gouge_common::geometry::Vec2;
@@ -70,6 +70,15 @@ pub fn checked(scene: &Scene) -> Result<Built, Error> {
             let advice = "time.forced = true; `gouge stability` prints all limits";
             with_advice(refused(step, &error), advice)
         })?;
+    }
+    if let Some(lost) = built.world.lost_node() {
+        let position = scene.refusals.grains.get(lost.grain);
+        let reason = format!("{lost}, so that nothing would push it back");
+        return Err(refused_by_runner(
+            position.map(|all| &all.position),
+            lost.grain,
+            &reason,
+        ));
     }
     if !is_forced {
         let guarded = built.world.guarded();

@@ -13,7 +13,8 @@ struct Link {
     nodes: [usize; 2],
     /// Length in m at which it exerts no force, and present distance in m.
     lengths: [f64; 2],
-    /// Force along the line between the nodes in N per metre of depth, positive if they repel each other, and across it.
+    /// Force of the second node on the first in N per metre of depth: along the line between them, negative if they repel
+    /// each other, and along this line turned by +90 degrees.
     forces: [f64; 2],
 }
 
@@ -59,7 +60,7 @@ fn bonds(world: &World) -> impl Iterator<Item = Link> + '_ {
             kind: 0,
             nodes: [earlier, later],
             lengths: [length, elongation.distance],
-            forces: [0.0 - pull, 0.0],
+            forces: [pull, 0.0],
         }
     })
 }
@@ -74,7 +75,7 @@ fn contacts(world: &World) -> impl Iterator<Item = Link> {
             kind: 1,
             nodes: [i, j],
             lengths: [touching.rest_distance, distance],
-            forces: [-total.dot(direction), direction.cross(total)],
+            forces: [total.dot(direction), direction.cross(total)],
         }
     })
 }

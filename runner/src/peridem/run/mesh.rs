@@ -51,7 +51,10 @@ pub fn meshed(scene: &Scene) -> Result<Meshed, Error> {
     let mut first = 0;
     for (k, table) in scene.grains.iter().enumerate() {
         let refusals = scene.refusals.grains.get(k);
-        let of_shape = |error| refused(refusals.map(|all| &all.shape), &error);
+        let of_shape = |error| match error {
+            SetupError::NodeOnCut { .. } => refused(refusals.map(|all| &all.cuts), &error),
+            _ => refused(refusals.map(|all| &all.shape), &error),
+        };
         let refuse = |error| refused(refusals.map(|all| &all.whole), &error);
         let mesh = nodes(table).map_err(of_shape)?;
         let shifted = |triangle: &[u32; 3]| triangle.map(|node| node + first);
@@ -84,7 +87,8 @@ pub fn meshed(scene: &Scene) -> Result<Meshed, Error> {
 }
 
 /// The error of a grain for a reason of the runner.
-fn refused_by_runner(refusal: Option<&SceneError>, grain: usize, reason: &str) -> Error {
+/// An error about a key of a grain, or about the grain if it is not of a file, for a reason that is not the kernel's.
+pub fn refused_by_runner(refusal: Option<&SceneError>, grain: usize, reason: &str) -> Error {
     let argument = || Error::Argument(format!("grains[{grain}]: {reason}"));
     refusal.map_or_else(argument, |refusal| {
         Error::Scene(SceneError {

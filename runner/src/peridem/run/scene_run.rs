@@ -136,6 +136,11 @@ impl<'a> SceneRun<'a> {
         if energy > 0.0 {
             self.context.warn(Warning::Touching(energy));
         }
+        let reactions = self.world.reactions().into_iter();
+        let force = reactions.map(|force| force.norm()).fold(0.0, f64::max);
+        if force > 0.0 {
+            self.context.warn(Warning::InWalls(force));
+        }
         let used = |index: usize| scene.grains.iter().any(|grain| grain.material == index);
         for (_, material) in scene.materials.iter().enumerate().filter(|(k, _)| used(*k)) {
             let of_bonds = material.plane.poisson_ratio_of_bonds();

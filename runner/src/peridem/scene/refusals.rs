@@ -22,6 +22,10 @@ pub struct GrainRefusals {
     pub whole: SceneError,
     /// About the key that gives its shape.
     pub shape: SceneError,
+    /// About its cuts.
+    pub cuts: SceneError,
+    /// About its position.
+    pub position: SceneError,
     /// About its velocity, if it is given.
     pub velocity: Option<SceneError>,
     /// About its angular velocity, if it is given.
@@ -47,6 +51,8 @@ impl Refusals {
             GrainRefusals {
                 whole: table.own_error(""),
                 shape: table.error(outline::shape_key(table), ""),
+                cuts: table.error("cuts", ""),
+                position: table.error("position", ""),
                 velocity: given("velocity"),
                 angular_velocity: given("angular_velocity"),
                 clamped: table.error("clamped", ""),
