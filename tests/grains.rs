@@ -296,6 +296,32 @@ fn walls_push_and_are_pushed() {
     );
 }
 
+/// The last sample is early, and a run that was stopped before its summary takes it again.
+#[test]
+fn forces_on_walls_are_saved() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write_scene(folder.path(), WALLED);
+    let keys = [
+        "time.end=2e-6",
+        "output.interval=1.5e-6",
+        "grains.0.position=[0.0, 1e-4]",
+    ];
+    let overrides = Overrides::parse(&keys).unwrap();
+    let scene = AnyScene::load_with(scene.to_str().unwrap(), &overrides).unwrap();
+    let (out, ignore) = (folder.path().join("out"), &mut |_: Event<'_>| {});
+    scene.run(&out, OPTIONS, ignore).unwrap();
+    let series = || fs::read_to_string(out.join("series.csv")).unwrap();
+    let before = series();
+    assert!(column(&out.join("series.csv"), "top_force_y")[2] > 0.0);
+    fs::remove_file(out.join("summary.json")).unwrap();
+    let resumed = RunOptions {
+        resume: true,
+        ..OPTIONS
+    };
+    scene.run(&out, resumed, ignore).unwrap();
+    assert_eq!(series(), before);
+}
+
 #[test]
 fn clamped_nodes_stay_and_loads_pull() {
     let folder = tempfile::tempdir().unwrap();

@@ -117,6 +117,14 @@ fn repeat(arguments: &ReplayArguments) -> Result<(), Error> {
             folder.display()
         )));
     }
+    let cases = ["case.json", "case.json.gz"].map(|name| folder.join(name));
+    if let Some(case) = cases.iter().find(|case| case.exists()) {
+        return Err(Error::Argument(format!(
+            "--out {}: has {}, whose tables would be replaced",
+            folder.display(),
+            case.display()
+        )));
+    }
     let mode = arguments.mode.map_or(Mode::default(), ModeName::mode);
     let progress = StepProgress::new(arguments.quiet);
     let mut watch = |done, all| progress.report(done, all);

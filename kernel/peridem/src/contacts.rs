@@ -45,13 +45,13 @@ impl Contact {
     ///
     /// # Errors
     /// [`SetupError::ContactRadius`] if the radius is below [`SMALLEST_RADIUS_RATIO`] times the smallest distance of two
-    /// nodes of a grain.
+    /// nodes of any of the grains.
     pub fn check_radius(&self, grains: &Grains) -> Result<(), SetupError> {
         let distance = |row: &GrainRow| smallest_distance(&grains.position[row.nodes.clone()]);
         let smallest = grains.rows.iter().filter_map(distance);
-        let smallest = smallest.fold(f64::INFINITY, f64::min);
+        let smallest = smallest.fold(0.0, f64::max);
         let radius = self.law.radius;
-        if smallest.is_finite() && radius < SMALLEST_RADIUS_RATIO * smallest {
+        if radius < SMALLEST_RADIUS_RATIO * smallest {
             return Err(SetupError::ContactRadius { radius, smallest });
         }
         Ok(())

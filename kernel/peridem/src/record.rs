@@ -10,10 +10,11 @@ use gouge_common::record::{Column, Record, Shape};
 /// Name of this kernel in records.
 pub const NAME: &str = "peridem";
 
-const COLUMNS: [(&str, Shape); 11] = [
+const COLUMNS: [(&str, Shape); 12] = [
     ("steps", Shape::Words(1)),
     ("work", Shape::Words(4)),
     ("walls", Shape::Words(4)),
+    ("reactions", Shape::Words(8)),
     ("displacement", Shape::List(2)),
     ("velocity", Shape::List(2)),
     ("acceleration", Shape::List(2)),
@@ -27,7 +28,7 @@ const COLUMNS: [(&str, Shape); 11] = [
 impl World {
     /// The whole state as a record; [`restored`](Self::restored) continues from it bit by bit.
     pub fn record(&self) -> Record {
-        let columns = COLUMNS.into_iter().zip(words(self.state()));
+        let columns = COLUMNS.into_iter().zip(words(self));
         let column = |((name, shape), words): ((&str, Shape), _)| Column {
             name: name.to_owned(),
             shape,
@@ -48,12 +49,13 @@ impl World {
         if !is_ours || !record.columns.iter().zip(COLUMNS).all(fits) {
             return None;
         }
-        let state = state(self.grains(), record)?;
-        Some(self.with_state(state))
+        let (state, reactions) = state(self.grains(), record)?;
+        Some(self.with_state(state, reactions))
     }
 }
 
-fn words(state: &State) -> [Vec<u64>; 11] {
+fn words(world: &World) -> [Vec<u64>; 12] {
+    let state = world.state();
     let Work {
         walls,
         damping,
@@ -73,6 +75,7 @@ fn words(state: &State) -> [Vec<u64>; 11] {
             .map(f64::to_bits)
             .to_vec(),
         state.walls.map(f64::to_bits).to_vec(),
+        vectors(&world.reactions()),
         vectors(&displacement),
         vectors(&state.velocity),
         vectors(&state.acceleration),
@@ -84,13 +87,14 @@ fn words(state: &State) -> [Vec<u64>; 11] {
     ]
 }
 
-/// The state of a record whose columns have the right names and shapes.
-fn state(grains: &Grains, record: &Record) -> Option<State> {
+/// The state of a record whose columns have the right names and shapes, and the forces on the walls.
+fn state(grains: &Grains, record: &Record) -> Option<(State, [Vec2; 4])> {
     let columns: Vec<&[u64]> = record.columns.iter().map(|one| &one.words[..]).collect();
     let [
         steps,
         work,
         walls,
+        reactions,
         displacement,
         velocity,
         acceleration,
@@ -119,7 +123,8 @@ fn state(grains: &Grains, record: &Record) -> Option<State> {
         reference,
         displacement,
     };
-    Some(State {
+    let reactions = vectors_of(reactions, 4)?.try_into().ok()?;
+    let state = State {
         places: grains
             .position
             .iter()
@@ -137,7 +142,8 @@ fn state(grains: &Grains, record: &Record) -> Option<State> {
             friction,
             broken,
         },
-    })
+    };
+    Some((state, reactions))
 }
 
 fn integers<T: TryFrom<u64>>(words: &[u64]) -> Option<Vec<T>> {
@@ -149,8 +155,8 @@ fn numbers<const N: usize>(words: &[u64]) -> Option<[f64; N]> {
     Some(words.map(f64::from_bits))
 }
 
-fn vectors_of(words: &[u64], nodes: usize) -> Option<Vec<Vec2>> {
+fn vectors_of(words: &[u64], number: usize) -> Option<Vec<Vec2>> {
     let (pairs, rest) = words.as_chunks::<2>();
     let vector = |&[x, y]: &[u64; 2]| Vec2::new(f64::from_bits(x), f64::from_bits(y));
-    (rest.is_empty() && pairs.len() == nodes).then(|| pairs.iter().map(vector).collect())
+    (rest.is_empty() && pairs.len() == number).then(|| pairs.iter().map(vector).collect())
 }

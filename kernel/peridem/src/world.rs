@@ -240,11 +240,12 @@ impl World {
         })
     }
 
-    /// The same grains in another state.
-    pub(crate) fn with_state(mut self, state: State) -> Self {
+    /// The same grains in another state, with the forces on the walls in N per metre of depth.
+    pub(crate) fn with_state(mut self, state: State, reactions: [Vec2; 4]) -> Self {
         let instructions = self.workspace.instructions();
         self.workspace = Workspace::new(&self.grains, &self.settings, &state);
         self.workspace.use_instructions(instructions);
+        self.workspace.reactions = reactions;
         self.state = state;
         self
     }

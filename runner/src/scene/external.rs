@@ -13,9 +13,16 @@ pub(crate) fn gravity(root: &Table) -> Result<Vec2, SceneError> {
     table.choice("law", &[("gravity", ())])?;
     let acceleration = table.number("acceleration", Range::Finite)?;
     let [x, y] = table.optional_pair("direction")?.unwrap_or([0.0, -1.0]);
-    let direction = Vec2::new(x, y);
-    if direction.norm() == 0.0 {
+    let largest = x.abs().max(y.abs());
+    if largest == 0.0 {
         return Err(table.error("direction", "must not be [0, 0]"));
     }
+    // The squares of very large and small components are no usable numbers.
+    let scale = if (1e-150..1e150).contains(&largest) {
+        1.0
+    } else {
+        largest
+    };
+    let direction = Vec2::new(x / scale, y / scale);
     Ok(direction * (acceleration / direction.norm()))
 }

@@ -184,6 +184,10 @@ impl<'a> ContactPass<'a> {
             let area = &self.grains.area;
             self.spring(pair).energy(distance, area[i], area[j])
         };
-        candidates.pairs.iter().map(of_pair).sum()
+        candidates
+            .pairs
+            .iter()
+            .map(of_pair)
+            .fold(0.0, |sum, energy| sum + energy)
     }
 }

@@ -24,7 +24,7 @@ pub fn bulk_damage(grains: &Grains, bonds: &Bonds) -> f64 {
 pub fn softened_area(grains: &Grains, bonds: &Bonds, grain: usize) -> f64 {
     let nodes = grains.rows[grain].nodes.clone();
     let softened = nodes.filter(|&node| bonds.damage(node) > 0.0);
-    softened.map(|node| grains.area[node]).sum()
+    softened.fold(0.0, |sum, node| sum + grains.area[node])
 }
 
 /// Number of pieces of a grain: sets of nodes connected by bonds, with more than the given fraction of its nodes.

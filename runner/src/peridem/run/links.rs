@@ -5,6 +5,7 @@ use super::begin::built;
 use super::tables::local;
 use crate::error::Error;
 use crate::run::table::{Kinds, Table, Values};
+use gouge_common::geometry::Vec2;
 use gouge_peridem::world::World;
 
 /// A bond or a contact.
@@ -69,7 +70,11 @@ fn contacts(world: &World) -> impl Iterator<Item = Link> {
     world.contacts().into_iter().map(|touching| {
         let (i, j) = touching.pair.indices();
         let distance = touching.separation.norm();
-        let direction = touching.separation * (1.0 / distance);
+        // Nodes at the same place have no direction and exert no force.
+        let direction = match distance > 0.0 {
+            true => touching.separation * (1.0 / distance),
+            false => Vec2::zero(),
+        };
         let total = touching.on_first.total();
         Link {
             kind: 1,
