@@ -64,10 +64,13 @@ pub(super) static RULES: [Rule; 11] = [
     },
 ];
 
-/// Angle in degrees between a crack and the vertical notches.
+/// Angle in degrees of the left or the right crack from the direction of the vertical notches, positive away from the other
+/// one.
 pub(super) fn from_notch(run: &Run, crack: usize) -> Option<f64> {
     let angle = run.number(&format!("crack_angle_{crack}_last"))?;
-    Some((90.0 - angle.to_degrees().abs()).abs())
+    let turned = angle.to_degrees() - 90.0;
+    let outward = if crack == 0 { turned } else { -turned };
+    Some((outward + 180.0).rem_euclid(360.0) - 180.0)
 }
 
 /// Runs of the plate with a rule of breaking and with or without self contact.

@@ -103,7 +103,7 @@ fn table_of_runs(
     let rows: Vec<Vec<String>> = sample.runs().map(row).collect();
     let names = columns.iter().map(|column| column.0);
     let names: Vec<String> = names
-        .chain(has_cracks.then_some("angles in degrees"))
+        .chain(has_cracks.then_some("angles from the notches in degrees, positive outwards"))
         .map(str::to_owned)
         .collect();
     (!rows.is_empty()).then(|| table(caption, &names, &rows))
