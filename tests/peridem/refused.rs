@@ -111,7 +111,10 @@ fn contact_radii_are_refused_below_the_smallest_safe_one() {
     };
     assert_eq!(check(1.2 * (1.0 - 1e-9)), Err(expected));
     // Nodes of the finer grain would pass between those of the coarser one.
-    let coarse = lattice(3, 3).iter().map(|&at| at * 2.0 + Vec2::new(9.0, 0.0) * H).collect();
+    let coarse = lattice(3, 3)
+        .iter()
+        .map(|&at| at * 2.0 + Vec2::new(9.0, 0.0) * H)
+        .collect();
     let fine = grain(lattice(3, 3), 1.5, Weight::Constant);
     let grains = Grains::new(&[fine, grain(coarse, 3.0, Weight::Constant)]).unwrap();
     let mut contact = contact(0.0, 0.0);
