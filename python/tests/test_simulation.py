@@ -175,7 +175,7 @@ def test_a_call_of_step_costs_less_than_a_microsecond():
     assert overhead / number < 1e-6, overhead / number
 
 
-def test_a_column_of_a_million_particles_takes_less_than_two_milliseconds():
+def test_a_column_of_a_million_particles_is_copied_about_as_fast_as_memory_is():
     side = 1000
     scene = gouge.scene("head-on")
     scene["setup"] = {
@@ -187,9 +187,13 @@ def test_a_column_of_a_million_particles_takes_less_than_two_milliseconds():
     simulation = gouge.Simulation(scene)
     assert len(simulation) == side * side
     for name in ["radius", "angle", "position", "velocity"]:
-        times = []
+        column = simulation.column(name)
+        times, copies = [], []
         for _ in range(10):
             began = time.perf_counter()
             simulation.column(name)
-            times.append(time.perf_counter() - began)
-        assert min(times) < 2e-3, (name, times)
+            read = time.perf_counter()
+            column.copy()
+            times.append(read - began)
+            copies.append(time.perf_counter() - read)
+        assert min(times) < 3 * min(copies), (name, times, copies)
