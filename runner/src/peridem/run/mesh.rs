@@ -86,7 +86,6 @@ pub fn meshed(scene: &Scene) -> Result<Meshed, Error> {
     })
 }
 
-/// The error of a grain for a reason of the runner.
 /// An error about a key of a grain, or about the grain if it is not of a file, for a reason that is not the kernel's.
 pub fn refused_by_runner(refusal: Option<&SceneError>, grain: usize, reason: &str) -> Error {
     let argument = || Error::Argument(format!("grains[{grain}]: {reason}"));
