@@ -231,3 +231,30 @@ fn grains_without_bonds_and_forced_steps_are_doubted() {
     let loose = [&forced[..], &["bonds.horizon=1e-5"]].concat();
     assert!(warnings(&loose).contains("grains[0] has no bonds"));
 }
+
+#[test]
+fn a_residual_counts_the_same_in_any_frame_and_beside_any_grain() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = |name: &str, grains: &[(f64, f64)]| {
+        let positions = [[-1.25e-3, 0.0], [1.1e-3, 2e-4], [0.0, 9e-3]];
+        let grain = |(place, (vx, vy)): (&[f64; 2], &(f64, f64))| {
+            format!("{{shape=\"disc\",radius=1e-3,position={place:?},velocity=[{vx:?},{vy:?}]}}")
+        };
+        let all: Vec<String> = positions.iter().zip(grains).map(grain).collect();
+        let scene = pair(&[&format!("grains=[{}]", all.join(","))]);
+        let out = folder.path().join(name);
+        let ignore = &mut |_: Event<'_>| {};
+        scene
+            .run(&out, OPTIONS, ignore)
+            .unwrap()
+            .balance_error
+            .unwrap()
+    };
+    let alone = error("alone", &[(20.0, 0.0), (-20.0, 0.0)]);
+    assert!(alone > 1e-5, "{alone}");
+    let together = error("together", &[(220.0, 300.0), (180.0, 300.0)]);
+    let passing = error("passing", &[(20.0, 0.0), (-20.0, 0.0), (0.0, 400.0)]);
+    for other in [together, passing] {
+        assert!((other / alone - 1.0).abs() < 1e-2, "{other} {alone}");
+    }
+}

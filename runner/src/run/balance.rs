@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-9;
 ///
 /// While a run goes on, its residual is compared with the largest term of the balance, of the potential energy with its
 /// change. When it ends, the residual is also compared with what was exchanged: the largest energy of contacts, heat,
-/// work, and the kinetic energy of half of each change of velocity between samples that gravity does not explain. That does not
+/// work, and the kinetic energy of each change of velocity between samples that gravity does not explain. That does not
 /// depend on the frame of reference, and particles that fly or fall freely, however fast, do not add to it, so that they
 /// do not hide an error in the contacts of others. A contact that has just begun has not exchanged much, so nothing is
 /// said of it earlier.
@@ -38,7 +38,7 @@ pub struct Balance {
     magnitude: f64,
     /// The largest of all terms that are exchanged, added up, in J.
     exchanged: f64,
-    /// Kinetic energy of half of each change of velocity, in J.
+    /// Kinetic energy of each change of velocity, in J.
     changes: f64,
     /// Whether any sample was beyond trust.
     pub is_off: bool,

@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 /// First bytes of every checkpoint.
 const MAGIC: &[u8; 16] = b"gouge checkpoint";
 /// Version of the format.
-const VERSION: u64 = 8;
+const VERSION: u64 = 9;
 /// Bytes of a checksum or fingerprint.
 const DIGEST: usize = 32;
 /// Bytes before the version.

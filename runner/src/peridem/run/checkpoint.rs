@@ -1,7 +1,7 @@
 //! Checkpoints of runs of peridynamic grains.
 
 use super::super::Scene;
-use super::samples::Balance;
+use super::balance::Balance;
 use crate::error::Error;
 use crate::run::bytes::{Reader, put_record, put_text, put_words};
 use crate::run::checkpoint::{refusal, unfit};
@@ -44,13 +44,8 @@ impl Checkpoint {
         put_words(&mut bytes, &[self.samples]);
         put_words(&mut bytes, &self.bytes);
         let [run, main] = self.seconds;
-        let Balance {
-            beginning,
-            exchanged,
-            residual,
-        } = self.balance;
-        let numbers = [run, main, self.bond_steps, beginning, exchanged, residual];
-        put_words(&mut bytes, &numbers.map(f64::to_bits));
+        put_words(&mut bytes, &[run, main, self.bond_steps].map(f64::to_bits));
+        self.balance.put(&mut bytes);
         put_text(&mut bytes, &self.keys.to_text());
         put_text(&mut bytes, &self.warnings);
         put_record(&mut bytes, &self.state);
@@ -60,18 +55,13 @@ impl Checkpoint {
     fn read_content(mut rest: Reader) -> Option<Self> {
         let samples = rest.word()?;
         let bytes = rest.array()?;
-        let numbers = rest.array()?.map(f64::from_bits);
-        let [run, main, bond_steps, beginning, exchanged, residual] = numbers;
+        let [run, main, bond_steps] = rest.array()?.map(f64::from_bits);
         Some(Self {
             samples,
             bytes,
             seconds: [run, main],
             bond_steps,
-            balance: Balance {
-                beginning,
-                exchanged,
-                residual,
-            },
+            balance: Balance::read(&mut rest)?,
             keys: Keys::of_text(&rest.text()?),
             warnings: rest.text()?,
             state: rest.record().filter(|_| rest.0.is_empty())?,

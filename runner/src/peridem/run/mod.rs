@@ -1,5 +1,6 @@
 //! Running a scene of peridynamic grains.
 
+mod balance;
 mod begin;
 mod checkpoint;
 mod files;

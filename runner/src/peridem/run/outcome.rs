@@ -1,6 +1,7 @@
 //! The outputs at the end of a run.
 
-use super::samples::{Balance, columns, crack};
+use super::balance::Balance;
+use super::samples::{columns, crack};
 use super::scene_run::SceneRun;
 use super::stability::summarized;
 use super::tables;

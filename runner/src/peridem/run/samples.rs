@@ -2,23 +2,12 @@
 
 use super::super::Scene;
 use super::super::scene::{CrackTable, MOST_CRACKS};
+use super::balance::ENERGY;
 use crate::run::series::{Sample, Value};
 use gouge_common::geometry::Vec2;
 use gouge_peridem::observables::{Crack, bulk_damage, connected_damage, pieces, softened_area};
 use gouge_peridem::world::World;
 
-/// Terms of the balance of energy, in J per metre of depth.
-const ENERGY: [&str; 9] = [
-    "kinetic",
-    "bond",
-    "contact",
-    "external",
-    "wall_work",
-    "damping",
-    "friction",
-    "breaking",
-    "residual",
-];
 /// Columns of every scene.
 const STATE: [&str; 7] = [
     "momentum_x",
@@ -78,67 +67,6 @@ fn has_container(scene: &Scene) -> bool {
     walls(scene).count() == WALLS.len()
 }
 
-/// What the samples so far say about the balance of energy.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Balance {
-    /// Energy in J per metre of depth at t = 0.
-    pub beginning: f64,
-    /// Largest sum of the magnitudes of all terms.
-    pub exchanged: f64,
-    /// Largest magnitude of the residual.
-    pub residual: f64,
-}
-
-impl Balance {
-    /// The balance at the beginning.
-    pub fn new(world: &World) -> Self {
-        let energies = world.energies();
-        Self {
-            beginning: energies.kinetic + energies.bonds + energies.contacts + energies.external,
-            ..Self::default()
-        }
-    }
-
-    /// All terms of a state by their names.
-    pub fn terms(&self, world: &World) -> [(&'static str, f64); 9] {
-        let (energies, work) = (world.energies(), world.state().work);
-        let stored = energies.kinetic + energies.bonds + energies.contacts + energies.external;
-        let lost = work.damping + work.friction + work.broken;
-        let numbers = [
-            energies.kinetic,
-            energies.bonds,
-            energies.contacts,
-            energies.external,
-            work.walls,
-            work.damping,
-            work.friction,
-            work.broken,
-            stored + lost - work.walls - self.beginning,
-        ];
-        std::array::from_fn(|k| (ENERGY[k], numbers[k]))
-    }
-
-    /// Take note of the terms of a sample.
-    pub fn add(&mut self, terms: &[(&'static str, f64); 9]) {
-        let [others @ .., (_, residual)] = terms;
-        let sum: f64 = others.iter().map(|(_, term)| term.abs()).sum();
-        self.exchanged = self.exchanged.max(sum + self.beginning.abs());
-        let is_nan = residual.is_nan() || self.residual.is_nan();
-        self.residual = match is_nan {
-            true => f64::NAN,
-            false => self.residual.max(residual.abs()),
-        };
-    }
-
-    /// The largest residual in parts of the energy exchanged.
-    pub fn error(&self) -> f64 {
-        match self.residual == 0.0 {
-            true => 0.0,
-            false => self.residual / self.exchanged,
-        }
-    }
-}
-
 /// Numbers of pieces of all grains, counted again only for grains that lost bonds.
 #[derive(Clone, Debug, Default)]
 pub struct Pieces(Vec<(usize, usize)>);
@@ -163,7 +91,7 @@ impl Pieces {
 pub fn sample(
     scene: &Scene,
     world: &World,
-    terms: Option<&[(&'static str, f64); 9]>,
+    terms: Option<&[(&'static str, f64); ENERGY.len()]>,
     (intact, pieces): (usize, usize),
 ) -> Sample {
     let (grains, bonds) = (world.grains(), world.bonds());

@@ -1,10 +1,11 @@
 //! Runs a scene, with samples and checkpoints.
 
 use super::super::Scene;
+use super::balance::Balance;
 use super::begin::{Built, checked};
 use super::checkpoint::Checkpoint;
 use super::mesh::Cells;
-use super::samples::{self, Balance, Pieces};
+use super::samples::{self, Pieces};
 use super::tables::local;
 use super::{files, frame};
 use crate::error::Error;
@@ -206,7 +207,7 @@ impl<'a> SceneRun<'a> {
             bytes,
             seconds: self.context.seconds(),
             bond_steps: self.bond_steps,
-            balance: self.balance,
+            balance: self.balance.clone(),
             warnings: self.context.warnings.clone(),
             keys: self.scene.keys.clone(),
             state: self.world.record(),
@@ -244,7 +245,7 @@ impl Sampled for SceneRun<'_> {
         let (scene, world) = (self.scene, &self.world);
         let terms = scene.output.energy.then(|| self.balance.terms(world));
         if let Some(terms) = &terms {
-            self.balance.add(terms);
+            self.balance.add(world, terms);
         }
         let pieces = self.pieces.count(world).iter().sum();
         let sample = samples::sample(scene, world, terms.as_ref(), (self.intact, pieces));
