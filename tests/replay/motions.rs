@@ -359,7 +359,7 @@ fn single_states_that_cannot_be_used_do_not_keep_the_others_from_being_computed(
     );
     let said = stderr(&output);
     for part in [
-        "cases.json: cases[0] (fork): ring 0 has 2 vertices",
+        "cases.json: cases[0] (fork): the outer polygon has 2 vertices",
         "cases.json: cases[1] (fork): y is [3.5,3.5,0.5,0.5]: must be a list of 1 items",
         "cases.json: cases[2] (fork): node 2 lies on cut 0",
         "3 of 4 cases have no result",

@@ -136,7 +136,7 @@ pub enum SetupError {
     #[error(transparent)]
     TooFast(#[from] Box<TooFast>),
     /// A ring of vertices is not a polygon.
-    #[error("ring {ring} has {vertices} vertices, but a polygon needs 3")]
+    #[error("{} has {vertices} vertices, but a polygon needs 3", ring_name(*ring))]
     TooFewVertices {
         /// 0 for the outer polygon, k for the k-th hole.
         ring: usize,
@@ -144,7 +144,7 @@ pub enum SetupError {
         vertices: usize,
     },
     /// A coordinate of a vertex is not a number with which orientations can be computed exactly.
-    #[error("vertex {vertex} of ring {ring} is not finite, or too small or too large")]
+    #[error("vertex {vertex} of {} is not finite, or too small or too large", ring_name(*ring))]
     InvalidVertex {
         /// 0 for the outer polygon, k for the k-th hole.
         ring: usize,
@@ -152,13 +152,13 @@ pub enum SetupError {
         vertex: usize,
     },
     /// All vertices of a ring lie on one line.
-    #[error("ring {ring} has no area")]
+    #[error("{} has no area", ring_name(*ring))]
     ZeroArea {
         /// 0 for the outer polygon, k for the k-th hole.
         ring: usize,
     },
     /// Two edges of a ring share a point that is not their common vertex, or overlap.
-    #[error("edges {first} and {second} of ring {ring} touch or cross each other")]
+    #[error("edges {first} and {second} of {} touch or cross each other", ring_name(*ring))]
     SelfIntersection {
         /// 0 for the outer polygon, k for the k-th hole.
         ring: usize,
@@ -272,6 +272,14 @@ pub struct LostNode {
     pub wall: &'static str,
     /// How far it is behind the wall in m.
     pub depth: f64,
+}
+
+/// How messages name a ring of vertices.
+fn ring_name(ring: usize) -> String {
+    match ring.checked_sub(1) {
+        None => "the outer polygon".to_owned(),
+        Some(hole) => format!("hole {hole}"),
+    }
 }
 
 /// Smallest and largest product of parameters, in SI units, whose further products are surely numbers.

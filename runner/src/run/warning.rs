@@ -184,6 +184,9 @@ impl Warning<'_> {
                 "{number} nodes are farther behind a wall than contact.radius: the results cannot be trusted; walls.law = \
                  \"paper\" would have stopped the run"
             ),
+            Self::Residual(error) if error.is_nan() => f.write_str(
+                "energies are not finite, so that their balance says nothing: the results cannot be trusted",
+            ),
             Self::Residual(error) => write!(
                 f,
                 "the energy balance is off by {:.1} % of the energy exchanged: the results cannot be trusted; try a \

@@ -79,7 +79,7 @@ impl Rows {
         &self,
         required: &[&str],
         optional: &[&str],
-        read: impl Fn(&Row) -> Result<T>,
+        mut read: impl FnMut(&Row) -> Result<T>,
     ) -> Result<Vec<T>> {
         let mut reader = self.reader();
         let header = reader

@@ -3,6 +3,7 @@
 use super::super::Scene;
 use super::super::scene::{Constants, Form, GrainTable, Mesh, MeshKind};
 use crate::error::{Error, SceneError};
+use crate::scene::Rectangle;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bonds::Bonds;
 use gouge_peridem::error::SetupError;
@@ -72,10 +73,12 @@ pub fn meshed(scene: &Scene) -> Result<Meshed, Error> {
         let positions = grain.position.iter().map(|&point| placed(point));
         grain.position = positions.collect();
         let refusals = scene.refusals.grains.get(k);
-        let checked = hold_and_load(table, grain);
-        let whole = refusals.map(|all| &all.whole);
-        checked.map_err(|reason| refused_by_runner(whole, k, reason))?;
-        let clamped = refusals.map(|all| &all.clamped);
+        let (clamped, loads) = (
+            refusals.map(|all| &all.clamped),
+            refusals.map(|all| &all.loads),
+        );
+        hold(table, grain).map_err(|reason| refused_by_runner(clamped, k, reason))?;
+        load(table, grain).map_err(|reason| refused_by_runner(loads, k, reason))?;
         let checked = require_free(table, grain);
         checked.map_err(|reason| refused_by_runner(clamped, k, reason))?;
     }
@@ -211,24 +214,26 @@ fn of_bonds(scene: &Scene, error: &SetupError) -> Error {
     refused(refusal.map(|all| &all.whole), error)
 }
 
-/// Clamp nodes of a placed grain and load others.
-fn hold_and_load(table: &GrainTable, grain: &mut Grain) -> Result<(), &'static str> {
-    let number = grain.position.len();
+/// Clamp nodes of a placed grain.
+fn hold(table: &GrainTable, grain: &mut Grain) -> Result<(), &'static str> {
     for region in &table.clamped {
-        let inside: Vec<usize> = (0..number)
-            .filter(|&node| region.contains(grain.position[node]))
-            .collect();
+        let inside = inside(grain, region);
         if inside.is_empty() {
-            return Err("no node of the grain is in a box of clamped");
+            return Err("no node of the grain is in one of the boxes");
         }
         grain.clamped.extend(inside);
     }
+    Ok(())
+}
+
+/// Load nodes of a placed grain.
+fn load(table: &GrainTable, grain: &mut Grain) -> Result<(), &'static str> {
+    let number = grain.position.len();
     for load in &table.loads {
-        let is_inside = |node: &usize| load.region.contains(grain.position[*node]);
-        let inside: Vec<usize> = (0..number).filter(is_inside).collect();
+        let inside = inside(grain, &load.region);
         let area: f64 = inside.iter().map(|&node| grain.area[node]).sum();
         if inside.is_empty() {
-            return Err("no node of the grain is in the box of a load");
+            return Err("no node of the grain is in the box of one of the loads");
         }
         grain.load.resize(number, Vec2::zero());
         for node in inside {
@@ -236,6 +241,14 @@ fn hold_and_load(table: &GrainTable, grain: &mut Grain) -> Result<(), &'static s
         }
     }
     Ok(())
+}
+
+/// The nodes of a placed grain in a box.
+fn inside(grain: &Grain, region: &Rectangle) -> Vec<usize> {
+    let number = grain.position.len();
+    (0..number)
+        .filter(|&node| region.contains(grain.position[node]))
+        .collect()
 }
 
 /// Refuse a motion or a load of a grain all of whose nodes are clamped.

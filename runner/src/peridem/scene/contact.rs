@@ -143,7 +143,7 @@ pub(super) fn walls(
     let laws = [
         ("paper", WallReading::Paper),
         ("exact", WallReading::Exact),
-        ("two-fixes", WallReading::TwoFixes),
+        ("two_fixes", WallReading::TwoFixes),
         ("authors", WallReading::Authors),
     ];
     let law = table.optional_choice("law", &laws)?;

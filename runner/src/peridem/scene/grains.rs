@@ -9,6 +9,7 @@ use crate::scene::rows::{Row, rows_of};
 use crate::scene::table::{Range, Table};
 use gouge_common::geometry::Vec2;
 use gouge_peridem::shape::Outline;
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 /// Keys that name a CSV file of a grain.
@@ -290,11 +291,16 @@ fn nodes(table: &Table, around: &Surroundings) -> Result<NodeList> {
     };
     let path = place("nodes_file")?;
     let rows = rows_of(table, "nodes_file", &path)?;
+    let mut places = HashSet::new();
     let nodes = rows.read(&["x", "y", "area"], &[], |row| {
         let (x, y) = (
             row.number("x", Range::Finite)?,
             row.number("y", Range::Finite)?,
         );
+        // Zero has two signs.
+        if !places.insert([x, y].map(|coordinate| (coordinate + 0.0).to_bits())) {
+            return Err(row.error("x", "there is another node at this place"));
+        }
         Ok((Vec2::new(x, y), row.number("area", Range::Positive)?))
     })?;
     if nodes.is_empty() {

@@ -48,6 +48,22 @@ pub(super) fn shape_key(table: &Table) -> &'static str {
     found.unwrap_or("shape")
 }
 
+/// The key that gives what an error about an outline is about.
+fn key_of(error: &SetupError, table: &Table) -> &'static str {
+    let is_of_hole = match error {
+        SetupError::HoleOutside { .. } | SetupError::HolesMeet { .. } => true,
+        SetupError::TooFewVertices { ring, .. }
+        | SetupError::InvalidVertex { ring, .. }
+        | SetupError::ZeroArea { ring }
+        | SetupError::SelfIntersection { ring, .. } => *ring > 0,
+        _ => false,
+    };
+    if is_of_hole && table.has("holes") {
+        return "holes";
+    }
+    shape_key(table)
+}
+
 /// What a list of cuts must be.
 const CUTS: &str = "must be an array of segments, each [x0, y0, x1, y1]";
 
@@ -72,7 +88,7 @@ impl Family {
 
     /// The shape that a grain describes.
     pub(super) fn outline(self, table: &Table) -> Result<Outline> {
-        let refused = |error: SetupError| table.own_error(&error.to_string());
+        let refused = |error: SetupError| table.error(key_of(&error, table), &error.to_string());
         let shape = self.without_cuts(table)?.map_err(refused)?;
         let cuts = table.optional_rows("cuts", CUTS)?;
         let cuts = cuts.into_iter().map(|[x0, y0, x1, y1]| {

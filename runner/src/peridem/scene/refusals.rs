@@ -32,6 +32,8 @@ pub struct GrainRefusals {
     pub angular_velocity: Option<SceneError>,
     /// About `clamped`.
     pub clamped: SceneError,
+    /// About `loads`.
+    pub loads: SceneError,
 }
 
 impl Refusals {
@@ -56,6 +58,7 @@ impl Refusals {
                 velocity: given("velocity"),
                 angular_velocity: given("angular_velocity"),
                 clamped: table.error("clamped", ""),
+                loads: table.error("loads", ""),
             }
         };
         Ok(Self {
