@@ -291,7 +291,7 @@ pub(crate) fn require_product(
     result: f64,
     factors: &[(&'static str, f64, i32)],
 ) -> Result<(), SetupError> {
-    let [least, most] = USABLE;
+    let (least, most) = (USABLE[0], USABLE[1]);
     if (least..=most).contains(&result) {
         return Ok(());
     }
