@@ -4,6 +4,7 @@ mod bad_cases;
 mod motions;
 mod networks;
 mod states;
+mod unusable;
 
 use crate::program::{run, stderr, stdout};
 use serde_json::{Value, json};

@@ -2,6 +2,8 @@
 
 mod inputs;
 mod options;
+mod pairs;
+mod refusals;
 mod series;
 mod states;
 mod trajectory;

@@ -88,7 +88,14 @@ fn variant(file: &Path, case: &Fields) -> Result<(Option<PathBuf>, Variant), Fau
         .join(name);
     let names = ["case.json", "case.json.gz"].map(|file| folder.join(file));
     let [plain, _] = &names;
-    let found = names.iter().find(|file| file.is_file()).unwrap_or(plain);
+    let Some(found) = names.iter().find(|file| file.is_file()) else {
+        let accepted = "the name of a folder beside that of the case";
+        let missing = format!(
+            "{accepted}, with case.json or case.json.gz, but there is no {}",
+            plain.display()
+        );
+        return Err(case.refuse_key("same_input_as", missing));
+    };
     let weight = match case.optional("weight") {
         None => Weight::Constant,
         Some(_) => match case.word("weight", &["constant", "conic", "parabolic"])? {
