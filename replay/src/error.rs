@@ -45,6 +45,20 @@ pub enum ReplayError {
         /// The cause, with line and column.
         source: serde_json::Error,
     },
+    /// A row of a table has a value that cannot be used.
+    #[error("{}: line {line}: {column} is {value}: must be {accepted}", file.display())]
+    Row {
+        /// The file.
+        file: PathBuf,
+        /// Number of the line, from 1.
+        line: usize,
+        /// Name of the column.
+        column: &'static str,
+        /// The value.
+        value: String,
+        /// What it must be.
+        accepted: String,
+    },
     /// A file is JSON, but of no known kind.
     #[error("{}: must have {accepted}", file.display())]
     UnknownKind {

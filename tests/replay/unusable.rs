@@ -1,9 +1,68 @@
 //! Values of peridynamic cases that cannot be used: errors name file, key, value and what is accepted.
 
-use super::motions::{case, moved, refuse_all, repeated, with};
+use super::motions::{case, moved, refuse_all, repeated, replay, store, with};
 use super::states::fork;
 use crate::program::{stderr, stdout};
 use serde_json::{Value, json};
+use std::process::Output;
+
+/// The output of the command for the case with a table beside it, and the frames.
+fn beside(table: &str, text: &str) -> (Output, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("in/case.json");
+    store(&file, &case());
+    std::fs::write(folder.path().join("in").join(table), text).expect("writable");
+    let output = replay(&file, &folder.path().join("out"), &[]);
+    let frames = std::fs::read_to_string(folder.path().join("out/frames.csv"));
+    (output, frames.unwrap_or_default())
+}
+
+#[test]
+fn unusable_steps_of_tables_are_refused() {
+    let whole = "must be a whole number from 0 to 4";
+    let refusals = [
+        ("step,grain\n-1,0\n", format!("line 2: step is -1: {whole}")),
+        (
+            "step,grain\n1,0\n1.5,0\n",
+            format!("line 3: step is 1.5: {whole}"),
+        ),
+        ("step,grain\n5,0\n", format!("line 2: step is 5: {whole}")),
+        ("step,grain\nx,0\n", format!("line 2: step is x: {whole}")),
+        (
+            "step,grain\n1,0\n\n2,0\n",
+            format!("line 3: step is empty: {whole}"),
+        ),
+        (
+            "step,grain\n3,0\n2,0\n",
+            "line 3: step is 2: must be at least 3".to_owned(),
+        ),
+        (
+            "2,0\n",
+            "line 1: step is 2: must be the name of the first column, step".to_owned(),
+        ),
+        ("", "line 1: step is empty: must be".to_owned()),
+    ];
+    for (text, expected) in refusals {
+        for table in ["frames.csv", "bonds.csv"] {
+            let (output, frames) = beside(table, text);
+            assert_eq!(output.status.code(), Some(2), "{text:?}");
+            assert_eq!(frames, "");
+            let said = stderr(&output);
+            let expected = format!("{table}: {expected}");
+            assert!(said.contains(&expected), "{said}");
+        }
+    }
+}
+
+#[test]
+fn frames_are_written_at_the_steps_of_the_table() {
+    let (output, frames) = beside("frames.csv", "step,grain\r\n0,0\r\n0,1\r\n3,0\r\n\r\n");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let steps: Vec<_> = frames.lines().map(|line| line.split(',').next()).collect();
+    assert_eq!(steps, ["step", "0", "0", "3", "3"].map(Some));
+    let first = frames.lines().nth(1);
+    assert_eq!(first, Some("0,0,0,0.0,0.0,-0.5,0.0"));
+}
 
 #[test]
 fn empty_lists_and_unknown_keys_of_grains_are_refused() {

@@ -6,6 +6,7 @@ mod pairs;
 mod refusals;
 mod series;
 mod states;
+mod steps;
 mod trajectory;
 
 use crate::error::{CaseError, ReplayError};

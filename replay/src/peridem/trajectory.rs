@@ -2,45 +2,20 @@
 
 use super::inputs::{self, Input, Variant};
 use super::series::{Tables, broken};
-use super::{Repeated, Watch, json, output_name, text};
+use super::steps::Steps;
+use super::{Repeated, Watch, json, output_name};
 use crate::error::{CaseError, Fault, ReplayError};
 use crate::fields::Fields;
 use gouge_peridem::limits::Limits;
 use gouge_peridem::material::Weight;
 use gouge_peridem::mode::Mode;
 use serde_json::Value;
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Keys of which a motion has one.
 pub(super) const KEYS: [&str; 2] = ["grains", "same_input_as"];
 /// Steps between two reports of progress.
 const REPORT_INTERVAL: usize = 64;
-
-/// Steps at which a table is written: those of the table beside the case, or all multiples of the interval and the last.
-struct Steps(Option<BTreeSet<u64>>);
-
-impl Steps {
-    fn beside(case: &Path, table: &str) -> Result<Self, ReplayError> {
-        let folder = case.parent().unwrap_or(Path::new("."));
-        let names = [table.to_owned(), format!("{table}.gz")];
-        for file in names.map(|name| folder.join(name)) {
-            if file.is_file() {
-                let text = text(&file)?;
-                let step = |line: &str| line.split(',').next()?.parse().ok();
-                return Ok(Self(Some(text.lines().filter_map(step).collect())));
-            }
-        }
-        Ok(Self(None))
-    }
-
-    fn contains(&self, step: usize, input: &Input) -> bool {
-        match &self.0 {
-            Some(steps) => steps.contains(&(step as u64)),
-            None => step.is_multiple_of(input.interval) || step == input.steps,
-        }
-    }
-}
 
 /// Repeat the motion of a case, given by its file and its contents.
 pub(super) fn repeat(
@@ -62,10 +37,8 @@ pub(super) fn repeat(
         }
         None => inputs::read(&fields, mode, variant).map_err(structure(file))?,
     };
-    let steps = [
-        Steps::beside(file, "frames.csv")?,
-        Steps::beside(file, "bonds.csv")?,
-    ];
+    let steps = |table| Steps::beside(file, table, input.interval, input.steps);
+    let steps = [steps("frames.csv")?, steps("bonds.csv")?];
     let mut motion = Motion::new(input, steps);
     let failures = motion.run(watch).err().map(|fault| CaseError {
         file: output_name(file),
@@ -132,6 +105,9 @@ impl Motion {
 
     /// All steps, or those before one that fails.
     fn run(&mut self, watch: Watch) -> Result<(), Fault> {
+        if self.steps[0].contain_beginning() {
+            self.tables.add_frame(&self.input.world);
+        }
         let all = self.input.steps;
         for step in 1..=all {
             self.input.world.step()?;
@@ -153,10 +129,10 @@ impl Motion {
             self.tables.add_sums(&input.world);
         }
         let [frames, bonds] = &self.steps;
-        if frames.contains(step, input) {
+        if frames.contain(step) {
             self.tables.add_frame(&input.world);
         }
-        if bonds.contains(step, input) {
+        if bonds.contain(step) {
             self.broken.sort_unstable();
             self.tables.add_broken(&input.world, &self.broken);
         }
