@@ -3,6 +3,7 @@
 mod bad_cases;
 mod motions;
 mod networks;
+mod speeds;
 mod states;
 mod unusable;
 

@@ -127,6 +127,19 @@ pub enum Fault {
     /// A step of peridynamic grains failed.
     #[error("{0}")]
     Step(#[from] gouge_peridem::error::StepError),
+    /// A motion has a quantity that is no finite number.
+    #[error(
+        "in step {step}, {quantity} is {value}, which is no finite number; likely cause: the time step is too long, or \
+         velocities or forces are too large"
+    )]
+    NoNumber {
+        /// The step.
+        step: u64,
+        /// The quantity.
+        quantity: String,
+        /// Its value.
+        value: f64,
+    },
     /// A number of the result is not finite.
     #[error("the result {0} is not finite")]
     NotFinite(String),

@@ -126,11 +126,13 @@ fn walls_move_at_their_speeds() {
         ("/conf/wall_speeds", json!([1.0, 0.0, -2.0, 0.0])),
         ("/conf/speed_wall_top", json!(-2.0)),
     ];
-    let lists = with(&[walls.clone(), speeds[0].clone()]);
+    // Half of the contact radius is farther than walls and nodes approach each other per step.
+    let radius = ("/contact/R_c", json!(1.0));
+    let lists = with(&[walls.clone(), speeds[0].clone(), radius.clone()]);
     let (_, [_, series, _]) = moved(&lists, &[]);
     let row = last(&series);
     assert_eq!(row[row.len() - 12..row.len() - 8], [-2.5, 4.0, 2.0, -3.0]);
-    let (_, [_, series, _]) = moved(&with(&[walls, speeds[1].clone()]), &[]);
+    let (_, [_, series, _]) = moved(&with(&[walls, speeds[1].clone(), radius]), &[]);
     let row = last(&series);
     assert_eq!(row[row.len() - 12..row.len() - 8], [-3.0, 4.0, 2.0, -3.0]);
 }

@@ -8,7 +8,7 @@ use gouge_common::geometry::Vec2;
 use gouge_peridem::bonds::Bonds;
 use gouge_peridem::contact_law::ContactLaw;
 use gouge_peridem::contacts::Contact;
-use gouge_peridem::error::SetupError;
+use gouge_peridem::error::{SetupError, TooFast};
 use gouge_peridem::forces::{Settings, Walls};
 use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::{BondConstants, Weight};
@@ -74,11 +74,21 @@ pub(super) fn read(case: &Fields, mode: Mode, variant: Variant) -> Result<Input,
         None => conf.count("timesteps", 0, MOST)?,
     };
     let interval = conf.count("modulo", 1, MOST)?;
+    let mut world = World::new(all, settings, state, mode.beginning())?;
+    if mode == Mode::Corrected {
+        let guarded = world.guarded();
+        world = guarded.map_err(|motion| conf.refuse_key("dt", short_enough(1, &motion)))?;
+    }
     Ok(Input {
-        world: World::new(all, settings, state, mode.beginning())?,
+        world,
         steps,
         interval,
     })
+}
+
+/// What time steps are accepted instead of one with which a node is too fast in a step.
+pub(super) fn short_enough(step: usize, motion: &TooFast) -> String {
+    format!("short enough for contacts, but in step {step}, {motion}")
 }
 
 /// One value for all nodes, or one for each.
