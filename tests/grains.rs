@@ -351,7 +351,9 @@ fn clamped_nodes_stay_and_loads_pull() {
     let scene = write_scene(folder.path(), &clamp);
     let said = stderr(&run(&["links", scene.to_str().unwrap()]));
     assert!(
-        said.contains("grains[0].clamped = [[array of 4]]: no node of the grain is in one of the boxes"),
+        said.contains(
+            "grains[0].clamped = [[array of 4]]: no node of the grain is in one of the boxes"
+        ),
         "{said}"
     );
 }

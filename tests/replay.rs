@@ -3,7 +3,9 @@
 mod bad_cases;
 mod motions;
 mod networks;
+mod speeds;
 mod states;
+mod unusable;
 
 use crate::program::{run, stderr, stdout};
 use serde_json::{Value, json};

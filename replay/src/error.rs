@@ -45,6 +45,20 @@ pub enum ReplayError {
         /// The cause, with line and column.
         source: serde_json::Error,
     },
+    /// A row of a table has a value that cannot be used.
+    #[error("{}: line {line}: {column} is {value}: must be {accepted}", file.display())]
+    Row {
+        /// The file.
+        file: PathBuf,
+        /// Number of the line, from 1.
+        line: usize,
+        /// Name of the column.
+        column: &'static str,
+        /// The value.
+        value: String,
+        /// What it must be.
+        accepted: String,
+    },
     /// A file is JSON, but of no known kind.
     #[error("{}: must have {accepted}", file.display())]
     UnknownKind {
@@ -113,6 +127,19 @@ pub enum Fault {
     /// A step of peridynamic grains failed.
     #[error("{0}")]
     Step(#[from] gouge_peridem::error::StepError),
+    /// A motion has a quantity that is no finite number.
+    #[error(
+        "in step {step}, {quantity} is {value}, which is no finite number; likely cause: the time step is too long, or \
+         velocities or forces are too large"
+    )]
+    NoNumber {
+        /// The step.
+        step: u64,
+        /// The quantity.
+        quantity: String,
+        /// Its value.
+        value: f64,
+    },
     /// A number of the result is not finite.
     #[error("the result {0} is not finite")]
     NotFinite(String),

@@ -2,6 +2,7 @@
 
 use crate::error::Fault;
 use gouge_common::geometry::Vec2;
+use gouge_peridem::error::USABLE;
 use serde_json::{Map, Value};
 
 /// Longest value that an error message shows in full.
@@ -191,6 +192,21 @@ impl<'a> Fields<'a> {
         self.required(key, "a positive number")?.as_positive()
     }
 
+    /// A positive number that is neither so small nor so large that what follows from it is no usable number.
+    pub fn usable(&self, key: &str) -> Result<f64, Fault> {
+        self.required(key, "a positive number")?.as_usable()
+    }
+
+    /// This value as such a number.
+    pub fn as_usable(&self) -> Result<f64, Fault> {
+        let [least, most] = USABLE;
+        let number = self.as_positive()?;
+        match (least..=most).contains(&number) {
+            true => Ok(number),
+            false => Err(self.refuse(format!("a number from {least:?} to {most:?}"))),
+        }
+    }
+
     /// A number that is not negative.
     pub fn not_negative(&self, key: &str) -> Result<f64, Fault> {
         let accepted = "a number that is not negative";
@@ -266,6 +282,17 @@ impl<'a> Fields<'a> {
         self.required(key, "a list")?.as_list()
     }
 
+    /// A list with at least one item.
+    pub fn filled_list(&self, key: &str, item: &str) -> Result<Vec<Self>, Fault> {
+        let accepted = format!("a list of at least one {item}");
+        let list = self.required(key, &accepted)?;
+        let items = list.as_list()?;
+        match items.is_empty() {
+            true => Err(list.refuse(accepted)),
+            false => Ok(items),
+        }
+    }
+
     /// A list of numbers.
     pub fn numbers(&self, key: &str) -> Result<Vec<f64>, Fault> {
         self.required(key, "a list of numbers")?.as_numbers()
@@ -297,11 +324,12 @@ impl<'a> Fields<'a> {
             .map(Self::as_number)
             .collect()
     }
-    /// A list with a fixed number of positive numbers.
-    pub fn positives_of(&self, key: &str, length: usize) -> Result<Vec<f64>, Fault> {
+
+    /// A list with a fixed number of positive numbers, as [`Fields::usable`] accepts them.
+    pub fn usables_of(&self, key: &str, length: usize) -> Result<Vec<f64>, Fault> {
         self.list_of(key, length)?
             .iter()
-            .map(Self::as_positive)
+            .map(Self::as_usable)
             .collect()
     }
 }

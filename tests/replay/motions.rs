@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Output;
 
 /// Write a file, which is compressed if its name says so.
-fn store(file: &Path, value: &Value) {
+pub fn store(file: &Path, value: &Value) {
     let text = value.to_string().into_bytes();
     let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
     let bytes = match file.extension().is_some_and(|ending| ending == "gz") {
@@ -25,7 +25,7 @@ fn store(file: &Path, value: &Value) {
 }
 
 /// Repeat a stored file into a folder.
-fn replay(file: &Path, out: &Path, more: &[&str]) -> Output {
+pub fn replay(file: &Path, out: &Path, more: &[&str]) -> Output {
     let [file, out] = [file, out].map(|path| path.to_str().expect("UTF-8"));
     run(&[&["replay", file, "--out", out], more].concat())
 }
@@ -49,7 +49,7 @@ pub fn repeated(file: &Value, more: &[&str]) -> (Output, Value) {
 }
 
 /// The output of the command for a case, and its frames, series and bonds.
-fn moved(case: &Value, more: &[&str]) -> (Output, [String; 3]) {
+pub fn moved(case: &Value, more: &[&str]) -> (Output, [String; 3]) {
     let folder = tempfile::tempdir().expect("a folder");
     let (file, out) = (folder.path().join("case.json"), folder.path().join("out"));
     store(&file, case);
@@ -59,14 +59,14 @@ fn moved(case: &Value, more: &[&str]) -> (Output, [String; 3]) {
 }
 
 /// Two nodes with masses of one and a bond of stiffness 2, which move apart.
-fn case() -> Value {
+pub fn case() -> Value {
     json!({"case": "two", "contact": {"R_c": 0.5, "K_n": 1.0, "r_d": 0.0, "mu": 0.0},
         "conf": {"timesteps": 4, "modulo": 2, "dt": 0.125}, "wall_left_right_top_bottom": null,
         "grains": [{"rho": 1.0, "eps": 2.0, "c": 2.0, "s0": 0.5, "x": [0.0, 1.0], "y": [0.0, 0.0], "V": 1.0,
             "vx": [-0.5, 0.5], "bonds": [[0, 1]]}]})
 }
 
-fn with(changes: &[(&str, Value)]) -> Value {
+pub fn with(changes: &[(&str, Value)]) -> Value {
     let mut case = case();
     for (path, value) in changes {
         let (parent, key) = path.rsplit_once('/').expect("a path");
@@ -126,17 +126,19 @@ fn walls_move_at_their_speeds() {
         ("/conf/wall_speeds", json!([1.0, 0.0, -2.0, 0.0])),
         ("/conf/speed_wall_top", json!(-2.0)),
     ];
-    let lists = with(&[walls.clone(), speeds[0].clone()]);
+    // Half of the contact radius is farther than walls and nodes approach each other per step.
+    let radius = ("/contact/R_c", json!(1.0));
+    let lists = with(&[walls.clone(), speeds[0].clone(), radius.clone()]);
     let (_, [_, series, _]) = moved(&lists, &[]);
     let row = last(&series);
     assert_eq!(row[row.len() - 12..row.len() - 8], [-2.5, 4.0, 2.0, -3.0]);
-    let (_, [_, series, _]) = moved(&with(&[walls, speeds[1].clone()]), &[]);
+    let (_, [_, series, _]) = moved(&with(&[walls, speeds[1].clone(), radius]), &[]);
     let row = last(&series);
     assert_eq!(row[row.len() - 12..row.len() - 8], [-3.0, 4.0, 2.0, -3.0]);
 }
 
 /// What the command says to a case that it refuses as a whole.
-fn refused(case: &Value, more: &[&str]) -> String {
+pub fn refused(case: &Value, more: &[&str]) -> String {
     let (output, files) = moved(case, more);
     assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
     assert!(files.iter().all(String::is_empty));
@@ -144,7 +146,7 @@ fn refused(case: &Value, more: &[&str]) -> String {
 }
 
 /// Refuse cases in which one value is wrong, with the given words.
-fn refuse_all(refusals: &[(&str, Value, &str)]) {
+pub fn refuse_all(refusals: &[(&str, Value, &str)]) {
     for (path, value, expected) in refusals {
         let said = refused(&with(&[(path, value.clone())]), &[]);
         assert!(
@@ -359,9 +361,9 @@ fn single_states_that_cannot_be_used_do_not_keep_the_others_from_being_computed(
     );
     let said = stderr(&output);
     for part in [
-        "cases.json: cases[0] (fork): the outer polygon has 2 vertices",
+        "cases.json: cases[0] (fork): outer is [[0,0],[1,0]]: must be a polygon that does not touch itself (the outer polygon has 2 vertices",
         "cases.json: cases[1] (fork): y is [3.5,3.5,0.5,0.5]: must be a list of 1 items",
-        "cases.json: cases[2] (fork): node 2 lies on cut 0",
+        "cases.json: cases[2] (fork): cuts[0] is [[0.5,0],[0.5,1]]: must be a segment on which there is no node (node 2 lies on cut 0",
         "3 of 4 cases have no result",
     ] {
         assert!(said.contains(part), "{said}");

@@ -283,7 +283,7 @@ fn ring_name(ring: usize) -> String {
 }
 
 /// Smallest and largest product of parameters, in SI units, whose further products are surely numbers.
-const USABLE: [f64; 2] = [1e-100, 1e100];
+pub const USABLE: [f64; 2] = [1e-100, 1e100];
 
 /// Accept a product of powers of parameters, given with names, values and exponents, that is neither too small nor too large.
 pub(crate) fn require_product(

@@ -138,6 +138,14 @@ impl World {
         Ok(self)
     }
 
+    /// The motion for which [`World::guarded`] refuses the coming step; none if no contact could be missed in it. The world
+    /// need not be guarded.
+    pub fn too_fast(&self) -> Option<Box<TooFast>> {
+        let guard = Guard::of(&self.grains, &self.settings)?;
+        let checked = guard.check(&self.grains, &self.settings, &self.state);
+        checked.err()
+    }
+
     fn require_slow(&self) -> Result<(), Box<TooFast>> {
         match &self.guard {
             Some(guard) => guard.check(&self.grains, &self.settings, &self.state),

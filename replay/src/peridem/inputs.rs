@@ -1,12 +1,14 @@
 //! What a case says: grains, contact, walls, steps.
 
-use super::options;
+use super::refusals::{self, CONTACT};
+use super::{options, pairs};
 use crate::error::Fault;
 use crate::fields::Fields;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bonds::Bonds;
 use gouge_peridem::contact_law::ContactLaw;
 use gouge_peridem::contacts::Contact;
+use gouge_peridem::error::{SetupError, TooFast};
 use gouge_peridem::forces::{Settings, Walls};
 use gouge_peridem::grain::{Grain, Grains};
 use gouge_peridem::material::{BondConstants, Weight};
@@ -53,7 +55,7 @@ pub(super) fn read(case: &Fields, mode: Mode, variant: Variant) -> Result<Input,
         touches_itself: conf.switch_or("self_contact", false)?,
         case,
     };
-    let rows = case.list("grains")?;
+    let rows = case.filled_list("grains", "grain")?;
     let grains: Vec<_> = rows
         .iter()
         .map(|row| grain(row, &shared))
@@ -71,11 +73,22 @@ pub(super) fn read(case: &Fields, mode: Mode, variant: Variant) -> Result<Input,
         Some(steps) => steps,
         None => conf.count("timesteps", 0, MOST)?,
     };
+    let interval = conf.count("modulo", 1, MOST)?;
+    let mut world = World::new(all, settings, state, mode.beginning())?;
+    if mode == Mode::Corrected {
+        let guarded = world.guarded();
+        world = guarded.map_err(|motion| conf.refuse_key("dt", short_enough(1, &motion)))?;
+    }
     Ok(Input {
-        world: World::new(all, settings, state, mode.beginning())?,
+        world,
         steps,
-        interval: conf.count("modulo", 1, MOST)?,
+        interval,
     })
+}
+
+/// What time steps are accepted instead of one with which a node is too fast in a step.
+pub(super) fn short_enough(step: usize, motion: &TooFast) -> String {
+    format!("short enough for contacts, but in step {step}, {motion}")
 }
 
 /// One value for all nodes, or one for each.
@@ -97,8 +110,8 @@ fn areas(row: &Fields, nodes: usize) -> Result<Vec<f64>, Fault> {
     let accepted = format!("a positive number, or a list of {nodes} positive numbers");
     let value = row.required("V", &accepted)?;
     match value.value().is_array() {
-        true => row.positives_of("V", nodes),
-        false => Ok(vec![value.as_positive()?; nodes]),
+        true => row.usables_of("V", nodes),
+        false => Ok(vec![value.as_usable()?; nodes]),
     }
 }
 
@@ -116,7 +129,8 @@ fn vectors(row: &Fields, x: &str, y: &str, nodes: usize) -> Result<Vec<Vec2>, Fa
 }
 
 fn grain(row: &Fields, shared: &Shared) -> Result<Grain, Fault> {
-    let nodes = row.list("x")?.len();
+    options::require_grain(row)?;
+    let nodes = row.filled_list("x", "number")?.len();
     let clamped = match (row.switch_or("movable", true)?, row.optional("clamped")) {
         (false, _) => (0..nodes).collect(),
         (true, None) => Vec::new(),
@@ -135,11 +149,11 @@ fn grain(row: &Fields, shared: &Shared) -> Result<Grain, Fault> {
     Ok(Grain {
         position: row.vectors("x", "y", nodes)?,
         area: areas(row, nodes)?,
-        density: row.positive("rho")?,
+        density: row.usable("rho")?,
         constants,
         breaking: breaks.then(|| shared.mode.breaking()),
         touches_itself,
-        contact_stiffness: row.positive("c")?,
+        contact_stiffness: row.usable("c")?,
         material: 0,
         clamped,
         load: vectors(row, "force_density_x", "force_density_y", nodes)?,
@@ -156,14 +170,14 @@ fn constants(row: &Fields, weight: Weight) -> Result<BondConstants, Fault> {
     };
     Ok(BondConstants {
         weight,
-        horizon: row.positive("eps")?,
-        stiffness: stiffness * row.positive("c")?,
+        horizon: row.usable("eps")?,
+        stiffness: stiffness * row.usable("c")?,
         critical_stretch: critical_stretch * row.positive("s0")?,
     })
 }
 
 /// The bonds that a grain lists; nothing if it gives none, or a rule in words that only their number can check.
-fn listed(row: &Fields, nodes: usize) -> Result<Option<Vec<[usize; 2]>>, Fault> {
+fn listed(row: &Fields, position: &[Vec2]) -> Result<Option<Vec<[usize; 2]>>, Fault> {
     let Some(bonds) = row.optional("bonds") else {
         return Ok(None);
     };
@@ -176,17 +190,20 @@ fn listed(row: &Fields, nodes: usize) -> Result<Option<Vec<[usize; 2]>>, Fault> 
     }
     let list = bonds.as_list();
     let list = list.map_err(|_| bonds.refuse("a list of pairs of nodes, or a rule in words"))?;
-    let pairs = list.iter().map(|pair| pair.as_pair(nodes));
-    Ok(Some(pairs.collect::<Result<_, _>>()?))
+    pairs::read(&list, position).map(Some)
 }
 
 /// The bonds that grains list, or all nodes within the horizon of those that list none; as many as a grain says.
 fn bonds(rows: &[Fields], grains: &Grains) -> Result<Bonds, Fault> {
     let lists = rows.iter().zip(&grains.rows);
-    let lists = lists.map(|(row, of)| listed(row, of.nodes.len()));
+    let lists = lists.map(|(row, of)| listed(row, &grains.position[of.nodes.clone()]));
     let mut lists = lists.collect::<Result<Vec<_>, _>>()?;
+    let refused = |error: SetupError| match error {
+        SetupError::Bond { grain, .. } => refusals::of_bond(&rows[grain], error),
+        _ => error.into(),
+    };
     if lists.iter().any(Option::is_none) {
-        let all = Bonds::within_horizon(grains, |_, _, _| true)?;
+        let all = Bonds::within_horizon(grains, |_, _, _| true).map_err(refused)?;
         for (list, of) in lists.iter_mut().zip(&grains.rows) {
             let inside = all.all().filter(|(_, later, _)| of.nodes.contains(later));
             let first = of.nodes.start;
@@ -195,7 +212,7 @@ fn bonds(rows: &[Fields], grains: &Grains) -> Result<Bonds, Fault> {
         }
     }
     let lists: Vec<_> = lists.into_iter().flatten().collect();
-    let bonds = Bonds::from_pairs(grains, &lists)?;
+    let bonds = Bonds::from_pairs(grains, &lists).map_err(refused)?;
     for (row, of) in rows.iter().zip(&grains.rows) {
         let found = bonds.count_of(of.nodes.clone());
         match row.optional("n_bonds") {
@@ -217,17 +234,19 @@ fn settings(shared: &Shared, conf: &Fields, state: &mut State) -> Result<Setting
     };
     let velocity = options::wall_velocity(shared.case, conf)?;
     let law = ContactLaw {
-        radius: contact.positive("R_c")?,
+        radius: contact.usable("R_c")?,
         damping_ratio: coefficient("allow_damping", "r_d")?,
         friction: coefficient("allow_friction", "mu")?,
         reading: shared.mode.contact(),
     };
-    let stiffness = contact.positive("K_n")?;
+    let validated = law.validate();
+    validated.map_err(|error| refusals::of_parameter(&contact, &CONTACT, error))?;
+    let stiffness = contact.usable("K_n")?;
     let mut walls = None;
     state.walls = FAR_WALLS;
     if let Some(positions) = shared.case.optional("wall_left_right_top_bottom") {
         state.walls = positions.as_array()?;
-        walls = Some(Walls {
+        let own = Walls {
             law: WallLaw {
                 radius: law.radius,
                 stiffness,
@@ -236,10 +255,14 @@ fn settings(shared: &Shared, conf: &Fields, state: &mut State) -> Result<Setting
                 reading: shared.mode.walls(),
             },
             velocity,
-        });
+        };
+        let accepted = "left, right, top and bottom of a container, opposite walls more than two contact radii apart";
+        let validated = own.validate(&state.walls);
+        validated.map_err(|_| positions.refuse(accepted))?;
+        walls = Some(own);
     }
     Ok(Settings {
-        time_step: conf.positive("dt")?,
+        time_step: conf.usable("dt")?,
         gravity: Vec2::zero(),
         break_order: shared.mode.break_order(),
         contact: Some(Contact {

@@ -2,8 +2,11 @@
 
 mod inputs;
 mod options;
+mod pairs;
+mod refusals;
 mod series;
 mod states;
+mod steps;
 mod trajectory;
 
 use crate::error::{CaseError, ReplayError};

@@ -19,6 +19,31 @@ const CONF: [&str; 9] = [
 ];
 /// Keys of `contact`.
 const CONTACT: [&str; 4] = ["R_c", "K_n", "r_d", "mu"];
+/// Keys of a grain.
+const GRAIN: [&str; 21] = [
+    "x",
+    "y",
+    "V",
+    "rho",
+    "eps",
+    "c",
+    "s0",
+    "vx",
+    "vy",
+    "ax",
+    "ay",
+    "force_density_x",
+    "force_density_y",
+    "bonds",
+    "n_bonds",
+    "clamped",
+    "movable",
+    "breakable",
+    // For people, or for the other program.
+    "first_node",
+    "name",
+    "note",
+];
 /// Names of the walls, in their order.
 const WALLS: [&str; 4] = ["left", "right", "top", "bottom"];
 
@@ -52,6 +77,18 @@ pub(super) fn require_known(conf: &Fields, contact: &Fields) -> Result<(), Fault
     };
     require(conf, &CONF)?;
     require(contact, &CONTACT)
+}
+
+/// Refuse keys of a grain that have no meaning, whatever their values are.
+pub(super) fn require_grain(grain: &Fields) -> Result<(), Fault> {
+    let mut keys = grain.value().as_object().into_iter().flatten();
+    match keys.find(|(key, value)| !GRAIN.contains(&key.as_str()) && !value.is_null()) {
+        None => Ok(()),
+        Some((key, _)) => Err(grain.refuse_key(
+            key,
+            format!("absent: only {} have a meaning", GRAIN.join(", ")),
+        )),
+    }
 }
 
 /// Velocities of the walls: a list in their order, or a key per wall, whose names have `speed` or `velocity` in them.

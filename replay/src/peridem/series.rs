@@ -1,6 +1,7 @@
 //! Rows of the tables that a repeated case writes.
 
 use super::inputs::FAR_WALLS;
+use crate::error::Fault;
 use core::fmt::Write;
 use gouge_common::geometry::Vec2;
 use gouge_common::pair::Pair;
@@ -46,9 +47,10 @@ impl Tables {
         }
     }
 
-    /// Positions and velocities of all nodes.
-    pub(super) fn add_frame(&mut self, world: &World) {
+    /// Positions and velocities of all nodes, if all are finite.
+    pub(super) fn add_frame(&mut self, world: &World) -> Result<(), Fault> {
         let (state, step) = (world.state(), world.state().steps);
+        require_finite_motion(world)?;
         for (grain, row) in world.grains().rows.iter().enumerate() {
             for (local, node) in row.nodes.clone().enumerate() {
                 let (p, v) = (state.places[node].position(), state.velocity[node]);
@@ -59,6 +61,7 @@ impl Tables {
                 );
             }
         }
+        Ok(())
     }
 
     /// All bonds that broke up to now.
@@ -69,63 +72,110 @@ impl Tables {
         }
     }
 
-    /// Sums over grains, and walls.
-    pub(super) fn add_sums(&mut self, world: &World) {
-        let (state, energies) = (world.state(), world.energies());
-        let (momentum, angular) = momenta(world);
-        let work = state.work;
-        let mut numbers = vec![
-            world.time(),
-            energies.kinetic,
-            energies.bonds,
-            energies.contacts,
-            momentum.x,
-            momentum.y,
-            angular,
-            work.damping,
-            work.friction,
-        ];
-        let _ = write!(self.series, "{}", state.steps);
-        for number in numbers.drain(..) {
-            let _ = write!(self.series, ",{number:?}");
-        }
-        let _ = write!(self.series, ",{}", state.bonds.count());
-        for grain in 0..world.grains().rows.len() {
-            self.add_grain(world, grain);
-        }
-        let walls = match world.settings().walls {
-            Some(_) => state.walls,
-            None => FAR_WALLS,
-        };
-        for position in walls {
-            let _ = write!(self.series, ",{position:?}");
-        }
-        for reaction in world.reactions() {
-            let _ = write!(self.series, ",{:?},{:?}", reaction.x, reaction.y);
-        }
+    /// Sums over grains, and walls, if all are finite.
+    pub(super) fn add_sums(&mut self, world: &World) -> Result<(), Fault> {
+        let row = sums(world);
+        require_finite_row(self.series.lines().next().unwrap_or_default(), &row)?;
+        self.series += &row;
         self.series.push('\n');
+        Ok(())
     }
+}
 
-    /// Centre of mass, number of bonds and mean damage of a grain.
-    fn add_grain(&mut self, world: &World, grain: usize) {
-        let (grains, state) = (world.grains(), world.state());
-        let nodes = grains.rows[grain].nodes.clone();
-        let mut centre = Vec2::zero();
-        let (mut area, mut damage) = (0.0, 0.0);
-        for node in nodes.clone() {
-            centre += state.places[node].position() * grains.area[node];
-            area += grains.area[node];
-            damage += state.bonds.damage(node);
-        }
-        let centre = centre * (1.0 / area);
-        let damage = damage / nodes.len() as f64;
-        let bonds = state.bonds.count_of(nodes);
-        let _ = write!(
-            self.series,
-            ",{:?},{:?},{bonds},{damage:?}",
-            centre.x, centre.y
-        );
+/// A row of sums, without its end.
+fn sums(world: &World) -> String {
+    let (state, energies) = (world.state(), world.energies());
+    let (momentum, angular) = momenta(world);
+    let work = state.work;
+    let numbers = [
+        world.time(),
+        energies.kinetic,
+        energies.bonds,
+        energies.contacts,
+        momentum.x,
+        momentum.y,
+        angular,
+        work.damping,
+        work.friction,
+    ];
+    let mut row = state.steps.to_string();
+    for number in numbers {
+        let _ = write!(row, ",{number:?}");
     }
+    let _ = write!(row, ",{}", state.bonds.count());
+    for grain in 0..world.grains().rows.len() {
+        add_grain(&mut row, world, grain);
+    }
+    let walls = match world.settings().walls {
+        Some(_) => state.walls,
+        None => FAR_WALLS,
+    };
+    for position in walls {
+        let _ = write!(row, ",{position:?}");
+    }
+    for reaction in world.reactions() {
+        let _ = write!(row, ",{:?},{:?}", reaction.x, reaction.y);
+    }
+    row
+}
+
+/// Add centre of mass, number of bonds and mean damage of a grain.
+fn add_grain(row: &mut String, world: &World, grain: usize) {
+    let (grains, state) = (world.grains(), world.state());
+    let nodes = grains.rows[grain].nodes.clone();
+    let mut centre = Vec2::zero();
+    let (mut area, mut damage) = (0.0, 0.0);
+    for node in nodes.clone() {
+        centre += state.places[node].position() * grains.area[node];
+        area += grains.area[node];
+        damage += state.bonds.damage(node);
+    }
+    let centre = centre * (1.0 / area);
+    let damage = damage / nodes.len() as f64;
+    let bonds = state.bonds.count_of(nodes);
+    let _ = write!(row, ",{:?},{:?},{bonds},{damage:?}", centre.x, centre.y);
+}
+
+/// Refuse a row of which a number is not finite. Its columns have the names of a header.
+fn require_finite_row(header: &str, row: &str) -> Result<(), Fault> {
+    let mut columns = header.split(',').zip(row.split(','));
+    let wrong = columns.find_map(|(name, text)| {
+        let value = text.parse().ok().filter(|value: &f64| !value.is_finite());
+        Some((name, value?))
+    });
+    let Some((name, value)) = wrong else {
+        return Ok(());
+    };
+    let step = row.split(',').next().and_then(|step| step.parse().ok());
+    Err(Fault::NoNumber {
+        step: step.unwrap_or_default(),
+        quantity: format!("{name} of series.csv"),
+        value,
+    })
+}
+
+/// Refuse positions and velocities that are not finite.
+fn require_finite_motion(world: &World) -> Result<(), Fault> {
+    let (grains, state) = (world.grains(), world.state());
+    for (node, (place, velocity)) in state.places.iter().zip(&state.velocity).enumerate() {
+        let position = place.position();
+        let numbers = [
+            ("x", position.x),
+            ("y", position.y),
+            ("vx", velocity.x),
+            ("vy", velocity.y),
+        ];
+        if let Some((name, value)) = numbers.into_iter().find(|(_, value)| !value.is_finite()) {
+            let grain = grains.grain_of[node] as usize;
+            let local = node - grains.rows[grain].nodes.start;
+            return Err(Fault::NoNumber {
+                step: state.steps,
+                quantity: format!("{name} of node {local} of grain {grain} in frames.csv"),
+                value,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// Momentum in kg/s and angular momentum about the origin in kg m/s, per metre of depth.

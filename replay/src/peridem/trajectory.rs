@@ -1,46 +1,22 @@
 //! Motion of grains, step by step.
 
-use super::inputs::{self, Input, Variant};
+use super::inputs::{self, Input, Variant, short_enough};
 use super::series::{Tables, broken};
-use super::{Repeated, Watch, json, output_name, text};
+use super::steps::Steps;
+use super::{Repeated, Watch, json, output_name};
 use crate::error::{CaseError, Fault, ReplayError};
 use crate::fields::Fields;
+use gouge_peridem::error::{StepError, TooFast};
 use gouge_peridem::limits::Limits;
 use gouge_peridem::material::Weight;
 use gouge_peridem::mode::Mode;
 use serde_json::Value;
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Keys of which a motion has one.
 pub(super) const KEYS: [&str; 2] = ["grains", "same_input_as"];
 /// Steps between two reports of progress.
 const REPORT_INTERVAL: usize = 64;
-
-/// Steps at which a table is written: those of the table beside the case, or all multiples of the interval and the last.
-struct Steps(Option<BTreeSet<u64>>);
-
-impl Steps {
-    fn beside(case: &Path, table: &str) -> Result<Self, ReplayError> {
-        let folder = case.parent().unwrap_or(Path::new("."));
-        let names = [table.to_owned(), format!("{table}.gz")];
-        for file in names.map(|name| folder.join(name)) {
-            if file.is_file() {
-                let text = text(&file)?;
-                let step = |line: &str| line.split(',').next()?.parse().ok();
-                return Ok(Self(Some(text.lines().filter_map(step).collect())));
-            }
-        }
-        Ok(Self(None))
-    }
-
-    fn contains(&self, step: usize, input: &Input) -> bool {
-        match &self.0 {
-            Some(steps) => steps.contains(&(step as u64)),
-            None => step.is_multiple_of(input.interval) || step == input.steps,
-        }
-    }
-}
 
 /// Repeat the motion of a case, given by its file and its contents.
 pub(super) fn repeat(
@@ -62,12 +38,14 @@ pub(super) fn repeat(
         }
         None => inputs::read(&fields, mode, variant).map_err(structure(file))?,
     };
-    let steps = [
-        Steps::beside(file, "frames.csv")?,
-        Steps::beside(file, "bonds.csv")?,
-    ];
-    let mut motion = Motion::new(input, steps);
-    let failures = motion.run(watch).err().map(|fault| CaseError {
+    let steps = |table| Steps::beside(file, table, input.interval, input.steps);
+    let steps = [steps("frames.csv")?, steps("bonds.csv")?];
+    let time_step = match &other {
+        Some(other) => format!("conf.dt of {}", other.display()),
+        None => "conf.dt".to_owned(),
+    };
+    let mut motion = Motion::new(input, steps, time_step);
+    let failures = motion.run(mode, watch).err().map(|fault| CaseError {
         file: output_name(file),
         case: fields.text("case").unwrap_or("the motion").to_owned(),
         fault,
@@ -88,7 +66,14 @@ fn variant(file: &Path, case: &Fields) -> Result<(Option<PathBuf>, Variant), Fau
         .join(name);
     let names = ["case.json", "case.json.gz"].map(|file| folder.join(file));
     let [plain, _] = &names;
-    let found = names.iter().find(|file| file.is_file()).unwrap_or(plain);
+    let Some(found) = names.iter().find(|file| file.is_file()) else {
+        let accepted = "the name of a folder beside that of the case";
+        let missing = format!(
+            "{accepted}, with case.json or case.json.gz, but there is no {}",
+            plain.display()
+        );
+        return Err(case.refuse_key("same_input_as", missing));
+    };
     let weight = match case.optional("weight") {
         None => Weight::Constant,
         Some(_) => match case.word("weight", &["constant", "conic", "parabolic"])? {
@@ -109,26 +94,44 @@ struct Motion {
     input: Input,
     /// When rows of frames and of bonds are written.
     steps: [Steps; 2],
+    /// The key of the time step.
+    time_step: String,
     tables: Tables,
     broken: Vec<super::series::Broken>,
+    /// The first step in which contacts may be missed, and what moves too fast for it; none in a guarded world.
+    missed: Option<(usize, Box<TooFast>)>,
+    /// The latest step, also if it fails.
+    step: usize,
 }
 
 impl Motion {
-    fn new(input: Input, steps: [Steps; 2]) -> Self {
+    fn new(input: Input, steps: [Steps; 2], time_step: String) -> Self {
         Self {
             tables: Tables::new(input.world.grains().rows.len()),
             input,
             steps,
+            time_step,
             broken: Vec::new(),
+            missed: None,
+            step: 0,
         }
     }
 
     /// All steps, or those before one that fails.
-    fn run(&mut self, watch: Watch) -> Result<(), Fault> {
+    fn run(&mut self, mode: Mode, watch: Watch) -> Result<(), Fault> {
+        if self.steps[0].contain_beginning() {
+            self.tables.add_frame(&self.input.world)?;
+        }
         let all = self.input.steps;
         for step in 1..=all {
-            self.input.world.step()?;
-            self.write(step);
+            self.step = step;
+            if mode != Mode::Corrected && self.missed.is_none() {
+                let motion = self.input.world.too_fast();
+                self.missed = motion.map(|motion| (step, motion));
+            }
+            let done = self.input.world.step();
+            done.map_err(|error| self.fault(error))?;
+            self.write(step)?;
             if step.is_multiple_of(REPORT_INTERVAL) {
                 watch(step as u64, all as u64);
             }
@@ -136,47 +139,47 @@ impl Motion {
         Ok(())
     }
 
+    /// The error about a step that fails.
+    fn fault(&self, error: StepError) -> Fault {
+        match error {
+            StepError::TooFast { motion, .. } => Fault::Value {
+                key: self.time_step.clone(),
+                value: format!("{:?}", self.input.world.settings().time_step),
+                accepted: short_enough(self.step, &motion),
+            },
+            error => error.into(),
+        }
+    }
+
     /// Rows of the tables after a step.
-    fn write(&mut self, step: usize) {
+    fn write(&mut self, step: usize) -> Result<(), Fault> {
         let input = &self.input;
         let now = input.world.broken().iter();
         self.broken
             .extend(now.map(|&pair| broken(&input.world, pair)));
         if step.is_multiple_of(input.interval) || step == input.steps {
-            self.tables.add_sums(&input.world);
+            self.tables.add_sums(&input.world)?;
         }
         let [frames, bonds] = &self.steps;
-        if frames.contains(step, input) {
-            self.tables.add_frame(&input.world);
+        if frames.contain(step) {
+            self.tables.add_frame(&input.world)?;
         }
-        if bonds.contains(step, input) {
+        if bonds.contain(step) {
             self.broken.sort_unstable();
             self.tables.add_broken(&input.world, &self.broken);
         }
+        Ok(())
     }
 
     fn repeated(self, mode: Mode, failures: Vec<CaseError>) -> Repeated {
+        let doubts = self.doubts();
         let Self { input, tables, .. } = self;
         let steps = match failures.is_empty() {
             true => format!("{} steps", input.steps),
-            false => format!(
-                "failed in step {} of {}",
-                input.world.state().steps,
-                input.steps
-            ),
+            false => format!("failed in step {} of {}", self.step, input.steps),
         };
-        let world = &input.world;
-        let nodes = world.grains().nodes();
+        let nodes = input.world.grains().nodes();
         let broken = self.broken.len();
-        let limits = Limits::of(world.grains(), world.bonds(), world.settings());
-        let (meaning, limit) = limits.smallest();
-        let step = world.settings().time_step;
-        let doubt = match step > limit {
-            true => format!(
-                "dt = {step:?} s is above a limit of stability at the end, {limit:.3e} s ({meaning})\n"
-            ),
-            false => String::new(),
-        };
         Repeated {
             files: vec![
                 ("frames.csv".to_owned(), tables.frames),
@@ -184,11 +187,29 @@ impl Motion {
                 ("bonds.csv".to_owned(), tables.bonds),
             ],
             account: format!(
-                "{}: {nodes} nodes, {steps}, {broken} bonds broken\n{doubt}",
+                "{}: {nodes} nodes, {steps}, {broken} bonds broken\n{doubts}",
                 mode.name()
             ),
             failures,
             cases: 1,
         }
+    }
+
+    /// Lines about a time step that is too long.
+    fn doubts(&self) -> String {
+        let world = &self.input.world;
+        let step = world.settings().time_step;
+        let mut doubts = String::new();
+        if let Some((first, motion)) = &self.missed {
+            doubts += &format!("contacts may have been missed from step {first} on: {motion}\n");
+        }
+        let limits = Limits::of(world.grains(), world.bonds(), world.settings());
+        let (meaning, limit) = limits.smallest();
+        if step > limit {
+            doubts += &format!(
+                "dt = {step:?} s is above a limit of stability at the end, {limit:.3e} s ({meaning})\n"
+            );
+        }
+        doubts
     }
 }

@@ -4,6 +4,7 @@ use super::constants::object;
 use super::{Found, Sheet};
 use crate::error::Fault;
 use crate::fields::Fields;
+use crate::peridem::refusals::{of_bond, of_shape};
 use core::fmt::Write;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bonds::Bonds;
@@ -37,12 +38,13 @@ pub(super) fn solve(sheet: &mut Sheet) -> Result<(), Fault> {
 }
 
 fn case(case: &Fields) -> Result<Found, Fault> {
-    let nodes = case.list("x")?.len();
+    let nodes = case.filled_list("x", "number")?.len();
     let position = case.vectors("x", "y", nodes)?;
     let outline = outline(case)?;
     let interior = Interior::new(&outline);
-    interior.require_off_cuts(&position)?;
-    let pairs = within(case.positive("eps")?, &position)?;
+    let checked = interior.require_off_cuts(&position);
+    checked.map_err(|error| of_shape(case, error))?;
+    let pairs = within(case, &position)?;
     let admits = |&[i, j]: &[usize; 2]| interior.admits(position[i], position[j]);
     let (bonds, removed): (Pairs, Pairs) = pairs.iter().partition(|pair| admits(pair));
     let mut found = object([
@@ -62,7 +64,8 @@ fn case(case: &Fields) -> Result<Found, Fault> {
     for (key, interceptors) in methods {
         if is_treated || case.optional(key).is_some() {
             let shift = BOUNDARY_SHIFT * case.positive("h")?;
-            let method = SectionFive::new(&outline, shift, interceptors)?;
+            let method = SectionFive::new(&outline, shift, interceptors);
+            let method = method.map_err(|error| of_shape(case, error))?;
             let keeps = |&&[i, j]: &&[usize; 2]| method.admits(position[i], position[j]);
             found.insert(key.to_owned(), differences(&bonds, &removed, keeps));
         }
@@ -92,25 +95,26 @@ fn outline(case: &Fields) -> Result<Outline, Fault> {
         &[a, b] => Ok([a, b]),
         _ => Err(cut.refuse("two points")),
     };
-    Ok(Outline::new(
+    let outline = Outline::new(
         ring(&case.required("outer", "a list of points")?)?,
         listed("holes")?
             .iter()
             .map(ring)
             .collect::<Result<_, _>>()?,
         listed("cuts")?.iter().map(cut).collect::<Result<_, _>>()?,
-    )?)
+    );
+    outline.map_err(|error| of_shape(case, error))
 }
 
-/// All pairs of nodes within a horizon in m.
-fn within(horizon: f64, position: &[Vec2]) -> Result<Pairs, Fault> {
+/// All pairs of nodes within the horizon.
+fn within(case: &Fields, position: &[Vec2]) -> Result<Pairs, Fault> {
     let grains = Grains::new(&[Grain {
         position: position.to_vec(),
         area: vec![1.0; position.len()],
         density: 1.0,
         constants: BondConstants {
             weight: Weight::Constant,
-            horizon,
+            horizon: case.usable("eps")?,
             stiffness: 1.0,
             critical_stretch: 1.0,
         },
@@ -121,7 +125,8 @@ fn within(horizon: f64, position: &[Vec2]) -> Result<Pairs, Fault> {
         clamped: Vec::new(),
         load: Vec::new(),
     }])?;
-    let bonds = Bonds::within_horizon(&grains, |_, _, _| true)?;
+    let bonds = Bonds::within_horizon(&grains, |_, _, _| true);
+    let bonds = bonds.map_err(|error| of_bond(case, error))?;
     let mut pairs: Pairs = bonds.all().map(|(i, j, _)| [i, j]).collect();
     pairs.sort_unstable();
     Ok(pairs)

@@ -3,6 +3,7 @@
 use super::{Found, Sheet};
 use crate::error::Fault;
 use crate::fields::Fields;
+use crate::peridem::refusals::{MATERIAL, of_parameter};
 use gouge_peridem::contact_law::{ContactMaterial, ContactStiffness};
 use gouge_peridem::material::{Material, Plane, Weight};
 use serde_json::{Value, json};
@@ -60,7 +61,8 @@ fn case(case: &Fields) -> Result<Found, Fault> {
         plane,
     };
     let horizon = case.positive("eps")?;
-    let constants = material.bond_constants(weight(case)?, horizon)?;
+    let constants = material.bond_constants(weight(case)?, horizon);
+    let constants = constants.map_err(|error| of_parameter(case, &MATERIAL, error))?;
     let (c, s0) = (constants.stiffness, constants.critical_stretch);
     let ratio = material.fracture_energy / (c * s0 * s0 * horizon.powi(4));
     Ok(object([

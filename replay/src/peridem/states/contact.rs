@@ -4,6 +4,7 @@ use super::constants::object;
 use super::{Found, Sheet, two_nodes};
 use crate::error::Fault;
 use crate::fields::Fields;
+use crate::peridem::refusals::{CONTACT, of_parameter};
 use gouge_common::geometry::Vec2;
 use gouge_peridem::contact_law::{
     ContactForce, ContactLaw, ContactReading, FrictionStep, Motion, Node, NodePair,
@@ -64,8 +65,8 @@ fn reading(case: &Fields, mode: Mode) -> Result<ContactReading, Fault> {
 fn node_node(case: &Fields) -> Result<Found, Fault> {
     let node = |area: &str| {
         Ok::<_, Fault>(Node {
-            area: case.positive(area)?,
-            density: case.positive("rho")?,
+            area: case.usable(area)?,
+            density: case.usable("rho")?,
         })
     };
     let on_x = NodePair {
@@ -84,16 +85,17 @@ fn node_node(case: &Fields) -> Result<Found, Fault> {
         time_step: case.positive("dt")?,
         stick_share: 1.0,
     };
-    let stiffness = case.positive("K_n")?;
+    let stiffness = case.usable("K_n")?;
     let mut found = Found::new();
     for (name, reading) in READINGS {
         let law = ContactLaw {
-            radius: case.positive("R_c")?,
+            radius: case.usable("R_c")?,
             damping_ratio: case.not_negative("r_d")?,
             friction: case.not_negative("mu")?,
             reading,
         };
-        law.validate()?;
+        let validated = law.validate();
+        validated.map_err(|error| of_parameter(case, &CONTACT, error))?;
         let spring = law.between_grains(stiffness);
         let force = |pair: &NodePair| parts(pair, &law.force(pair, &spring, &step));
         let forces = json!({"on_x": force(&on_x), "on_y": force(&on_y)});
@@ -121,7 +123,7 @@ fn parts(pair: &NodePair, force: &ContactForce) -> Value {
 fn self_contact(case: &Fields) -> Result<Found, Fault> {
     let node = |area: &str| {
         Ok::<_, Fault>(Node {
-            area: case.positive(area)?,
+            area: case.usable(area)?,
             density: 1.0,
         })
     };
@@ -132,12 +134,12 @@ fn self_contact(case: &Fields) -> Result<Found, Fault> {
         y: node("Vy")?,
     };
     let law = ContactLaw {
-        radius: case.positive("R_c")?,
+        radius: case.usable("R_c")?,
         damping_ratio: 0.0,
         friction: 0.0,
         reading: ContactReading::Symmetric,
     };
-    let spring = law.within_grain(case.positive("c")?, case.positive("reference_distance")?);
+    let spring = law.within_grain(case.usable("c")?, case.positive("reference_distance")?);
     let step = FrictionStep {
         time_step: 1.0,
         stick_share: 1.0,

@@ -4,6 +4,8 @@ use super::constants::{WEIGHTS, object};
 use super::{Found, Sheet};
 use crate::error::Fault;
 use crate::fields::Fields;
+use crate::peridem::pairs;
+use crate::peridem::refusals::{MATERIAL, of_parameter};
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule, Elongation};
 use gouge_peridem::bonds::Bonds;
@@ -33,16 +35,13 @@ struct Cloud {
 
 impl Cloud {
     fn read(case: &Fields) -> Result<Self, Fault> {
-        let nodes = case.list("x")?.len();
+        let nodes = case.filled_list("x", "number")?.len();
+        let position = case.vectors("x", "y", nodes)?;
         Ok(Self {
-            position: case.vectors("x", "y", nodes)?,
             displacement: case.vectors("ux", "uy", nodes)?,
-            area: case.positives_of("V", nodes)?,
-            bonds: case
-                .list("bonds")?
-                .iter()
-                .map(|bond| bond.as_pair(nodes))
-                .collect::<Result<_, _>>()?,
+            area: case.usables_of("V", nodes)?,
+            bonds: pairs::read(&case.list("bonds")?, &position)?,
+            position,
         })
     }
 
@@ -113,12 +112,12 @@ fn case(case: &Fields) -> Result<Found, Fault> {
 
 /// Constants that a weight gives, or those of the material if it gives none.
 fn constants(case: &Fields, given: &Fields, weight: Weight) -> Result<BondConstants, Fault> {
-    let horizon = case.positive("eps")?;
+    let horizon = case.usable("eps")?;
     if given.optional("c").is_some() || given.optional("s0").is_some() {
         return Ok(BondConstants {
             weight,
             horizon,
-            stiffness: given.positive("c")?,
+            stiffness: given.usable("c")?,
             critical_stretch: given.positive("s0")?,
         });
     }
@@ -129,7 +128,8 @@ fn constants(case: &Fields, given: &Fields, weight: Weight) -> Result<BondConsta
         density: 1.0,
         plane: Plane::Stress,
     };
-    Ok(material.bond_constants(weight, horizon)?)
+    let constants = material.bond_constants(weight, horizon);
+    constants.map_err(|error| of_parameter(case, &MATERIAL, error))
 }
 
 fn readings(cloud: &Cloud, constants: BondConstants) -> Result<Found, Fault> {

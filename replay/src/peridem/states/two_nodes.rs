@@ -4,6 +4,7 @@ use super::Found;
 use super::constants::{object, weight};
 use crate::error::Fault;
 use crate::fields::Fields;
+use crate::peridem::refusals::{CONTACT, of_parameter};
 use core::f64::consts::TAU;
 use gouge_common::geometry::Vec2;
 use gouge_peridem::bond_law::{BreakOrder, BreakingRule};
@@ -279,22 +280,31 @@ impl Motion {
     }
 }
 
+/// Areas in m^2 of both nodes.
+fn areas(case: &Fields) -> Result<[f64; 2], Fault> {
+    match case.usables_of("V", 2)?.as_slice() {
+        &[x, y] => Ok([x, y]),
+        _ => Err(case.refuse_key("V", "2 positive numbers")),
+    }
+}
+
 /// Two nodes that collide.
 pub(super) fn collision(case: &Fields, reading: ContactReading) -> Result<Found, Fault> {
     let law = ContactLaw {
-        radius: case.positive("R_c")?,
+        radius: case.usable("R_c")?,
         damping_ratio: case.number("r_d")?,
         friction: 0.0,
         reading,
     };
-    law.validate()?;
+    let validated = law.validate();
+    validated.map_err(|error| of_parameter(case, &CONTACT, error))?;
     let speed = case.positive("relative_speed")?;
     let two = Two {
         distance: law.radius,
-        area: case.array("V")?,
-        density: case.positive("rho")?,
+        area: areas(case)?,
+        density: case.usable("rho")?,
         opening_speed: -speed,
-        link: Link::Contact(law, case.positive("K_n")?),
+        link: Link::Contact(law, case.usable("K_n")?),
     };
     let mut found = object([("omega", two.frequency().into())]);
     let Some([time, opening, _]) = two.turns()?.filter(|[_, opening, _]| -opening < law.radius)
@@ -333,9 +343,12 @@ pub(super) fn bond(case: &Fields) -> Result<Found, Fault> {
     };
     let constants = BondConstants {
         weight,
-        horizon: case.number_or("eps", usual)?,
-        stiffness: case.positive("c")?,
-        critical_stretch: case.positive("s0")?,
+        horizon: match case.optional("eps") {
+            Some(horizon) => horizon.as_usable()?,
+            None => usual,
+        },
+        stiffness: case.usable("c")?,
+        critical_stretch: case.usable("s0")?,
     };
     if length >= constants.horizon {
         let accepted = format!("below the horizon, {} m", constants.horizon);
@@ -343,8 +356,8 @@ pub(super) fn bond(case: &Fields) -> Result<Found, Fault> {
     }
     let mut two = Two {
         distance: length,
-        area: case.array("V")?,
-        density: case.positive("rho")?,
+        area: areas(case)?,
+        density: case.usable("rho")?,
         opening_speed: 0.0,
         link: Link::Bond(constants, None),
     };
