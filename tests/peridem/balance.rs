@@ -159,15 +159,22 @@ fn the_ledger_of_walls_that_move_damp_and_rub_closes_at_first_order() {
         let found = order(|fraction, steps| ledger_error(pushed(of_wall, fraction), steps));
         assert!((found - 1.0).abs() < 0.25, "{of_wall}: {found:?}");
     }
-    let lost = [0.0, speed].map(|of_wall| {
+    let [at_rest, moving] = [0.0, speed].map(|of_wall| {
         let mut world = pushed(of_wall, 0.1);
+        let before = momenta(&world).0;
         run(&mut world, 3200);
-        let work = world.state().work;
-        [work.damping, work.friction]
+        (world.state().work, momenta(&world).0 - before)
     });
-    for (at_rest, moving) in lost[0].iter().zip(lost[1]) {
-        assert!((moving / at_rest - 1.0).abs() < 1e-9, "{lost:?}");
+    let (work, momentum) = moving;
+    for (lost, seen) in [
+        (at_rest.0.damping, work.damping),
+        (at_rest.0.friction, work.friction),
+    ] {
+        assert!((seen / lost - 1.0).abs() < 1e-9, "{at_rest:?} {moving:?}");
     }
+    // Seen from elsewhere, the whole force of the wall does work, with damping and friction.
+    let more = (work.walls - at_rest.0.walls) / (speed * momentum.y);
+    assert!((more - 1.0).abs() < 1e-9, "{more}");
 }
 
 #[test]

@@ -153,6 +153,7 @@ fn the_error_names_the_fast_node_and_a_step_that_is_short_enough() {
     );
     assert!((error.speed * STEP / RADIUS - 0.9).abs() < 1e-12);
     assert!((error.distance / RADIUS - 1.1).abs() < 1e-12);
+    assert!((error.limit / RADIUS - 0.5).abs() < 1e-12);
     assert!(begin(error.safe_step * (1.0 - 1e-9)).is_ok());
     assert!(begin(error.safe_step * (1.0 + 1e-9)).is_err());
 }

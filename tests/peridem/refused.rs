@@ -52,6 +52,47 @@ fn parameters_of_materials_are_named_with_their_values() {
 }
 
 #[test]
+fn products_of_parameters_are_accepted_from_1e_100_to_1e100() {
+    // The squares of the speed of waves of these materials; their bonds are of medium stiffness.
+    let of = |young_modulus: f64, speed_squared: f64| {
+        let material = Material {
+            young_modulus,
+            density: young_modulus / speed_squared,
+            ..material()
+        };
+        material.bond_constants(Weight::Constant, 1e-3)
+    };
+    for (inside, outside) in [
+        (1e-100 * ABOVE, 1e-100 / ABOVE),
+        (1e100 / ABOVE, 1e100 * ABOVE),
+    ] {
+        assert!(of(1.0, inside).is_ok(), "{inside:e}");
+        match of(1.0, outside) {
+            Err(SetupError::Product {
+                name: "density",
+                value,
+                result,
+                ..
+            }) => assert_eq!([value, result], [1.0 / outside, 1.0 / (1.0 / outside)]),
+            other => panic!("{other:?}"),
+        }
+        assert!(of(1e10, inside).is_ok() && of(1e10, outside).is_err());
+    }
+    let unbreakable = Material {
+        young_modulus: 1e-30,
+        density: 1.0,
+        fracture_energy: 1e308,
+        ..material()
+    };
+    match unbreakable.bond_constants(Weight::Constant, 1e-3) {
+        Err(SetupError::Product { name, value, .. }) => {
+            assert_eq!((name, value), ("fracture_energy", 1e308));
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
 fn parameters_of_contacts_are_named_with_their_values() {
     let good = contact(1.0, 0.0).law;
     let of = |change: fn(&mut ContactLaw)| {

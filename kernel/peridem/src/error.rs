@@ -298,11 +298,8 @@ pub(crate) fn require_product(
     let magnitude = |&(_, value, exponent): &(_, f64, i32)| {
         (f64::from(exponent) * libm::log(value.abs())).abs()
     };
-    let larger = |a, b| if magnitude(b) > magnitude(a) { b } else { a };
-    let (name, value) = match factors.iter().reduce(larger) {
-        Some(&(name, value, _)) => (name, value),
-        None => (product, result),
-    };
+    let larger = |a, b| if magnitude(&b) > magnitude(&a) { b } else { a };
+    let (name, value, _) = factors.iter().copied().reduce(larger).unwrap_or_default();
     Err(SetupError::Product {
         name,
         value,
