@@ -286,9 +286,15 @@ fn shapes_as_thin_as_rounding_are_refused() {
     let flat = |height: f64| mesh([(0.0, 0.0), (1e-3, 0.0), (5e-4, height)]);
     assert!(flat(1e-3).is_ok() && flat(1e-6).is_ok() && flat(1e-9).is_ok());
     let error = flat(1e-12).unwrap_err();
-    let SetupError::MeshArea { area, expected, .. } = error else {
+    let SetupError::MeshArea {
+        size,
+        area,
+        expected,
+    } = error
+    else {
         panic!("{error}");
     };
+    assert_eq!(size, 2e-4);
     assert!((expected / 5e-16 - 1.0).abs() < 1e-12 && (area / expected - 1.0).abs() < 1e-5);
     for height in [1e-19, 1e-50] {
         assert!(
@@ -300,6 +306,16 @@ fn shapes_as_thin_as_rounding_are_refused() {
     assert!(mesh([(1.0, 1.0), (1.001, 1.0), (1.0005, 1.001)]).is_ok());
     let far = mesh([(1e5, 1e5), (1e5 + 1e-3, 1e5), (1e5 + 5e-4, 1e5 + 1e-3)]);
     assert!(matches!(far, Err(SetupError::MeshArea { .. })));
+    let thin = plain(ring(&[
+        (1e5, 1e5),
+        (1e5 + 1e-3, 1e5),
+        (1e5 + 5e-4, 1e5 + 1e-3),
+    ]));
+    let lattice = Mesh::lattice(&thin, 2e-4, point(1e5, 1e5));
+    assert!(
+        matches!(lattice, Err(SetupError::MeshArea { size: 2e-4, .. })),
+        "{lattice:?}"
+    );
 }
 
 proptest! {

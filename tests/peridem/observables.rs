@@ -219,6 +219,13 @@ fn damage_is_connected_with_a_tip_by_short_steps() {
     assert_eq!(found(0.5 * below, below), [0, 1, 2, 3]);
     assert_eq!(found(0.5 * above, below), [0]);
     assert!(found(0.5 * below, above).is_empty());
+    let (grains, state) = torn(|at| Vec2::new(if at.x > 9.5 * H { H } else { 0.0 }, 0.0));
+    let node = 20 * 10 + 10;
+    let damage = state.bonds.damage(node);
+    let tip = grains.position[node];
+    let is_found =
+        |threshold: f64| connected_damage(&grains, &state.bonds, 0, tip, threshold).contains(&node);
+    assert!(damage > 0.0 && is_found(damage * below) && !is_found(damage * above));
     let (grains, state) = torn(|_| Vec2::zero());
     let tip = grains.position[0];
     assert!(connected_damage(&grains, &state.bonds, 0, tip, 0.0).is_empty());

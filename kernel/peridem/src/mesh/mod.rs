@@ -34,22 +34,16 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// This mesh, of a size in m, if its nodes share the area of the shape.
+    /// This mesh, of a size in m, if its nodes share the area of the shape and each has a part of it.
     fn covering(self, outline: &Outline, size: f64) -> Result<Self, SetupError> {
         let (area, expected) = (self.area.iter().sum::<f64>(), outline.area());
         let is_same = (area - expected).abs() <= AREA_TOLERANCE * expected;
-        if !is_same {
-            return Err(SetupError::MeshArea {
+        match is_same && self.area.iter().all(|&area| area > 0.0) {
+            true => Ok(self),
+            false => Err(SetupError::MeshArea {
                 size,
                 area,
                 expected,
-            });
-        }
-        match self.area.iter().all(|&area| area > 0.0) {
-            true => Ok(self),
-            false => Err(SetupError::Mesh {
-                size,
-                reason: "a node would have no area",
             }),
         }
     }

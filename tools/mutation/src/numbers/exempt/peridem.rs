@@ -216,6 +216,12 @@ pub const EXEMPTIONS: &[Exemption] = &[
         MARGIN,
     ),
     exempt(
+        "kernel/peridem/src/mesh/mod.rs",
+        "Mesh::covering",
+        "AREA_TOLERANCE",
+        "a tolerance far above rounding and far below the parts of a mesh",
+    ),
+    exempt(
         "kernel/peridem/src/mesh/triangulated.rs",
         "bounds.lower) * «0.5»",
         "0.5",
@@ -244,6 +250,42 @@ pub const EXEMPTIONS: &[Exemption] = &[
         "distance_to",
         "1.0",
         "beyond the end of an edge is a vertex, near which points are left out anyway",
+    ),
+    exempt(
+        "kernel/peridem/src/observables/connected.rs",
+        "Cells::cell",
+        "at.x",
+        SEARCH,
+    ),
+    exempt(
+        "kernel/peridem/src/observables/connected.rs",
+        "Cells::cell",
+        "at.y",
+        SEARCH,
+    ),
+    exempt(
+        "kernel/peridem/src/observables/connected.rs",
+        "Cells::cell",
+        "self.size",
+        SEARCH,
+    ),
+    exempt(
+        "kernel/peridem/src/observables/connected.rs",
+        "Vec2::new(«radius», radius)",
+        "radius",
+        SEARCH,
+    ),
+    exempt(
+        "kernel/peridem/src/observables/connected.rs",
+        "Vec2::new(radius, «radius»)",
+        "radius",
+        SEARCH,
+    ),
+    exempt(
+        "kernel/peridem/src/observables/connected.rs",
+        "size: «row.constants.horizon»",
+        "row.constants.horizon",
+        SEARCH,
     ),
     exempt(
         "kernel/peridem/src/observables/gaps.rs",
