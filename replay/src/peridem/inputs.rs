@@ -16,6 +16,7 @@ use gouge_peridem::mode::Mode;
 use gouge_peridem::state::State;
 use gouge_peridem::wall_law::WallLaw;
 use gouge_peridem::world::World;
+use std::collections::BTreeSet;
 
 /// Largest number of nodes of a grain, and of steps.
 const MOST: usize = 1 << 31;
@@ -27,6 +28,8 @@ pub(super) struct Input {
     pub(super) world: World,
     pub(super) steps: usize,
     pub(super) interval: usize,
+    /// Keys of grains that have no meaning here.
+    pub(super) ignored: BTreeSet<String>,
 }
 
 /// A case whose grains are those of another: with its own weight and number of steps.
@@ -83,6 +86,7 @@ pub(super) fn read(case: &Fields, mode: Mode, variant: Variant) -> Result<Input,
         world,
         steps,
         interval,
+        ignored: rows.iter().flat_map(options::without_meaning).collect(),
     })
 }
 
@@ -129,7 +133,6 @@ fn vectors(row: &Fields, x: &str, y: &str, nodes: usize) -> Result<Vec<Vec2>, Fa
 }
 
 fn grain(row: &Fields, shared: &Shared) -> Result<Grain, Fault> {
-    options::require_grain(row)?;
     let nodes = row.filled_list("x", "number")?.len();
     let clamped = match (row.switch_or("movable", true)?, row.optional("clamped")) {
         (false, _) => (0..nodes).collect(),

@@ -79,16 +79,11 @@ pub(super) fn require_known(conf: &Fields, contact: &Fields) -> Result<(), Fault
     require(contact, &CONTACT)
 }
 
-/// Refuse keys of a grain that have no meaning, whatever their values are.
-pub(super) fn require_grain(grain: &Fields) -> Result<(), Fault> {
-    let mut keys = grain.value().as_object().into_iter().flatten();
-    match keys.find(|(key, value)| !GRAIN.contains(&key.as_str()) && !value.is_null()) {
-        None => Ok(()),
-        Some((key, _)) => Err(grain.refuse_key(
-            key,
-            format!("absent: only {} have a meaning", GRAIN.join(", ")),
-        )),
-    }
+/// Keys of a grain that have a value and no meaning.
+pub(super) fn without_meaning(grain: &Fields) -> Vec<String> {
+    let keys = grain.value().as_object().into_iter().flatten();
+    let unknown = keys.filter(|(key, value)| !GRAIN.contains(&key.as_str()) && !value.is_null());
+    unknown.map(|(key, _)| key.clone()).collect()
 }
 
 /// Velocities of the walls: a list in their order, or a key per wall, whose names have `speed` or `velocity` in them.

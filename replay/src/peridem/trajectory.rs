@@ -195,11 +195,18 @@ impl Motion {
         }
     }
 
-    /// Lines about a time step that is too long.
+    /// Lines about keys without a meaning, and about a time step that is too long.
     fn doubts(&self) -> String {
         let world = &self.input.world;
         let step = world.settings().time_step;
         let mut doubts = String::new();
+        if !self.input.ignored.is_empty() {
+            let ignored: Vec<&str> = self.input.ignored.iter().map(String::as_str).collect();
+            doubts += &format!(
+                "keys of grains without a meaning here: {}\n",
+                ignored.join(", ")
+            );
+        }
         if let Some((first, motion)) = &self.missed {
             doubts += &format!("contacts may have been missed from step {first} on: {motion}\n");
         }
