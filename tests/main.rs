@@ -22,6 +22,7 @@ mod examples;
 mod final_state;
 mod friction;
 mod geometry;
+mod grain_balance;
 mod grains;
 mod guard;
 mod identities;

@@ -10,7 +10,7 @@ mod steps;
 mod trajectory;
 
 use crate::error::{CaseError, ReplayError};
-use flate2::read::GzDecoder;
+use flate2::read::MultiGzDecoder;
 pub use gouge_peridem::mode::Mode;
 use serde_json::Value;
 use std::io::Read;
@@ -62,7 +62,7 @@ fn text(file: &Path) -> Result<String, ReplayError> {
     let bytes = std::fs::read(file).map_err(read)?;
     let mut text = String::new();
     if bytes.starts_with(&[0x1f, 0x8b]) {
-        GzDecoder::new(&bytes[..]).read_to_string(&mut text)
+        MultiGzDecoder::new(&bytes[..]).read_to_string(&mut text)
     } else {
         (&bytes[..]).read_to_string(&mut text)
     }

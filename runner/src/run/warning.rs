@@ -90,6 +90,8 @@ pub enum Warning<'a> {
     BehindWalls(usize),
     /// The residual of the balance of energy is this part of the energy exchanged.
     Residual(f64),
+    /// Damping and friction have given this part of the energy exchanged instead of taking it.
+    Gained(f64),
     /// Positions are so large that overlaps lose their digits.
     FarOut {
         /// The particle.
@@ -183,6 +185,12 @@ impl Warning<'_> {
                 f,
                 "{number} nodes are farther behind a wall than contact.radius: the results cannot be trusted; walls.law = \
                  \"paper\" would have stopped the run"
+            ),
+            Self::Gained(gain) => write!(
+                f,
+                "damping and friction have given energy to the grains, {:.1} % of the energy exchanged, instead of taking it: \
+                 the results cannot be trusted; the signs that mode = \"paper\" repeats are wrong",
+                100.0 * gain
             ),
             Self::Residual(error) if error.is_nan() => f.write_str(
                 "energies are not finite, so that their balance says nothing: the results cannot be trusted",

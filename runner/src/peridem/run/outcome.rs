@@ -64,7 +64,12 @@ impl SceneRun<'_> {
         if is_off {
             self.context.warn(Warning::Residual(error));
         }
-        match is_off || lost > 0 {
+        let gain = self.balance.gain();
+        let has_gained = self.scene.output.energy && gain > TRUSTED;
+        if has_gained {
+            self.context.warn(Warning::Gained(gain));
+        }
+        match is_off || has_gained || lost > 0 {
             true => UNTRUSTED.to_owned(),
             false => Summary::DONE.to_owned(),
         }

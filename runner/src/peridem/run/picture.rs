@@ -64,7 +64,12 @@ fn view(world: &World) -> View {
         high = Vec2::new(high.x.max(p.x), high.y.max(p.y));
     }
     let size = (high.x - low.x).max(high.y - low.y);
-    let margin = Vec2::new(1.0, 1.0) * (MARGIN * size);
+    let largest = world
+        .grains()
+        .area
+        .iter()
+        .fold(0.0_f64, |most, &area| most.max(area));
+    let margin = Vec2::new(1.0, 1.0) * (MARGIN * size).max(COVER * largest.sqrt());
     let (mut low, mut high) = (low - margin, high + margin);
     let [left, right, top, bottom] = world.state().walls;
     let near = |wall: f64, side: f64| (wall - side).abs() < size;

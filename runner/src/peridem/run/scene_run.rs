@@ -245,7 +245,7 @@ impl Sampled for SceneRun<'_> {
         let (scene, world) = (self.scene, &self.world);
         let terms = scene.output.energy.then(|| self.balance.terms(world));
         if let Some(terms) = &terms {
-            self.balance.add(world, terms);
+            self.balance.add(world, scene.mode.beginning(), terms);
         }
         let pieces = self.pieces.count(world).iter().sum();
         let sample = samples::sample(scene, world, terms.as_ref(), (self.intact, pieces));

@@ -161,6 +161,10 @@ pub(super) fn walls(
     }
     let checked = walls.with_stiffness(1.0, &contact.law).validate(&position);
     checked.map_err(|error| root.error("walls", &error.to_string()))?;
+    let end = root.table("time")?.number("end", Range::Positive)?;
+    let moved = std::array::from_fn(|wall| position[wall] + walls.velocity[wall] * end);
+    let checked = walls.with_stiffness(1.0, &contact.law).validate(&moved);
+    checked.map_err(|error| table.error("velocity", &format!("at time.end, {error}")))?;
     Ok(Some(walls))
 }
 

@@ -316,7 +316,14 @@ fn nodes(table: &Table, around: &Surroundings) -> Result<NodeList> {
     if table.has("bonds_file") {
         let path = place("bonds_file")?;
         let rows = rows_of(table, "bonds_file", &path)?;
-        list.bonds = Some(rows.read(&["i", "j"], &[], |row| bond(row, &list, around.horizon))?);
+        let mut known = HashSet::new();
+        list.bonds = Some(rows.read(&["i", "j"], &[], |row| {
+            let [i, j] = bond(row, &list, around.horizon)?;
+            match known.insert([i.min(j), i.max(j)]) {
+                true => Ok([i, j]),
+                false => Err(row.error("j", "the same two nodes are listed before")),
+            }
+        })?);
         list.files.push(path);
     }
     Ok(list)

@@ -4,7 +4,7 @@
 use super::{Form, GrainTable, Mesh, MeshKind, Result, Scene, outline};
 use crate::scene::table::Table;
 use gouge_common::geometry::Vec2;
-use gouge_peridem::mesh::MOST_NODES;
+use gouge_peridem::mesh::{MOST_NODES, smallest_distance};
 use gouge_peridem::shape::Outline;
 use std::f64::consts::PI;
 
@@ -39,7 +39,7 @@ impl Estimate {
                 Self {
                     number,
                     area,
-                    spacing: area.sqrt(),
+                    spacing: smallest_distance(&list.position).unwrap_or(area.sqrt()),
                 }
             }
         }
