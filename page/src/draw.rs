@@ -169,7 +169,8 @@ fn ends_of(figure: &Figure, guide: &Guide, (x, y): &(Range<f64>, Range<f64>)) ->
 
 #[cfg(test)]
 mod tests {
-    use crate::{Axis, Curve, Figure, Guide};
+    use crate::{Axis, Curve, Figure, Guide, Style};
+    use std::ops::Range;
 
     #[test]
     fn a_figure_of_a_million_points_is_small() {
@@ -183,6 +184,28 @@ mod tests {
         );
         let size = figure.html().into_string().len();
         assert!((10_000..300_000).contains(&size), "{size} bytes");
+    }
+
+    #[test]
+    fn cells_that_touch_are_one_rectangle() {
+        let grid = |missing: Range<i32>| {
+            let points = (0..40).flat_map(move |k| (0..60).map(move |l| [k, l]));
+            let outside = move |p: &[i32; 2]| p[0] != 20 || !missing.contains(&p[1]);
+            points.filter(outside).map(|p| p.map(f64::from))
+        };
+        let rectangles = |missing: Range<i32>| {
+            let (x, y) = (Axis::linear("x", ""), Axis::linear("y", ""));
+            let figure = Figure::new(
+                "A map",
+                x,
+                y,
+                vec![Curve::new("stable", Style::Cells, grid(missing))],
+            );
+            let plot = super::plot(&figure).expect("a plot");
+            plot.matches("<rect ").count()
+        };
+        assert_eq!(rectangles(0..0) - rectangles(0..60), 1);
+        assert_eq!(rectangles(20..30) - rectangles(0..0), 1);
     }
 
     /// Numbers of an attribute of all elements of a kind.

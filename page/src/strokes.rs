@@ -9,6 +9,8 @@ use std::ops::Range;
 
 /// A line that is longer than this many widths of the figure winds too much for dashes.
 const WINDING: f64 = 8.0;
+/// Half of the side of a cell of a map.
+const CELL: i32 = 8;
 
 /// What plotters may return.
 pub type Failure<'a> = DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>;
@@ -97,14 +99,7 @@ pub fn draw_curve<'a>(
             )?;
             draw_marks(chart, curve)
         }
-        Style::Cells => {
-            let style = colour.mix(0.6).filled();
-            let cell = |&point: &(f64, f64)| {
-                EmptyElement::at(point) + Rectangle::new([(-8, -8), (8, 8)], style)
-            };
-            chart.draw_series(curve.points.iter().map(cell))?;
-            Ok(())
-        }
+        Style::Cells => draw_cells(chart, &curve.points, colour.mix(0.6).filled()),
         Style::Steps => {
             let steps = steps(&curve.points);
             let base = y.start.max(0.0).min(y.end);
@@ -115,6 +110,30 @@ pub fn draw_curve<'a>(
             draw_line(chart, &steps, curve.look.dashes, colour.stroke_width(LINE))
         }
     }
+}
+
+/// Squares around points; those of a column that touch each other are one rectangle, which a map has much fewer of.
+fn draw_cells<'a>(
+    chart: &mut Chart<'a>,
+    points: &[(f64, f64)],
+    style: ShapeStyle,
+) -> Result<(), Failure<'a>> {
+    let places = points
+        .iter()
+        .map(|point| (chart.backend_coord(point), *point));
+    let mut places: Vec<_> = places.collect();
+    places.sort_unstable_by_key(|(place, _)| *place);
+    let touch = |(one, _): &((i32, i32), _), (next, _): &((i32, i32), _)| {
+        one.0 == next.0 && next.1 - one.1 <= 2 * CELL
+    };
+    let column = |cells: &[((i32, i32), (f64, f64))]| {
+        let (first, last) = (cells.first()?, cells.last()?);
+        let height = last.0.1 - first.0.1;
+        let corners = [(-CELL, -CELL), (CELL, CELL + height)];
+        Some(EmptyElement::at(first.1) + Rectangle::new(corners, style))
+    };
+    chart.draw_series(places.chunk_by(touch).filter_map(column))?;
+    Ok(())
 }
 
 /// Horizontal from each point to the next one.

@@ -23,6 +23,9 @@ const MOST_STEPS: u64 = 1_500_000;
 /// Largest product of grains and steps of such a run: about twenty seconds.
 const MOST_WORK: u64 = 900_000_000;
 
+/// Largest picture in bytes that the page holds.
+const LARGEST: usize = 200_000;
+
 /// The number of steps that a scene is run for its picture.
 fn steps_of(scene: &Scene, particles: usize) -> u64 {
     let affordable = MOST_WORK / particles.max(1) as u64;
@@ -106,7 +109,11 @@ fn gallery(pictures: &[Picture]) -> Markup {
         div.pictures {
             @for picture in pictures {
                 figure {
-                    (PreEscaped(without_size(&picture.svg)))
+                    @if picture.svg.len() <= LARGEST {
+                        (PreEscaped(without_size(&picture.svg)))
+                    } @else {
+                        p.about { "A picture of " (picture.svg.len() / 1000) " kB, too large for this page: " code { "gouge run " (picture.name) } " draws it." }
+                    }
                     figcaption { b { (picture.name) } ": " (picture.purpose) "; " (picture.moment) "." }
                 }
             }
