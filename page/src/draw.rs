@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_that_touch_are_one_rectangle() {
+    fn cells_that_touch_are_one_rectangle() -> std::io::Result<()> {
         let grid = |missing: Range<i32>| {
             let points = (0..40).flat_map(move |k| (0..60).map(move |l| [k, l]));
             let outside = move |p: &[i32; 2]| p[0] != 20 || !missing.contains(&p[1]);
@@ -201,11 +201,12 @@ mod tests {
                 y,
                 vec![Curve::new("stable", Style::Cells, grid(missing))],
             );
-            let plot = super::plot(&figure).expect("a plot");
-            plot.matches("<rect ").count()
+            let plot = super::plot(&figure)?;
+            std::io::Result::Ok(plot.matches("<rect ").count())
         };
-        assert_eq!(rectangles(0..0) - rectangles(0..60), 1);
-        assert_eq!(rectangles(20..30) - rectangles(0..0), 1);
+        assert_eq!(rectangles(0..0)? - rectangles(0..60)?, 1);
+        assert_eq!(rectangles(20..30)? - rectangles(0..0)?, 1);
+        Ok(())
     }
 
     /// Numbers of an attribute of all elements of a kind.

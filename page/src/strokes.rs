@@ -118,21 +118,25 @@ fn draw_cells<'a>(
     points: &[(f64, f64)],
     style: ShapeStyle,
 ) -> Result<(), Failure<'a>> {
-    let places = points
-        .iter()
-        .map(|point| (chart.backend_coord(point), *point));
-    let mut places: Vec<_> = places.collect();
-    places.sort_unstable_by_key(|(place, _)| *place);
-    let touch = |(one, _): &((i32, i32), _), (next, _): &((i32, i32), _)| {
-        one.0 == next.0 && next.1 - one.1 <= 2 * CELL
+    let place = |point: &(f64, f64)| chart.backend_coord(point);
+    let mut points = points.to_vec();
+    points.sort_unstable_by_key(place);
+    let touch = |one: &(f64, f64), next: &(f64, f64)| {
+        let ((x, y), (next_x, next_y)) = (place(one), place(next));
+        x == next_x && next_y - y <= 2 * CELL
     };
-    let column = |cells: &[((i32, i32), (f64, f64))]| {
+    let columns: Vec<_> = points.chunk_by(touch).collect();
+    let rectangle = |cells: &&[(f64, f64)]| {
         let (first, last) = (cells.first()?, cells.last()?);
-        let height = last.0.1 - first.0.1;
+        let height = place(last).1 - place(first).1;
         let corners = [(-CELL, -CELL), (CELL, CELL + height)];
-        Some(EmptyElement::at(first.1) + Rectangle::new(corners, style))
+        Some((*first, corners))
     };
-    chart.draw_series(places.chunk_by(touch).filter_map(column))?;
+    let rectangles: Vec<_> = columns.iter().filter_map(rectangle).collect();
+    let drawn = rectangles
+        .into_iter()
+        .map(|(first, corners)| EmptyElement::at(first) + Rectangle::new(corners, style));
+    chart.draw_series(drawn)?;
     Ok(())
 }
 

@@ -198,9 +198,9 @@ fn known_truths_are_recovered_and_ranks_are_uniform() {
 #[test]
 fn a_recovery_notices_a_wrong_likelihood() {
     // The error of the measurement is twice what is stated.
-    assert!(!recovered(&repetitions(1000, 0.0, 0.1, 0.05), 0.0, true).passes());
+    assert!(!recovered(&repetitions(300, 0.0, 0.1, 0.05), 0.0, true).passes());
     // The scatter of packings is forgotten.
-    assert!(!recovered(&repetitions(1000, 0.1, 0.05, 0.05), 0.1, false).passes());
+    assert!(!recovered(&repetitions(300, 0.1, 0.05, 0.05), 0.1, false).passes());
     // The error is half of what is stated.
-    assert!(!recovered(&repetitions(1000, 0.0, 0.05, 0.1), 0.0, true).passes());
+    assert!(!recovered(&repetitions(300, 0.0, 0.05, 0.1), 0.0, true).passes());
 }
