@@ -109,7 +109,7 @@ impl Balance {
         self.gained = self.gained.max(-(damping + friction));
         self.exchanged = self.exchanged.max(exchanged + work_of_loads(world).abs());
         self.early = self.early.max((exchanged + late) / steps);
-        self.relative = self.relative.max(relative_motion(world));
+        self.relative = self.relative.max(relative_motion(world, now[0]));
         self.magnitude = now.iter().fold(self.magnitude, largest);
         self.look_at_motions(world);
         let is_nan = residual.is_nan() || self.residual.is_nan();
@@ -126,9 +126,11 @@ impl Balance {
     /// Grains that rest, hold on to clamps or fall freely exchange nothing.
     fn look_at_motions(&mut self, world: &World) {
         let fall = world.settings().gravity * (world.time() - self.time);
+        let clamped = &world.grains().clamped;
         let is_held = |row: &GrainRow| {
-            let mut clamped = world.grains().clamped.iter();
-            clamped.any(|node| row.nodes.contains(&(*node as usize)))
+            let first = clamped.partition_point(|&node| (node as usize) < row.nodes.start);
+            let found = clamped.get(first);
+            found.is_some_and(|&node| row.nodes.contains(&(node as usize)))
         };
         let grains = world.grains().rows.iter().zip(bodies(world));
         for ((row, body), motion) in grains.zip(&mut self.motions) {
@@ -307,11 +309,10 @@ fn body(world: &World, nodes: Range<usize>) -> Body {
     }
 }
 
-/// Kinetic energy relative to walls and clamps, or to the common motion if there are none.
-fn relative_motion(world: &World) -> f64 {
-    let kinetic = world.energies().kinetic;
-    let walls = world.state().walls.iter();
-    let is_held = walls.clone().any(|position| position.is_finite());
+/// Kinetic energy relative to walls and clamps, or to the common motion if there are none, of all kinetic energy.
+fn relative_motion(world: &World, kinetic: f64) -> f64 {
+    let mut walls = world.state().walls.iter();
+    let is_held = walls.any(|position| position.is_finite());
     if is_held || !world.grains().clamped.is_empty() {
         return kinetic;
     }

@@ -159,11 +159,12 @@ pub(super) fn walls(
     {
         return Err(table.error("stiffness", "must be a number from 1e-100 to 1e100"));
     }
-    let checked = walls.with_stiffness(1.0, &contact.law).validate(&position);
+    let acting = walls.with_stiffness(1.0, &contact.law);
+    let checked = acting.validate(&position);
     checked.map_err(|error| root.error("walls", &error.to_string()))?;
     let end = root.table("time")?.number("end", Range::Positive)?;
     let moved = std::array::from_fn(|wall| position[wall] + walls.velocity[wall] * end);
-    let checked = walls.with_stiffness(1.0, &contact.law).validate(&moved);
+    let checked = acting.validate(&moved);
     checked.map_err(|error| table.error("velocity", &format!("at time.end, {error}")))?;
     Ok(Some(walls))
 }
